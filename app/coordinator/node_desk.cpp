@@ -134,6 +134,7 @@ void NodeDesk::ended(NodeId id, const Text& reason) {
     Node* node = find(id);
     if (!node)
         return;
+    // Keep the last status of the link
     NodeLink* link = std::exchange(node->link, nullptr);
     const NodeStatus last = link->status();
     const bool wasKnown = !last.name.isEmpty() && !link->isRefused();
@@ -144,8 +145,9 @@ void NodeDesk::ended(NodeId id, const Text& reason) {
     node->status.reason = lied ? link->quarantine() : reason;
     node->status.state = link->isRefused() ? NodeState::refused : lied ? NodeState::quarantined : NodeState::lost;
     link->deleteLater();
+    // Report the loss
     if (wasKnown) {
-        if (!link->wasFlooded())  // else the pauses go on growing
+        if (!link->wasFlooded())  // the waits of a flooding node keep growing
             node->backoff.succeeded();
         node->status.saidGoodbye = link->hasSaidGoodbye();
         if (!node->status.saidGoodbye)
@@ -153,8 +155,9 @@ void NodeDesk::ended(NodeId id, const Text& reason) {
         if (!closing_)
             emit lost(node->status);
     } else if (link->isRefused()) {
-        tell();  // one that dialled is gone then, and its reason with it
+        tell();  // report the reason now: a node that dialled is removed below
     }
+    // Remove or redial the node
     if (!node->address || closing_)
         remove(id);
     else if (node->status.state == NodeState::lost)

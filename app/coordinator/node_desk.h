@@ -1,5 +1,5 @@
 #pragma once
-/// Lives in the network thread of RenderNodes: dials nodes, accepts those that dial, and redials lost ones.
+/// Dials nodes, accepts nodes that dial, and redials lost ones. Lives in the network thread of RenderNodes.
 
 #include <QObject>
 #include <QTimer>
@@ -40,14 +40,14 @@ class NodeDesk : public QObject {
 
   private:
     struct Node {
-        NodeStatus status;                       ///< used while there is no link
-        std::optional<remote::Address> address;  ///< to dial; none: it dialled this program
+        NodeStatus status;                       ///< status that is used while there is no link
+        std::optional<remote::Address> address;  ///< address to dial; none: the node dialled, or is being removed
         remote::Identity identity;
-        remote::Backoff backoff{{.giveUp = std::chrono::hours(24 * 365)}};  ///< never: the user decides
+        remote::Backoff backoff{{.giveUp = std::chrono::hours(24 * 365)}};  ///< never gives up: the user decides
         bool paused = false;
         NodeLink* link = nullptr;
         remote::Dial* dial = nullptr;
-        QTimer* again = nullptr;
+        QTimer* again = nullptr;  ///< dials again
     };
 
     Node* find(NodeId id);

@@ -12,11 +12,11 @@ namespace pdr::nodes {
 namespace {
 
 constexpr std::uint32_t kHeartbeatMs = 1000;
-/// Minimum time between two scenes: half the rate of messages that a node, and this program, takes for a flood.
+/// Minimum time between two scenes: half the rate of messages that a node, and this program, treats as a flood.
 constexpr std::chrono::milliseconds kPace{4};
 static_assert(2 * std::chrono::seconds(1) / kPace <= remote::ChannelLimits{}.messages.perSecond);
 
-// Whatever the pool gives out must fit into a message.
+// Each lease of the pool must fit into a message.
 static_assert(pdr::kMostLeasePixels == wire::kMostLeasePixels);
 
 std::string keyOf(const wire::Nonce& boot) {
@@ -156,7 +156,7 @@ void NodeLink::take(const wire::SceneReady& ready) {
     if (ready.revision != sent_ || !scene_)
         return;
     transfer_.reset();
-    stale_ = 0;  // it drops its leases before it loads a scene, and messages arrive in order
+    stale_ = 0;  // a node drops its leases before it loads a scene, and messages arrive in order
     coordinator_.pool->hasScene(*worker_, sent_);
     pump();
 }
@@ -178,8 +178,8 @@ void NodeLink::sendLeases() {
     }
 }
 
-/// Closes a lease and returns its nonce. Nothing: the lease is of an earlier scene; or there was none, and the
-/// connection is closed: to unpack a result costs more than to send it.
+/// Closes a lease and returns its nonce. Nothing: the lease is of an earlier scene; or there was no such lease, and the
+/// connection is closed, since unpacking a result costs more than sending one.
 std::optional<wire::Nonce> NodeLink::answered(std::uint64_t lease) {
     if (const auto open = nonces_.extract(lease))
         return open.mapped();

@@ -16,13 +16,13 @@
 
 namespace pdr::nodes {
 
-/// What all links of a coordinator share.
+/// State that all links of a coordinator share.
 struct Coordinator {
     std::shared_ptr<WorkerPool> pool;
     ContentKey key{};
     wire::Hash bits{};  ///< hash of the own device's reference tiles
     OutgoingScenes scenes{key};
-    wire::Versions versions;  ///< of the protocol
+    wire::Versions versions;  ///< supported versions of the protocol
 };
 
 class NodeLink : public QObject {
@@ -37,17 +37,17 @@ class NodeLink : public QObject {
     /// one is always sent.
     void pump();
     void setPaused(bool paused);
-    /// Says goodbye: the node erases all that it has.
+    /// Sends a Bye, upon which the node erases all its contents, and closes the connection.
     void leave(const Text& reason);
-    /// All but id, address, dialled and losses.
+    /// Returns the status of the node without id, address, dialled and losses.
     NodeStatus status() const;
-    /// It was refused (version, bits): dialling again would not help.
+    /// Whether the node was refused (version, bits): dialling again would not help.
     bool isRefused() const { return !refusal_.empty(); }
-    /// Why it was quarantined; empty: it was not.
+    /// Reason for the node's quarantine, known once the connection is over; empty: it was not quarantined.
     const Text& quarantine() const { return quarantine_; }
-    /// It has closed the connection with a Bye.
+    /// Whether the node has closed the connection with a Bye.
     bool hasSaidGoodbye() const { return goodbye_; }
-    /// The connection was closed because it sent too much, or results of no lease.
+    /// Whether the connection was closed because the node sent too much, or answers to no lease.
     bool wasFlooded() const { return unasked_ || channel_->wasFlooded(); }
 
   signals:
@@ -73,7 +73,7 @@ class NodeLink : public QObject {
     void take(const wire::Abandoned& abandoned);
     void take(const wire::Draining&);
     void take(const wire::Bye& bye);
-    /// Messages that a node never sends: the codec refuses them.
+    /// Ignores messages that a node never sends: the codec refuses them.
     template <class Other>
     void take(const Other&) {}
 
@@ -97,18 +97,18 @@ class NodeLink : public QObject {
     QString name_, device_;
     Text refusal_, sceneTrouble_, quarantine_;
     bool otherBits_ = false;
-    bool unasked_ = false;  ///< a result of no lease came
+    bool unasked_ = false;  ///< an answer to no lease has arrived
     bool goodbye_ = false;
     bool paused_ = false;
     std::uint64_t sent_ = 0;                      ///< number of the scene sent last
     std::shared_ptr<const OutgoingScene> scene_;  ///< the scene sent last; null: none
     std::optional<Transfer> transfer_;
-    std::map<std::uint64_t, wire::Nonce> nonces_;  ///< of open leases, by number
+    std::map<std::uint64_t, wire::Nonce> nonces_;  ///< nonces of open leases, by number of the lease
     std::size_t stale_ = 0;                        ///< open leases of earlier scenes; answers may still arrive
     std::random_device random_;
 };
 
-/// Cryptographically random bytes.
+/// Returns cryptographically random bytes.
 wire::Nonce newNonce(std::random_device& random);
 
 }  // namespace pdr::nodes

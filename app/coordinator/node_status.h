@@ -1,5 +1,5 @@
 #pragma once
-/// What is shown of a render node.
+/// Status of a render node, for display.
 
 #include <QString>
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace pdr::nodes {
 using NodeId = std::uint32_t;
 
 enum class NodeState {
-    dialling,  ///< not reached yet; tried again and again
+    dialling,  ///< not reached yet; dialled again and again
     greeting,  ///< connected, in the handshake
     sending,   ///< the scene is being sent
     ready,
@@ -28,14 +28,14 @@ enum class NodeState {
 
 struct NodeStatus {
     NodeId id = 0;
-    QString address;         ///< as given, or of the node that dialled
-    bool dialled = false;    ///< by this program
-    QString name, device;    ///< as it reports: "gpu-07", "cpu, 16 threads"
+    QString address;         ///< address as given, or the peer address of a node that dialled
+    bool dialled = false;    ///< true: this program dials the node; false: the node dialled
+    QString name, device;    ///< as the node reports them: "gpu-07", "cpu, 16 threads"
     bool otherBits = false;  ///< its samples differ from those of the own device: it is refused
     NodeState state = NodeState::dialling;
-    Text reason;                      ///< for the state; empty: none
-    bool saidGoodbye = false;         ///< it ended its last connection as it should
-    double sent = 0;                  ///< part of the scene's contents; [0, 1]
+    Text reason;                      ///< reason for the state; empty: none
+    bool saidGoodbye = false;         ///< the last connection ended with a Bye
+    double sent = 0;                  ///< part of the content being sent that has been queued; [0, 1]
     std::optional<double> latencyMs;  ///< round-trip time
     std::int64_t bytesOut = 0, bytesIn = 0;
     std::uint32_t losses = 0;  ///< connections lost without a Bye

@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes serialized for nodes, each once for all of them. Contents that do not change are hashed once.
+/// Serializes scenes for nodes, each scene once for all nodes. Contents that do not change are hashed once.
 
 #include <map>
 #include <memory>
@@ -13,7 +13,7 @@ class OutgoingScenes {
   public:
     explicit OutgoingScenes(const ContentKey& key) : key_(key) {}
 
-    /// Null: it cannot be sent; `reason` says why.
+    /// Returns the serialized scene; null: it cannot be sent, and reason() tells why.
     std::shared_ptr<const OutgoingScene> ready(const PublishedScene& scene);
     const Text& reason() const { return reason_; }
     void forget() { last_.reset(); }
@@ -26,7 +26,7 @@ class OutgoingScenes {
         wire::Hash hash;
     };
     ContentKey key_;
-    std::map<const void*, Known> known_;  ///< by the content's place in memory
+    std::map<const void*, Known> known_;  ///< by the address of the content in memory
     std::shared_ptr<const OutgoingScene> last_;
     std::uint64_t lastNumber_ = 0;
     Text reason_;

@@ -1,5 +1,5 @@
 #pragma once
-/// The determinism class of a machine, as coordinator and node compare it in the handshake.
+/// Identifies the determinism class of a machine, which coordinator and node compare in the handshake.
 
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace pdr::nodes {
 
-/// Hash of the result of referenceTiles().
+/// Returns the hash of the result of referenceTiles().
 wire::Hash bitsOf(const std::vector<std::byte>& referenceTiles);
 
 }  // namespace pdr::nodes

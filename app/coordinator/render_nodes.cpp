@@ -10,7 +10,7 @@ namespace {
 
 constexpr unsigned long kFarewellMs = 1000;
 
-/// `ask` in the thread of `desk`, and what it returns.
+/// Calls `ask` in the thread of `desk`, waits for it, and returns its result.
 template <class Ask>
 auto in(NodeDesk* desk, Ask&& ask) {
     using Answer = decltype(ask());
@@ -31,7 +31,7 @@ RenderNodes::RenderNodes(std::shared_ptr<WorkerPool> pool, const std::vector<std
         nodes_ = nodes;
         emit changed();
     });
-    // Passed on at once: who made this may be too busy to hear of it.
+    // Direct connections: the thread that owns this object may be too busy to pass signals on.
     connect(desk_, &NodeDesk::joined, this, &RenderNodes::joined, Qt::DirectConnection);
     connect(desk_, &NodeDesk::lost, this, &RenderNodes::lost, Qt::DirectConnection);
     connect(desk_, &NodeDesk::changed, this, &RenderNodes::seen, Qt::DirectConnection);

@@ -1,6 +1,6 @@
 #pragma once
-/// All render nodes of a coordinator: dials the ones that were added, accepts those that dial, and connects both to a
-/// WorkerPool. Runs a network thread of its own. Call it from one thread, which receives changed().
+/// Manages all render nodes of a coordinator: dials nodes that were added, accepts nodes that dial, and connects both
+/// to a WorkerPool. Runs a network thread of its own. Call it from one thread, which receives changed().
 
 #include <QObject>
 #include <QThread>
@@ -19,15 +19,16 @@ class RenderNodes : public QObject {
     Q_OBJECT
 
   public:
-    /// `bits`: referenceTiles() of the own device; nodes that differ in them are refused.
+    /// `bits`: referenceTiles() of the own device; nodes with other bits are refused.
     RenderNodes(std::shared_ptr<WorkerPool> pool, const std::vector<std::byte>& bits, QObject* parent = nullptr);
-    /// Says goodbye to all nodes, which erase what they have; waits for that a second at most.
+    /// Sends a Bye to all nodes, upon which they erase their contents; waits for that one second at most.
     ~RenderNodes() override;
 
-    /// Folder of the certificates for later connections (remote/certificates.h); empty: none, connections to this
-    /// machine only.
+    /// Sets the folder of the certificates for later connections (remote/certificates.h); empty: no certificates,
+    /// connections to this machine only.
     void setBundle(const QString& folder);
-    /// Dials a node, now and whenever its connection is lost. Errors: a malformed address, no certificates for it.
+    /// Dials a node, now and whenever its connection is lost. Errors: a malformed address, no certificates for it, a
+    /// node that was added already.
     Result<NodeId> add(const QString& address);
     void remove(NodeId node);
     void setPaused(NodeId node, bool paused);
@@ -35,21 +36,22 @@ class RenderNodes : public QObject {
     Result<remote::Address> listen(const QString& address);
     void stopListening();
 
-    /// As of the last change.
+    /// Status of all nodes as of the last changed().
     const std::vector<NodeStatus>& nodes() const { return nodes_; }
-    /// As of now; waits for the network thread.
+    /// Returns the current status of all nodes; waits for the network thread.
     std::vector<NodeStatus> look() const;
 
   signals:
     /// nodes() has changed; at most ten times a second.
     void changed();
     // Emitted in the network thread; receivers in other threads get them queued.
-    /// What nodes() will be.
+    /// The status of all nodes has changed; nodes() will return `nodes` later.
     void seen(const std::vector<pdr::nodes::NodeStatus>& nodes);
+    /// The handshake with a node has succeeded.
     void joined(const pdr::nodes::NodeStatus& node);
-    /// A node that took part is gone, other than by the goodbye of this program's end.
+    /// The connection to a node that had joined is over, other than by the end of this program.
     void lost(const pdr::nodes::NodeStatus& node);
-    /// A program that dialled was sent away before it had said what it is.
+    /// A peer that dialled was turned away before it had proved its role.
     void turnedAway(const QString& peer, const QString& reason);
 
   private:

@@ -29,7 +29,7 @@ dmat4 matrixOf(const std::array<double, 12>& rows) {
     return matrix;
 }
 
-/// Scene files name where the voxels come from; these come with the order.
+/// Source of the voxels in the text of a scene. Scene files name one; here the voxels come with the SceneOrder.
 constexpr const char* kWithTheOrder = "with-the-order";
 
 std::string textOf(const Scene& scene) {
@@ -42,7 +42,7 @@ std::string textOf(const Scene& scene) {
     return sceneText(file);
 }
 
-/// Files do not hold what a camera's projection makes no use of.
+/// Resets the field that the camera's projection does not use: scene files do not store it.
 void dropUnused(Camera& camera) {
     if (camera.type == Camera::Type::perspective)
         camera.heightMm = Camera().heightMm;
@@ -91,6 +91,7 @@ Result<OutgoingScene> outgoingScene(std::uint64_t number, const Scene& scene, co
         going.order.environment = {add(image, bytesOf(image->texels)), image->size};
     going.order.text = textOf(scene);
 
+    // Check that a node would read the same scene
     Scene same = scene;
     same.lookName.clear();
     same.revision = number;

@@ -1,6 +1,6 @@
 #pragma once
-/// A scene as it travels to a node: an order that names contents by hash, and the contents. Of a patient neither holds
-/// anything but voxels: no names, remarks, paths or identifiers.
+/// A scene as it is sent to a node: a SceneOrder, which names contents by hash, and the contents. Neither holds
+/// anything about a patient but voxels: no names, remarks, paths or identifiers.
 
 #include <array>
 #include <functional>
@@ -19,7 +19,7 @@ using ContentKey = std::array<std::byte, 32>;
 
 struct Content {
     wire::Hash hash{};
-    std::shared_ptr<const void> owner;  ///< of the bytes
+    std::shared_ptr<const void> owner;  ///< keeps the bytes alive
     std::span<const std::byte> bytes;
 };
 
@@ -31,33 +31,36 @@ struct OutgoingScene {
 /// Returns the hash of a content.
 using HashOf = std::function<wire::Hash(const std::shared_ptr<const void>& owner, std::span<const std::byte> bytes)>;
 
-/// `scene` under that number; it must have passed its check(). Errors: the order would be read as another scene.
+/// Serializes `scene` under that number; it must have passed its check(). Errors: a node would read another scene.
 Result<OutgoingScene> outgoingScene(std::uint64_t number, const Scene& scene, const HashOf& hashOf);
 
-/// Whether a volume has the geometry of the order.
+/// Whether a volume has the geometry that `order` describes.
 bool liesSo(const VolumeGeometry& geometry, const wire::VolumeOrder& order);
 
-/// A content that an order names, and its size.
+/// A content that a SceneOrder names, and its size.
 struct WantedContent {
     wire::Hash hash{};
     std::uint64_t bytes = 0;
 };
+/// Returns all contents that `order` names.
 std::vector<WantedContent> wantedContents(const wire::SceneOrder& order);
 
-/// The contents of an order, on a node; empty where the order names none.
+/// The contents of a SceneOrder, on a node; null where the order names none.
 struct SceneContents {
     std::shared_ptr<const Volume> volume;
     std::shared_ptr<const Mask> mask;
     std::shared_ptr<const EnvironmentImage> environment;
 };
 
-/// From as many bytes as wantedContents() tells. Errors: the bytes are not such a content.
+/// Makes a content from its bytes, as many as wantedContents() returns for it. Errors: the bytes are not such a
+/// content.
 Result<std::shared_ptr<const Volume>> volumeFrom(const wire::VolumeOrder& order, std::span<const std::byte> bytes);
 Result<std::shared_ptr<const Mask>> maskFrom(const wire::MaskOrder& order, std::span<const std::byte> bytes);
 Result<std::shared_ptr<const EnvironmentImage>> environmentFrom(const wire::EnvironmentOrder& order,
                                                                 std::span<const std::byte> bytes);
 
-/// The scene that was ordered; its revision is the order's number. Errors: the order's text is no such scene.
+/// Returns the requested scene with the revision of `order`. Errors: the text of `order` and the contents are no valid
+/// scene.
 Result<Scene> sceneFrom(const wire::SceneOrder& order, const SceneContents& contents);
 
 }  // namespace pdr::nodes

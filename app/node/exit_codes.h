@@ -1,5 +1,5 @@
 #pragma once
-/// Exit codes of pdrender-node, for supervisors that restart it (names of sysexits.h where there is one).
+/// Exit codes of pdrender-node, for supervisors that restart it. They follow sysexits.h where it has a matching code.
 
 namespace pdr::node {
 

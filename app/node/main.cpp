@@ -1,4 +1,4 @@
-/// pdrender-node: takes samples for pictures of other machines. Exit codes: exit_codes.h.
+/// pdrender-node renders samples for images of other machines. Exit codes: exit_codes.h.
 
 #include <malloc.h>
 
@@ -55,6 +55,7 @@ Result<wire::Hello> introduction(const NodeOptions& options, Device& device) {
 }
 
 int work(const NodeOptions& options, const app::Interrupt& interrupt) {
+    // Open the device and render its reference tiles
     Result<std::unique_ptr<Device>> device = openDeviceToTheEnd(options.device, options.threads, [](const Error& why) {
         std::fprintf(stderr, "pdrender-node: the CPU renders, since a GPU cannot: %s\n", why.what.c_str());
     });
@@ -63,6 +64,7 @@ int work(const NodeOptions& options, const app::Interrupt& interrupt) {
     const Result<wire::Hello> hello = introduction(options, **device);
     if (!hello)
         return ending(hello.error(), ExitCode::temporary);
+    // Connect the service to the log, the exit code and signals
     NodeService service(options, *hello, *std::move(device));
     QObject::connect(&service, &NodeService::said, [](const QString& line) {
         std::fprintf(stderr, "pdrender-node: %s\n", line.toUtf8().constData());
@@ -70,7 +72,7 @@ int work(const NodeOptions& options, const app::Interrupt& interrupt) {
     int code = int(ExitCode::internal);
     QObject::connect(&service, &NodeService::finished, [&code](ExitCode why) {
         code = int(why);
-        // What was said last still has to go out.
+        // Leave time to send the last messages.
         QTimer::singleShot(100, QCoreApplication::instance(), &QCoreApplication::quit);
     });
     QTimer signal;
@@ -79,6 +81,7 @@ int work(const NodeOptions& options, const app::Interrupt& interrupt) {
             service.drain();
     });
     signal.start(50);
+    // Run until the service finishes
     if (const Result<void> started = service.start(); !started)
         return ending(started.error(), ExitCode::configuration);
     QCoreApplication::exec();
@@ -109,7 +112,7 @@ int run() {
 }  // namespace pdr::node
 
 int main(int argc, char** argv) {
-    mallopt(M_PERTURB, 0x5a);  // memory that is given back is overwritten: it may have held a scan
+    mallopt(M_PERTURB, 0x5a);  // overwrite freed memory: it may have held a scan
     const int code = pdr::app::runProgram("pdrender-node", [&] {
         const QCoreApplication application(argc, argv);
         pdr::app::keepNumbersPlain();

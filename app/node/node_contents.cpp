@@ -35,7 +35,7 @@ bool NodeContents::isHere(const wire::Hash& hash) const {
 
 Result<void> NodeContents::order(const wire::SceneOrder& order) {
     order_ = order;
-    // The same voxels may lie in another place.
+    // Drop a volume with the same voxels but another geometry
     std::erase_if(kept_, [&](const Entry& entry) {
         const auto* volume = std::get_if<std::shared_ptr<const Volume>>(&entry.content);
         return volume && entry.hash == order.volume.content && !nodes::liesSo((*volume)->geometry(), order.volume);
@@ -43,6 +43,7 @@ Result<void> NodeContents::order(const wire::SceneOrder& order) {
     beginNext();
     if (!coming_)
         return {};
+    // Check that the missing contents fit into memory
     double missing = 0;
     for (const nodes::WantedContent& wanted : nodes::wantedContents(order))
         if (!isHere(wanted.hash))
@@ -74,7 +75,7 @@ std::optional<wire::Need> NodeContents::need() const {
 
 Result<bool> NodeContents::add(const wire::Chunk& chunk) {
     if (!coming_ || chunk.content != coming_->content() || chunk.index != coming_->nextChunk())
-        return false;  // of a transfer that is over
+        return false;  // a chunk of a transfer that is over
     if (const Result<void> added = coming_->add(chunk); !added) {
         coming_.reset();
         beginNext();

@@ -1,5 +1,6 @@
 #pragma once
-/// Contents of scenes, in a node's memory only. Assembles the ones that arrive; an interrupted transfer is resumed.
+/// Stores the contents of scenes in a node's memory, never on disk. Assembles contents that arrive; an interrupted
+/// transfer is resumed.
 
 #include <cstdint>
 #include <functional>
@@ -16,27 +17,29 @@ namespace pdr::node {
 
 class NodeContents {
   public:
-    /// `freeMemory`: bytes that may still be taken.
+    /// `freeMemory`: returns the bytes that may still be allocated.
     explicit NodeContents(std::function<std::uint64_t()> freeMemory = freeBytes) : freeMemory_(std::move(freeMemory)) {}
 
-    /// Sets the coordinator whose contents come from now on; erases those of another one.
+    /// Sets the key of the coordinator whose contents arrive from now on; erases contents of another coordinator.
     void setKey(const nodes::ContentKey& key);
 
-    /// Begins to fetch what `order` lacks. Errors: not enough memory.
+    /// Begins to fetch the contents of `order` that are not here yet. Errors: not enough memory.
     Result<void> order(const wire::SceneOrder& order);
-    /// The next request to send; none: all contents are here.
+    /// Returns the next request to send; none: all contents are here, or order() has failed.
     std::optional<wire::Need> need() const;
-    /// True: it completed a content. Errors: it is damaged; the content has to be requested again.
+    /// Adds a chunk. Returns whether it completed a content. Errors: the content is damaged and has to be requested
+    /// again, or there is not enough memory.
     Result<bool> add(const wire::Chunk& chunk);
-    /// The scene of the last order, once need() is none. Errors: it cannot be made of the contents.
+    /// Returns the scene of the last order(), once need() returns none. Errors: the contents do not make a scene.
     Result<Scene> scene() const;
 
+    /// Erases all contents.
     void forget();
-    /// No content is here, whole or in part.
+    /// Whether no content is here, whole or in part.
     bool empty() const { return kept_.empty() && !coming_; }
 
-    /// Memory that a scene is refused without, over the bytes of its contents: while one is made of what has arrived,
-    /// it is there twice (2.07 times, measured), and the device derives bounds of it.
+    /// Free memory that a scene needs, as a multiple of the bytes of its missing contents: a content exists twice while
+    /// it is made of the bytes that have arrived (2.07 times, measured), and the device derives bounds from it.
     static constexpr double kSceneOverhead = 2.2;
 
   private:
@@ -57,7 +60,7 @@ class NodeContents {
     std::function<std::uint64_t()> freeMemory_;
     std::optional<nodes::ContentKey> key_;
     std::optional<wire::SceneOrder> order_;
-    std::list<Entry> kept_;  ///< the newest first
+    std::list<Entry> kept_;  ///< newest first
     std::optional<wire::ContentAssembly> coming_;
 };
 

@@ -41,7 +41,7 @@ void describe(QCommandLineParser& parser) {
     });
 }
 
-/// The command line, and behind it what the environment says of options that are not on it.
+/// Returns the command line, followed by the environment's values of options that are not on it.
 QStringList withEnvironment(QStringList arguments, const QCommandLineParser& parser,
                             const std::function<QString(const char*)>& environment) {
     for (const char* name : {"coordinator", "listen", "bundle", "name", "device", "threads", "idle-minutes",

@@ -13,22 +13,23 @@
 namespace pdr::node {
 
 struct NodeOptions {
-    std::optional<remote::Address> coordinator;  ///< to dial; one of the two
-    std::optional<remote::Address> listen;       ///< where to be dialled
+    std::optional<remote::Address> coordinator;  ///< address to dial; either this or `listen` is set
+    std::optional<remote::Address> listen;       ///< address to listen at
     QString bundle;                              ///< folder of certificates; empty: none
-    QString name;                                ///< that users see; this machine's by default
-    std::string device = "auto";                 ///< as openDevice() takes it
-    int threads = 0;                             ///< of the CPU; 0 = one per core
-    std::chrono::minutes idle{0};                ///< without work, before it ends; 0: never
-    std::chrono::seconds drain{8};               ///< for what is on its way when it is to end
-    std::chrono::seconds giveUp{120};            ///< on a coordinator that cannot be reached
-    QString makeCertificates;                    ///< folder to write a bundle into; empty: none is wanted
+    QString name;                                ///< name that users see; by default that of this machine
+    std::string device = "auto";                 ///< device, as openDevice() takes it
+    int threads = 0;                             ///< threads of the CPU; 0: one per core
+    std::chrono::minutes idle{0};                ///< time without work after which the node ends; 0: never ends
+    std::chrono::seconds drain{8};               ///< time to finish open leases when the node is to end
+    std::chrono::seconds giveUp{120};            ///< time after which an unreachable coordinator is given up
+    QString makeCertificates;                    ///< folder to write a bundle into; empty: none is requested
     bool help = false, version = false;
 };
 
-/// `arguments` behind the program's name; `environment` tells the value of a variable, empty where it is not set.
-/// Errors name the option in `where`.
+/// Parses the options. `arguments`: those after the program's name; `environment`: returns the value of a variable,
+/// empty if it is not set. Errors name the option in `where`.
 Result<NodeOptions> nodeOptions(const QStringList& arguments, const std::function<QString(const char*)>& environment);
+/// Returns the text of --help.
 std::string nodeHelp();
 
 }  // namespace pdr::node

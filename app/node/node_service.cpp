@@ -9,7 +9,7 @@
 namespace pdr::node {
 namespace {
 
-/// Contents of a connection that was lost are kept so long for the coordinator to come back.
+/// Time for which contents are kept after a connection was lost, in case the coordinator comes back.
 constexpr std::chrono::seconds kMemory(60);
 
 }  // namespace
@@ -26,7 +26,7 @@ NodeService::NodeService(const NodeOptions& options, const wire::Hello& hello, s
         drain();
     });
     connect(&patience_, &QTimer::timeout, this, [this] { finish(ExitCode::done); });
-    // Answers come on the render thread.
+    // The renderer calls this on the render thread
     renderer_ = std::make_unique<LeaseRenderer>(std::move(device), [this](LeaseAnswer answered) {
         QMetaObject::invokeMethod(
             this, [this, answered = std::move(answered)]() mutable { answer(std::move(answered)); },

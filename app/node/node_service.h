@@ -22,19 +22,20 @@ class NodeService : public QObject {
     Q_OBJECT
 
   public:
-    /// `hello`: all but what options say. `device` is for leases from now on.
+    /// `hello`: first message to each coordinator. `device`: renders the leases.
     NodeService(const NodeOptions& options, const wire::Hello& hello, std::unique_ptr<Device> device,
                 QObject* parent = nullptr);
     ~NodeService() override;
 
-    /// Errors: certificates, or an address that cannot be listened at.
+    /// Starts to dial or to listen. Errors: certificates, or an address at which this machine cannot listen.
     Result<void> start();
-    /// Finishes its leases within the drain time, says goodbye and ends.
+    /// Finishes open leases within the drain time, sends a Bye and ends.
     void drain();
 
   signals:
+    /// The node has ended; the program is to exit with `code`.
     void finished(pdr::node::ExitCode code);
-    /// A line for the log; says nothing about scenes.
+    /// A line for the log; contains nothing about scenes.
     void said(const QString& line);
 
   private:
@@ -60,7 +61,7 @@ class NodeService : public QObject {
     QTimer patience_;  ///< ends the draining
     bool draining_ = false;
     std::mt19937_64 random_{std::random_device()()};
-    std::unique_ptr<LeaseRenderer> renderer_;  ///< last, so that it ends first: its thread calls back
+    std::unique_ptr<LeaseRenderer> renderer_;  ///< last member, so that it is destroyed first: its thread calls back
 };
 
 }  // namespace pdr::node

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMostLeases = 64;
 static_assert(kMostLeases >= 16 * std::size_t(WorkerPool::kInFlight));
 
-/// Heartbeats without a byte from the coordinator, after which it counts as gone.
+/// Number of heartbeats without a byte from the coordinator after which it counts as dead.
 constexpr int kMostSilentBeats = 10;
 
 }  // namespace
@@ -51,7 +51,8 @@ void NodeSession::take(const wire::Welcome& welcome) {
     emit this->welcome();
 }
 
-/// The coordinator sends a Ping each `interval`. One that stands still keeps its connection, and would keep the node.
+/// Starts to watch the coordinator, which sends a Ping every `interval`. A coordinator that hangs keeps its connection,
+/// and would keep the node occupied.
 void NodeSession::listenToHeart(std::chrono::milliseconds interval) {
     const auto dead = kMostSilentBeats * interval;
     heart_.emplace(remote::steadyTime(), remote::HeartbeatLimits{interval, dead, dead});
@@ -130,7 +131,7 @@ void NodeSession::take(const wire::Bye& bye) {
     channel_->close(bye.reason);
 }
 
-/// Their scene is outdated, or the connection is lost.
+/// Drops all leases: their scene is outdated, or the connection is over.
 void NodeSession::dropLeases() {
     leases_.clear();
     renderer_.drop();

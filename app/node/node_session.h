@@ -22,24 +22,25 @@ class NodeSession : public QObject {
                 QObject* parent = nullptr);
     ~NodeSession() override;
 
-    /// Sends an answer of the renderer.
+    /// Sends an answer of the renderer to the coordinator.
     void answer(LeaseAnswer answer);
     /// Accepts no new leases; emits drained() when all are answered.
     void drain();
-    /// Gives back open leases, says goodbye and closes the connection.
+    /// Gives open leases back, sends a Bye and closes the connection.
     void leave();
     bool isWelcome() const { return channel_->isAdmitted(); }
-    /// The coordinator has said goodbye or refused this node: erase its contents.
+    /// Whether the coordinator has sent a Bye or refused this node: its contents must be erased.
     bool wasDismissed() const { return dismissed_; }
     const std::optional<wire::Refused>& refusal() const { return refusal_; }
-    /// Leases are open.
+    /// Whether leases are open.
     bool isBusy() const { return !leases_.empty(); }
 
   signals:
+    /// The handshake has succeeded.
     void welcome();
     /// A lease has arrived.
     void worked();
-    /// After drain(): no lease is open any more.
+    /// No lease is open any more, after drain().
     void drained();
     /// The connection is over; the last signal.
     void over(const pdr::Text& reason);
@@ -59,7 +60,7 @@ class NodeSession : public QObject {
     void take(wire::Lease& lease);
     void take(const wire::Forget&);
     void take(const wire::Bye& bye);
-    /// Messages that a coordinator never sends: the codec refuses them.
+    /// Ignores messages that a coordinator never sends: the codec refuses them.
     template <class Other>
     void take(const Other&) {}
 
@@ -76,11 +77,11 @@ class NodeSession : public QObject {
     remote::Channel* channel_;
     NodeContents& contents_;
     LeaseRenderer& renderer_;
-    wire::Versions versions_;                 ///< that it has offered
-    std::optional<remote::Heartbeat> heart_;  ///< the coordinator's, once it is known
+    wire::Versions versions_;                 ///< versions of the protocol that this node has offered
+    std::optional<remote::Heartbeat> heart_;  ///< heartbeat of the coordinator; none before its Welcome
     QTimer beatTimer_;
-    qint64 heardBytes_ = 0;       ///< as of the last look
-    std::uint64_t revision_ = 0;  ///< of the newest scene that was ordered
+    qint64 heardBytes_ = 0;       ///< received bytes at the last beat()
+    std::uint64_t revision_ = 0;  ///< revision of the newest requested scene; 0: none
     std::map<std::uint64_t, Taken> leases_;
     std::optional<wire::Refused> refusal_;
     bool dismissed_ = false;

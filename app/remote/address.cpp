@@ -16,7 +16,7 @@ Error noSuchPort(const QString& text) {
             ErrorKind::refused};
 }
 
-/// Port 0 as well.
+/// Parses an address; accepts port 0, too.
 Result<Address> parseAnyPort(const QString& text) {
     const auto read = readNetworkAddress(text.toStdString());
     if (const auto* address = std::get_if<NetworkAddress>(&read))

@@ -38,13 +38,13 @@ Result<void> writePart(const QString& folder, const SignedCertificate& authority
     return {};
 }
 
-/// Both parts, in a folder that is there.
+/// Writes both parts of a bundle into an existing folder.
 Result<void> writeBundle(const QString& folder, std::chrono::system_clock::time_point now) {
     const auto from = now - std::chrono::days(1);
     const auto order = [&](const QString& name) {
         return CertificateOrder{name, false, from, from + kCertificatesHold};
     };
-    // A name of its own: a certificate of another bundle is then told to be of a stranger, not to be damaged.
+    // A unique name: a certificate of another bundle is then reported as one of a stranger, not as damaged.
     CertificateOrder ofAuthority = order("PD-Render " + QUuid::createUuid().toString(QUuid::WithoutBraces));
     ofAuthority.authority = true;
     const auto authority = makeCertificate(ofAuthority);
@@ -60,7 +60,7 @@ Result<void> writeBundle(const QString& folder, std::chrono::system_clock::time_
     return {};
 }
 
-/// One after the other; if the second cannot be, the first is taken back.
+/// Moves the parts of a bundle one after the other; if the second cannot be moved, the first is removed.
 bool moveParts(const QDir& from, const QDir& to) {
     const QString first = folderOf(Role::coordinator), second = folderOf(Role::node);
     if (!QFile::rename(from.filePath(first), to.filePath(first)))

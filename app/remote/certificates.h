@@ -1,9 +1,9 @@
 #pragma once
-/// Makes the certificates by which coordinator and nodes know each other: a bundle, a folder with
+/// Makes the certificates by which coordinator and nodes authenticate each other: a bundle, which is a folder with
 ///   coordinator/   ca.pem, certificate.pem, key.pem   stays with the coordinator
 ///   node/          the same files                     is copied to all nodes
-/// One private authority (P-256), whose key is forgotten, has signed both certificates: who has none of this bundle's
-/// is a stranger. Keys are readable by their owner only (0600), folders are 0700.
+/// One private authority (P-256), whose key is discarded, signs both certificates: a peer without a certificate of this
+/// bundle is a stranger. Keys are readable by their owner only (0600), folders are 0700.
 
 #include <QString>
 #include <chrono>
@@ -14,8 +14,8 @@ namespace pdr::remote {
 
 inline constexpr std::chrono::days kCertificatesHold{825};
 
-/// Made where it is missing. Writes all or nothing. The certificates hold from a day before `now`, for clocks that
-/// differ. Errors: there is a bundle already, the folder cannot be written.
+/// Writes a bundle into `folder`, which it creates if it is missing. Writes all or nothing. The certificates are valid
+/// from a day before `now`, since clocks differ. Errors: there is a bundle already, the folder cannot be written.
 Result<void> makeCertificates(const QString& folder,
                               std::chrono::system_clock::time_point now = std::chrono::system_clock::now());
 

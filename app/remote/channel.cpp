@@ -14,11 +14,12 @@ namespace {
 
 constexpr qint64 kReadPiece = 64 << 10;
 constexpr std::size_t kWritePiece = 64 << 10;
-/// Bytes in the socket: what is there can no longer be overtaken.
+/// Limit on the bytes in the socket: urgent messages can no longer overtake a chunk that is there.
 constexpr qint64 kHandedOver = 256 << 10;
 constexpr std::chrono::milliseconds kWatch{500};
 
-/// What comes as fast as work is done. Answers to leases are counted by who has given these.
+/// Whether a message arrives as fast as work is done, so that the rate limit must not count it. Answers to leases are
+/// checked by the side that gave out the leases.
 bool isOfWork(const wire::Message& message) {
     return std::holds_alternative<wire::Lease>(message) || std::holds_alternative<wire::Result>(message) ||
            std::holds_alternative<wire::Abandoned>(message) || std::holds_alternative<wire::Chunk>(message);
@@ -58,7 +59,7 @@ Channel::~Channel() {
     socket_->abort();
 }
 
-/// What came, or happened, while nobody was listening to the socket's signals.
+/// Handles data and a disconnection that came before the socket's signals were connected.
 void Channel::begin() {
     read();
     if (socket_->state() == QAbstractSocket::UnconnectedState)
@@ -90,13 +91,13 @@ bool Channel::send(wire::Message message) {
     return true;
 }
 
-/// Until so many bytes are in the socket, or none are left.
+/// Writes queued bytes until `most` bytes are in the socket, or none are left.
 void Channel::pump(qint64 most) {
     while (inSocket() < most && (handedOver_ < frame_.bytes() || beginNextFrame())) {
         const std::span<const std::byte> piece = nextPiece();
         const qint64 written = socket_->write(reinterpret_cast<const char*>(piece.data()), qint64(piece.size()));
         if (written <= 0)
-            return;  // the socket says why by a signal
+            return;  // the socket reports the reason by a signal
         handedOver_ += std::size_t(written);
         waiting_ -= written;
         bytesSent_ += written;
@@ -160,7 +161,7 @@ void Channel::take(std::span<const std::byte> bytes) {
     }
 }
 
-/// Whether it came too soon, or what was passed over before it.
+/// Whether messages arrive too fast: the newest one, and messages of unknown types that were skipped before it.
 bool Channel::isFlood(const std::optional<wire::Message>& newest) {
     const qint64 come = reader_->messages() - counted_;
     counted_ += come;
@@ -202,7 +203,8 @@ void Channel::close(const Text& reason) {
     socket_->disconnectFromHost();
 }
 
-/// A side that refuses this one's certificate says so by no more than ending the connection.
+/// Ends a channel whose connection is lost. A peer that rejects this side's certificate only ends the connection and
+/// gives no reason.
 void Channel::lose(const Text& reason) {
     finish(admitted_ ? reason : phrase("%1, before both sides knew each other", reason));
 }

@@ -1,8 +1,8 @@
 #pragma once
-/// Messages over one connection, in both directions and in order, except that chunks have low priority: a message sent
-/// after some chunks may arrive before them. The send queue is bounded. A connection that fails, is too slow, or whose
-/// peer violates the protocol is closed. Lives in one thread. Emits nothing while send() or close() runs. Within its
-/// signals, delete it by deleteLater().
+/// A channel sends and receives messages over one connection, in order, except that chunks have low priority: a message
+/// sent after some chunks may arrive before them. The send queue is bounded. A connection that fails, is too slow, or
+/// whose peer violates the protocol is closed. A channel lives in one thread and emits nothing while send() or close()
+/// runs. Within its signals, delete it by deleteLater().
 
 #include <QElapsedTimer>
 #include <QTcpSocket>
@@ -24,11 +24,11 @@ class FrameReader;
 namespace pdr::remote {
 
 struct ChannelLimits {
-    std::chrono::milliseconds admission{5000};  ///< until setAdmitted()
-    std::chrono::milliseconds farewell{2000};   ///< for the last messages to be sent
-    std::chrono::milliseconds unheard{5000};    ///< without an acknowledgement by the peer's TCP
-    DripLimits drip;                            ///< for incoming messages
-    /// Incoming messages but for chunks, leases and answers to leases: twice the rate of a coordinator's scenes
+    std::chrono::milliseconds admission{5000};  ///< time until setAdmitted()
+    std::chrono::milliseconds farewell{2000};   ///< time to send the last messages
+    std::chrono::milliseconds unheard{5000};    ///< time without an acknowledgement by the peer's TCP
+    DripLimits drip;                            ///< minimum speed of incoming messages
+    /// Limit on incoming messages except chunks, leases and answers to leases: twice the rate of a coordinator's scenes
     /// (nodes::NodeLink), each of which has one answer; the burst is twice what queues up in the 10 s of the heartbeat.
     RateLimit messages{.perSecond = 500, .burst = 5000};
 };
@@ -37,47 +37,48 @@ class Channel : public QObject {
     Q_OBJECT
 
   public:
-    /// A chunk may be sent while fewer bytes than these are queued.
+    /// A chunk may be sent while fewer bytes than this are queued.
     static constexpr qint64 kRoom = 4 << 20;
     /// Limit on queued bytes; beyond it the connection is closed.
     static constexpr qint64 kMostQueued = 64 << 20;
 
-    /// Takes ownership of `socket`, which is connected, and encrypted unless plain TCP is allowed. `role`: this side's.
+    /// Takes ownership of `socket`, which is connected, and encrypted unless plain TCP is allowed. `role`: role of this
+    /// side.
     Channel(QTcpSocket* socket, Role role, const ChannelLimits& limits = {}, QObject* parent = nullptr);
     ~Channel() override;
 
-    /// Queues a message. False, and it is not queued: the channel is closed or closing; or it is a chunk and there is
-    /// no room.
+    /// Queues a message. Returns false and does not queue it if the channel is closed or closing, or if it is a chunk
+    /// and there is no room.
     bool send(wire::Message message);
-    /// For a chunk; ask before a lease, too: queued leases grow stale.
+    /// Whether a chunk may be sent. Check this before sending a lease, too: queued leases grow stale.
     bool hasRoom() const { return queuedBytes() < kRoom; }
     /// Bytes to be sent, here and in the socket, without the kernel's buffers.
     qint64 queuedBytes() const;
-    qint64 bytesSent() const { return bytesSent_; }          ///< of frames, before encryption
-    qint64 bytesReceived() const { return bytesReceived_; }  ///< likewise; grows as parts of messages arrive
+    qint64 bytesSent() const { return bytesSent_; }          ///< bytes of frames, before encryption
+    qint64 bytesReceived() const { return bytesReceived_; }  ///< decrypted bytes; grows as parts of messages arrive
 
-    /// The handshake has succeeded: the peer may send all messages from now on, not only Hello, Welcome, Refused and
-    /// Bye. A channel that is not admitted in time closes itself.
+    /// Records that the handshake has succeeded: the peer may send all messages from now on, not only Hello, Welcome,
+    /// Refused and Bye. A channel that is not admitted in time closes itself.
     void setAdmitted();
     bool isAdmitted() const { return admitted_; }
 
-    /// Sends all queued messages but chunks, then closes the connection. Receives nothing more.
+    /// Sends all queued messages except chunks, then closes the connection. Receives nothing more.
     void close(const Text& reason);
     bool isOpen() const { return state_ == State::open; }
-    /// It was closed because of ChannelLimits::messages.
+    /// Whether the channel was closed because of ChannelLimits::messages.
     bool wasFlooded() const { return flooded_; }
 
-    /// "192.0.2.7:50123"
+    /// Address and port of the peer: "192.0.2.7:50123".
     QString peerName() const { return peerName_; }
     QString peerHost() const { return peerHost_; }
 
   signals:
-    /// The receiver may move from it.
+    /// A message has arrived; the receiver may move from it.
     void received(pdr::wire::Message& message);
     /// hasRoom() is true again.
     void roomForMore();
     void admitted();
-    /// The connection is over: emitted exactly once, as the last signal. `reason`: that of close(), or of the failure.
+    /// The connection is over: emitted exactly once, as the last signal. `reason`: from close(), or of the failure.
     void closed(const pdr::Text& reason);
 
   private:
@@ -101,8 +102,8 @@ class Channel : public QObject {
     ChannelLimits limits_;
     std::unique_ptr<wire::FrameReader> reader_;
     std::deque<wire::Frame> urgent_, chunks_;
-    wire::Frame frame_;           ///< being written to the socket ...
-    std::size_t handedOver_ = 0;  ///< ... and how much of it was
+    wire::Frame frame_;           ///< frame that is being written to the socket
+    std::size_t handedOver_ = 0;  ///< bytes of frame_ that have been written
     qint64 waiting_ = 0;          ///< bytes of urgent_, chunks_ and the rest of frame_
     qint64 bytesSent_ = 0, bytesReceived_ = 0;
     qint64 counted_ = 0;  ///< received messages that bucket_ has counted
@@ -116,7 +117,7 @@ class Channel : public QObject {
     TokenBucket bucket_;
     QElapsedTimer clock_;
     QTimer watchTimer_;
-    QTimer patience_;  ///< admission, then farewell
+    QTimer patience_;  ///< time limit of the admission, then of the farewell
 };
 
 }  // namespace pdr::remote

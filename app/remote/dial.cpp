@@ -53,7 +53,7 @@ void Dial::arrived() {
     emit connected(new Channel(socket_, identity_.role, limits_.channel, this));
 }
 
-/// Not from within the socket's own doings: it may still be busy with what failed.
+/// Reports a failure. Emits later, not within the socket's signal: the socket may still be busy with what failed.
 void Dial::fail(const Text& what, ErrorKind kind) {
     patience_.stop();
     if (socket_)

@@ -1,5 +1,5 @@
 #pragma once
-/// Dials an address once. Deleting it gives up.
+/// Dials an address once. Deleting a Dial gives up.
 
 #include <QTcpSocket>
 #include <QTimer>
@@ -11,7 +11,7 @@
 namespace pdr::remote {
 
 struct DialLimits {
-    std::chrono::milliseconds connecting{10000};  ///< for finding the host, TCP and TLS together
+    std::chrono::milliseconds connecting{10000};  ///< time for host lookup, TCP and TLS together
     ChannelLimits channel;
 };
 
@@ -19,16 +19,17 @@ class Dial : public QObject {
     Q_OBJECT
 
   public:
-    /// Begins at once. `identity`: identityFor(address, ...).
+    /// Begins to dial at once. `identity`: identityFor(address, ...).
     Dial(const Address& address, const Identity& identity, const DialLimits& limits = {}, QObject* parent = nullptr);
 
   signals:
-    /// One of the two, once, never before the constructor has returned.
-    /// The other side is the other role's. Whether it takes this one is known no sooner than its first message: TLS 1.3
-    /// lets those that it refuses through to here, and closes their channel. The channel is the dial's child until it
-    /// gets another parent.
+    // Exactly one of the two signals is emitted, once, and never before the constructor has returned.
+    /// The peer has the other role. Whether it accepts this side is known only with its first message: with TLS 1.3, a
+    /// peer that rejects this side lets the connection come up to here, then closes the channel. The channel is the
+    /// Dial's child until it gets another parent.
     void connected(pdr::remote::Channel* channel);
-    /// ErrorKind::refused: the other side is not who it should be, and will not be the next time; else try again.
+    /// The attempt has failed. ErrorKind::refused: the peer is not the one expected, and another attempt would fail,
+    /// too; otherwise try again.
     void failed(const pdr::Error& error);
 
   private:

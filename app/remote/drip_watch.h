@@ -9,23 +9,24 @@ namespace pdr::remote {
 
 struct DripLimits {
     std::chrono::milliseconds window{10000};
-    std::int64_t bytesPerSecond = 64 << 10;  ///< of a message in flight, on average over the window
+    std::int64_t bytesPerSecond = 64 << 10;  ///< minimum speed of a message in flight, averaged over the window
 };
 
 class DripWatch {
   public:
     explicit DripWatch(const DripLimits& limits) : limits_(limits) {}
 
-    /// Whether the message in flight is too slow. `now`: since any moment, never back; `received`: bytes so far, of all
-    /// messages; `messages`: whole ones so far; `inMessage`: a part of the next is here.
+    /// Returns whether the message in flight is too slow. `now`: time since an arbitrary epoch, never decreasing;
+    /// `received`: bytes of all messages so far; `messages`: number of complete messages so far; `inMessage`: a part of
+    /// the next message has arrived.
     bool tooSlow(std::chrono::milliseconds now, std::int64_t received, std::int64_t messages, bool inMessage);
 
   private:
     DripLimits limits_;
     bool watching_ = false;
-    std::chrono::milliseconds since_{0};  ///< begin of the window ...
-    std::int64_t receivedThen_ = 0;       ///< ... and what had been received then
-    std::int64_t messagesThen_ = 0;
+    std::chrono::milliseconds since_{0};  ///< start of the window
+    std::int64_t receivedThen_ = 0;       ///< bytes received at the start of the window
+    std::int64_t messagesThen_ = 0;       ///< complete messages at the start of the window
 };
 
 }  // namespace pdr::remote

@@ -8,7 +8,7 @@
 namespace pdr::remote {
 namespace {
 
-/// An IPv4 address is the same one whether it comes by a socket for both families or not.
+/// Returns the peer's address. An IPv4 address reads the same whether the socket is for both families or not.
 QString hostOf(const QTcpSocket& socket) {
     bool isIpv4 = false;
     const quint32 ipv4 = socket.peerAddress().toIPv4Address(&isIpv4);

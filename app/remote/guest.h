@@ -1,5 +1,5 @@
 #pragma once
-/// An accepted connection before and during its TLS handshake. Costs a socket only until letIn().
+/// An accepted connection before and during its TLS handshake. Until letIn() it costs no more than a socket.
 
 #include <QTcpSocket>
 #include <QTimer>
@@ -13,14 +13,14 @@ class Guest : public QObject {
     Q_OBJECT
 
   public:
-    /// `descriptor`: of the accepted connection. `handshake`: time limit, from now.
+    /// `descriptor`: socket of the accepted connection. `handshake`: time limit, from now.
     Guest(qintptr descriptor, const Identity& identity, std::chrono::milliseconds handshake, QObject* parent);
 
-    /// There is something to read. Plain TCP: always, since the listening side may have to speak first.
+    /// Whether there is something to read. Always true for plain TCP, where the listening side may have to send first.
     bool hasSpoken() const;
-    /// Begins the handshake; nothing is emitted before this has returned.
+    /// Begins the handshake. Nothing is emitted before this call has returned.
     void letIn();
-    /// After known(). Ownership passes to the caller.
+    /// Passes ownership of the socket to the caller. Call it after known().
     QTcpSocket* takeSocket();
 
     QString host() const { return host_; }
@@ -30,7 +30,7 @@ class Guest : public QObject {
     void spoke();
     /// The handshake has succeeded: the peer has the other role.
     void known();
-    /// The handshake has failed, or the peer has disconnected before its end. Once, and never after known().
+    /// The handshake has failed, or the peer has disconnected before its end. Emitted once, and never after known().
     void gone(const QString& reason);
 
   private:
@@ -42,7 +42,7 @@ class Guest : public QObject {
     QTcpSocket* socket_;
     QTimer patience_;
     QString host_, name_;
-    QString refusal_;  ///< why TLS rejects its certificate
+    QString refusal_;  ///< why TLS rejects the peer's certificate
 };
 
 }  // namespace pdr::remote

@@ -12,8 +12,8 @@ constexpr std::size_t kOpenPings = 16, kLatencies = 9;
 
 Heartbeat::Heartbeat(Moment now, const HeartbeatLimits& limits) : limits_(limits), last_(now) {}
 
-/// Between two calls no more than an interval counts as silence: if it was more, this side stood still, and what the
-/// other one has sent lies in the socket.
+/// Counts at most one interval of silence between two calls: if more time has passed, this program was stopped, and
+/// data of the peer may wait in the socket.
 Heartbeat::Peer Heartbeat::at(Moment now) {
     silence_ += std::min<Moment>(now - last_, limits_.interval);
     last_ = now;

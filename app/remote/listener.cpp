@@ -7,11 +7,12 @@
 namespace pdr::remote {
 namespace {
 
-/// So many may have connected while this side is busy: with fewer, a burst of strangers would keep others out.
+/// Connections that the system queues while this program is busy: with fewer, a burst of strangers would keep others
+/// out.
 constexpr int kBacklog = 4096;
 constexpr std::chrono::seconds kOutOfDescriptors{1};
 
-/// Hands connections on as numbers.
+/// Server that passes connections on as descriptors.
 class Door : public QTcpServer {
   public:
     explicit Door(std::function<void(qintptr)> arrived) : arrived_(std::move(arrived)) {}
@@ -32,7 +33,7 @@ Listener::Listener(const Identity& identity, const ListenerLimits& limits, QObje
       server_(std::make_unique<Door>([this](qintptr descriptor) { arrive(descriptor); })) {
     server_->setProxy(QNetworkProxy::NoProxy);
     server_->setListenBacklogSize(kBacklog);
-    // Qt stops listening where the system has no descriptor left.
+    // Qt stops accepting when the system has no descriptor left.
     connect(server_.get(), &QTcpServer::acceptError, this,
             [this] { QTimer::singleShot(kOutOfDescriptors, server_.get(), &QTcpServer::resumeAccepting); });
 }
@@ -68,7 +69,7 @@ void Listener::arrive(qintptr descriptor) {
         seat();
 }
 
-/// The one that has been silent for longest goes, or if all wait for a place, the one that came first.
+/// Turns away the connection that has been silent for longest or, if all wait for a place, the one that arrived first.
 void Listener::makeRoom() {
     if (waiting_.size() < limits_.waiting)
         return;

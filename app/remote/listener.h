@@ -1,6 +1,6 @@
 #pragma once
-/// Accepts connections. Unknown peers are kept cheap: no TLS before the peer has sent something, few handshakes at a
-/// time for one address and in all, and a time limit.
+/// Accepts connections and keeps unknown peers cheap: no TLS before the peer has sent something, few handshakes at a
+/// time per address and in all, and a time limit.
 
 #include <QHash>
 #include <QTcpServer>
@@ -14,9 +14,9 @@ namespace pdr::remote {
 
 struct ListenerLimits {
     int perAddress = 4;                         ///< connections of one address that are not admitted yet
-    int inAll = 64;                             ///< likewise, of all addresses
-    int waiting = 256;                          ///< connections that wait for a place among those, or have said nothing
-    std::chrono::milliseconds handshake{5000};  ///< from the connection to the end of TLS' handshake
+    int inAll = 64;                             ///< connections of all addresses that are not admitted yet
+    int waiting = 256;                          ///< connections that wait for a place among those, or have sent nothing
+    std::chrono::milliseconds handshake{5000};  ///< time from the connection to the end of the TLS handshake
     ChannelLimits channel;
 };
 
@@ -28,16 +28,16 @@ class Listener : public QObject {
     explicit Listener(const Identity& identity, const ListenerLimits& limits = {}, QObject* parent = nullptr);
     ~Listener() override;
 
-    /// Errors: the address is not this machine's, the port is taken.
+    /// Starts to listen. Errors: the address is not this machine's, the port is taken.
     Result<void> listen(const Address& address);
-    /// Where it listens; with the port that was free.
+    /// Address at which it listens, with the actual port.
     Address address() const;
 
   signals:
-    /// A connection whose other side has shown that it is the other role's (plain TCP: anybody). The channel is the
-    /// listener's child until it gets another parent, and takes one of the places until Channel::setAdmitted().
+    /// A peer has connected and has proved that it has the other role (plain TCP: without proof). The channel is the
+    /// listener's child until it gets another parent, and occupies a place until Channel::setAdmitted().
     void connected(pdr::remote::Channel* channel);
-    /// Somebody was sent away before; for a log.
+    /// A peer was turned away before connected(); for a log.
     void turnedAway(const QString& peer, const QString& reason);
 
   private:
@@ -52,8 +52,8 @@ class Listener : public QObject {
     Identity identity_;
     ListenerLimits limits_;
     std::unique_ptr<QTcpServer> server_;
-    QList<Guest*> waiting_;            ///< for a place, or to say something; by arrival
-    QHash<QObject*, QString> places_;  ///< guests in their handshake and channels not admitted, with their addresses
+    QList<Guest*> waiting_;            ///< connections that wait for a place or have sent nothing, by arrival
+    QHash<QObject*, QString> places_;  ///< guests in their handshake and channels that are not admitted, by address
 };
 
 }  // namespace pdr::remote

@@ -1,5 +1,5 @@
 #pragma once
-/// The two sides of a connection. A certificate says which of them its owner is, whoever dials whom.
+/// The roles of the two sides of a connection. A certificate states the role of its owner, no matter which side dials.
 
 #include <QString>
 
@@ -13,12 +13,12 @@ constexpr Role other(Role role) {
     return role == Role::coordinator ? Role::node : Role::coordinator;
 }
 
-/// In certificates, as a DNS name.
+/// Returns the name of a role in certificates, as a DNS name.
 inline QString nameIn(Role role) {
     return role == Role::coordinator ? QStringLiteral("pdrender-coordinator") : QStringLiteral("pdrender-node");
 }
 
-/// Of its part of a bundle of certificates.
+/// Returns the folder name of a role's part of a bundle of certificates.
 inline QString folderOf(Role role) {
     return role == Role::coordinator ? QStringLiteral("coordinator") : QStringLiteral("node");
 }

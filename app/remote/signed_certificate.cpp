@@ -51,7 +51,7 @@ bool extend(X509* certificate, X509* issuer, int nid, const QByteArray& value) {
     return extension && X509_add_ext(certificate, extension.get(), -1);
 }
 
-/// RFC 5280, 4.2.
+/// Adds the extensions of RFC 5280, section 4.2.
 bool setExtensions(X509* certificate, X509* issuer, const CertificateOrder& order) {
     const bool identified = extend(certificate, issuer, NID_subject_key_identifier, "hash") &&
                             extend(certificate, issuer, NID_authority_key_identifier, "keyid");

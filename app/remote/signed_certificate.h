@@ -1,5 +1,6 @@
 #pragma once
-/// A key pair on P-256 and a certificate of it, signed by another or by itself. What certificates.h makes bundles of.
+/// A P-256 key pair and its certificate, signed with another certificate's key or with its own. Bundles consist of
+/// these (certificates.h).
 
 #include <QByteArray>
 #include <QString>
@@ -14,8 +15,8 @@ struct x509_st;
 namespace pdr::remote {
 
 struct CertificateOrder {
-    QString name;            ///< the common name; what signs nothing has it as a DNS name, too
-    bool authority = false;  ///< signs others, and is for nothing else; else shown by either side of a TLS connection
+    QString name;            ///< common name; without `authority` also the DNS name
+    bool authority = false;  ///< true: may only sign other certificates; false: for either side of a TLS connection
     std::chrono::system_clock::time_point from, until;
 };
 
@@ -27,10 +28,11 @@ struct SignedCertificate {
     QByteArray keyPem() const;  ///< PKCS 8, not encrypted
 };
 
-/// With a new key. Without an issuer it signs itself. Errors: OpenSSL's, as where no random numbers are to be had.
+/// Makes a certificate with a new key. Without an issuer it signs itself. Errors: those of OpenSSL, for example if
+/// there are no random numbers.
 Result<SignedCertificate> makeCertificate(const CertificateOrder& order, const SignedCertificate* issuer = nullptr);
 
-/// Whether the key is the certificate's, and the certificate signed by that authority. PEM.
+/// Whether the key belongs to the certificate and the authority has signed the certificate. All three are PEM.
 bool belongTogether(const QByteArray& key, const QByteArray& certificate, const QByteArray& authority);
 
 }  // namespace pdr::remote

@@ -6,8 +6,9 @@
 
 namespace pdr::remote {
 
-/// No delay (Nagle) for small messages; a user timeout of `unheard` for unacknowledged data and keep-alive of 5 s for
-/// an idle connection, so that an unreachable peer is noticed; bounded read buffer, so that a fast sender is throttled.
+/// Sets the options of a socket: no delay (Nagle) for small messages; a user timeout of `unheard` for unacknowledged
+/// data and a keep-alive of 5 s for an idle connection, so that an unreachable peer is noticed; a bounded read buffer,
+/// so that a fast sender is throttled.
 void setOptions(QTcpSocket& socket, std::chrono::milliseconds unheard);
 
 }  // namespace pdr::remote

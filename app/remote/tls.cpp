@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kMostBytes = 64 << 10;
 
-/// What to do about certificates that are of no use.
+/// Hint for certificates that cannot be used.
 Text makeNewOnes() {
     return phrase("Make new ones with --make-certificates, for the coordinator and all nodes.");
 }
@@ -31,7 +31,8 @@ Result<QByteArray> readPem(const QString& path) {
     return QByteArray::fromStdString(*bytes);
 }
 
-/// Where the system hands out keys (Kubernetes, systemd), root owns them and the program's group may read them.
+/// Checks that only the user can read the key. Keys that the system provides (Kubernetes, systemd) belong to root, and
+/// the program's group may read them.
 Result<void> checkSecrecy(const QString& path) {
     const QFileInfo file(path);
     const bool isHandedOut = file.ownerId() == 0 && geteuid() != 0;

@@ -13,21 +13,22 @@
 namespace pdr::remote {
 
 struct Identity {
-    Role role = Role::node;                ///< this side's; the other side's is other(role)
+    Role role = Role::node;                ///< role of this side; the peer has other(role)
     std::optional<QSslConfiguration> tls;  ///< none: plain TCP, without authentication
 };
 
-/// Presents `chain`, trusts `authorities` only, and demands a certificate of the peer, in both directions of dialling.
+/// Makes a configuration that presents `chain`, trusts only `authorities` and demands a certificate of the peer,
+/// whichever side dials.
 QSslConfiguration tlsConfiguration(const QList<QSslCertificate>& authorities, const QList<QSslCertificate>& chain,
                                    const QSslKey& key);
 
-/// `folder`: that role's part of a bundle (certificates.h), or the whole bundle. Errors: files that are missing, cannot
-/// be read, are another role's, do not belong together, have expired; a key that others on this machine may read
-/// (the program's group may, where root has handed it out).
+/// Reads and checks the identity of a role. `folder`: that role's part of a bundle (certificates.h), or the whole
+/// bundle. Errors: files that are missing, cannot be read, belong to another role, do not belong together, have
+/// expired; a key that others on this machine may read (the program's group may, if root owns the file).
 Result<Identity> readIdentity(const QString& folder, Role role);
 
-/// The identity for dialling or listening at `address`. Plain TCP only for loopback addresses, where `folder` is empty.
-/// Errors: as above; another machine's address without a bundle.
+/// Returns the identity for dialling or listening at `address`. Plain TCP only for loopback addresses, if `folder` is
+/// empty. Errors: those of readIdentity(); another machine's address without a bundle.
 Result<Identity> identityFor(const Address& address, const QString& folder, Role role);
 
 /// Whether the certificate names that role. TLS verifies the signature.

@@ -8,19 +8,19 @@
 namespace pdr::remote {
 
 struct RateLimit {
-    std::int64_t perSecond = 1;  ///< [1, 1e6]; one microsecond is the finest that is told apart
-    std::int64_t burst = 1;      ///< at once, after a rest of burst / perSecond; [1, 1e6]
+    std::int64_t perSecond = 1;  ///< average rate; [1, 1e6], since the resolution is one microsecond
+    std::int64_t burst = 1;      ///< number at once, after a rest of burst / perSecond seconds; [1, 1e6]
 };
 
 class TokenBucket {
   public:
-    using Moment = std::chrono::microseconds;  ///< since any moment, never back
+    using Moment = std::chrono::microseconds;  ///< time since an arbitrary epoch, never decreasing
 
-    /// Full.
+    /// Starts with a full bucket.
     explicit TokenBucket(const RateLimit& limit)
         : interval_(std::chrono::microseconds(1'000'000) / limit.perSecond), all_(limit.burst * interval_) {}
 
-    /// Whether `count` more may pass. They take nothing where they may not.
+    /// Takes `count` tokens. Returns false and takes none if there are fewer.
     bool take(Moment now, std::int64_t count = 1) {
         const Moment full = std::max(full_, now) + count * interval_;
         if (full - now > all_)
@@ -30,7 +30,7 @@ class TokenBucket {
     }
 
   private:
-    Moment interval_, all_;            ///< of one token, of a full bucket: to come in
+    Moment interval_, all_;            ///< time to gain one token, and to fill an empty bucket
     Moment full_ = Moment::min() / 2;  ///< when the bucket is full, if nothing more is taken
 };
 

@@ -9,19 +9,19 @@ namespace pdr::wire {
 
 namespace {
 
-// A PixelSums is nine words without a gap.
+// PixelSums consists of nine words of 8 bytes without padding.
 constexpr std::size_t kWords = 9;
 static_assert(sizeof(PixelSums) == kWords * 8 && std::is_trivially_copyable_v<PixelSums>);
 static_assert(std::endian::native == std::endian::little);
 
-/// Swaps the bytes of two words where `mask` says: those of `low` that lie `bits` above it, and those of `high` on it.
+/// Swaps the bytes of `high` that `mask` selects with the bytes of `low` that lie `bits` bits above the mask.
 void swapBytes(std::uint64_t& low, std::uint64_t& high, int bits, std::uint64_t mask) {
     const std::uint64_t differ = ((low >> bits) ^ high) & mask;
     high ^= differ;
     low ^= differ << bits;
 }
 
-/// Byte b of word w becomes byte w of word b.
+/// Transposes an 8 x 8 matrix of bytes: byte b of word w becomes byte w of word b.
 void transpose(std::uint64_t (&words)[8]) {
     for (int i = 0; i < 4; ++i)
         swapBytes(words[i], words[i + 4], 32, 0x00000000ffffffff);
@@ -31,8 +31,9 @@ void transpose(std::uint64_t (&words)[8]) {
         swapBytes(words[i], words[i + 1], 8, 0x00ff00ff00ff00ff);
 }
 
-/// Calls word(w, first, count) for each word of each eight pixels, of which `count` are there. Word by word: few
-/// planes are written to at a time, which would else get into each other's way in the cache.
+/// Calls word(w, first, count) for each word w of each group of eight pixels; a group begins at pixel `first` and has
+/// `count` <= 8 pixels. The outer loop runs over the words, so that few planes are written at a time: more of them
+/// would evict each other from the cache.
 template <class Word>
 void eachWord(std::size_t pixels, Word&& word) {
     for (std::size_t w = 0; w < kWords; ++w)

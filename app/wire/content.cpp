@@ -13,9 +13,9 @@ namespace pdr::wire {
 
 namespace {
 
-constexpr int kLevel = 1;  // of zstd
+constexpr int kLevel = 1;  // compression level of zstd
 
-/// Memory that is wiped when it goes.
+/// Buffer that its destructor wipes.
 class Scratch {
   public:
     explicit Scratch(std::size_t bytes) : bytes_(bytes) {}
@@ -55,7 +55,8 @@ std::uint32_t ContentAssembly::nextChunk() const {
     return chunksOf(bytes_.size());
 }
 
-/// All of it at once: were it moved to grow, it would leave traces. It is nobody's memory before it is written to.
+/// Reserves memory for the whole content at once: a buffer that moved to grow would leave copies in freed memory.
+/// Reserved memory occupies no pages before it is written to.
 pdr::Result<void> ContentAssembly::makeRoom() {
     try {
         bytes_.reserve(totalBytes_);

@@ -27,7 +27,7 @@ const unsigned char* data(std::span<const std::byte> bytes) {
     return reinterpret_cast<const unsigned char*>(bytes.data());
 }
 
-/// Without the hash no content is safe: where it fails there is no going on.
+/// Throws if OpenSSL fails: without the hash no content can be verified.
 void require(int success) {
     if (success != 1)
         throw std::runtime_error("OpenSSL has no keyed BLAKE2b, or no memory for it");

@@ -1,6 +1,6 @@
 #pragma once
-/// Hash of a content: keyed BLAKE2b-256 (RFC 7693). Without the key nobody can recognise a scan by its hash, or make a
-/// content with the same one.
+/// Hash of a content: keyed BLAKE2b-256 (RFC 7693). Without the key nobody can recognise a scan by its hash, or make
+/// another content with the same hash.
 
 #include <memory>
 #include <span>
@@ -9,14 +9,14 @@
 
 namespace pdr::wire {
 
-/// Incremental.
+/// Hashes a content incrementally.
 class ContentHash {
   public:
     /// `key`: 1 to 64 bytes.
     explicit ContentHash(std::span<const std::byte> key);
 
     void add(std::span<const std::byte> bytes);
-    /// The last call.
+    /// Returns the hash; must be the last call.
     Hash finish();
 
   private:
@@ -27,6 +27,7 @@ class ContentHash {
     std::unique_ptr<State, Free> state_;
 };
 
+/// Returns the hash of a whole content. `key`: 1 to 64 bytes.
 Hash contentHash(std::span<const std::byte> key, std::span<const std::byte> bytes);
 
 }  // namespace pdr::wire

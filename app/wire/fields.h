@@ -1,17 +1,17 @@
 #pragma once
-/// The fields of each message: their keys and ranges, once for writing and reading (map_writer.h, map_reader.h). Keys
-/// ascend. What is no longer needed leaves its key unused; what is new gets a higher one.
+/// Lists the fields of each message with their keys and ranges, once for both writing and reading (map_writer.h,
+/// map_reader.h). Keys ascend. The key of a removed field stays unused; a new field gets a higher key.
 
 #include "app/wire/messages.h"
 #include "render/base/image_size.h"
 
 namespace pdr::wire {
 
-inline constexpr std::uint64_t kMostVoxels = std::uint64_t(1) << 31;  ///< of a volume
-inline constexpr std::uint64_t kMostTexels = std::uint64_t(1) << 27;  ///< of a picture of the surroundings
-inline constexpr int kMostAlongAxis = 2048;                           ///< voxels
-inline constexpr std::uint64_t kLastSample = std::uint64_t(1) << 53;
-inline constexpr double kMostSeconds = 1e9;
+inline constexpr std::uint64_t kMostVoxels = std::uint64_t(1) << 31;  ///< voxels of a volume
+inline constexpr std::uint64_t kMostTexels = std::uint64_t(1) << 27;  ///< texels of an environment map
+inline constexpr int kMostAlongAxis = 2048;                           ///< voxels along an axis of a volume
+inline constexpr std::uint64_t kLastSample = std::uint64_t(1) << 53;  ///< highest index of a lease's first sample
+inline constexpr double kMostSeconds = 1e9;                           ///< longest time that a result may report
 
 inline std::array<int*, 3> places(ivec3& v) {
     return {&v.x, &v.y, &v.z};
@@ -102,7 +102,7 @@ void fields(Fields& map, SceneRefused& refused) {
     map.phrase(2, 3, refused.reason);
 }
 
-/// What a lease and its result have alike.
+/// Fields that a lease and its result share.
 template <class Fields, class Work>
 void workFields(Fields& map, Work& work) {
     Tile& tile = work.tile;

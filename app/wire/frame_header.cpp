@@ -12,11 +12,11 @@ namespace {
 static_assert(std::endian::native == std::endian::little);
 
 constexpr std::array<char, 4> kMagic{'P', 'D', 'R', '1'};
-constexpr std::uint64_t kMostPackedChunk = kChunkBytes + (kChunkBytes >> 8) + 64;  // zstd's own bound
+constexpr std::uint64_t kMostPackedChunk = kChunkBytes + (kChunkBytes >> 8) + 64;  // zstd's upper bound
 constexpr std::uint64_t kMostPackedSums = packedSumsBound(kMostLeasePixels);
 static_assert(kMostPackedSums <= kMostPayloadBytes && kMostTextBytes <= kMostPayloadBytes);
 
-// In the order of the variant Message.
+// Message types in the order of the variant Message.
 constexpr MessageKind kKinds[]{
     {"Hello", true, false, 0},
     {"Welcome", false, true, 0},
@@ -37,7 +37,7 @@ constexpr MessageKind kKinds[]{
 };
 static_assert(std::size(kKinds) == std::variant_size_v<Message>);
 
-/// Writes or reads the fields one behind the other: `at(value)` copies one.
+/// Calls `at(value)` for each field in the order of the layout, to write or to read it.
 template <class Header, class At>
 void eachField(Header& header, At&& at) {
     at(header.version);

@@ -1,9 +1,9 @@
 #pragma once
-/// The first 32 bytes of a frame, little endian. Behind them: a CBOR map of `mapBytes`, then `payloadBytes` of payload.
+/// The header is the first 32 bytes of a frame, little endian. A CBOR map of `mapBytes` follows, then a payload of
+/// `payloadBytes`.
 ///   magic "PDR1"   version u16   type u16   flags u32   mapBytes u32   payloadBytes u64   request u64
-/// `version` is that of this layout, not of what the maps say (Versions in messages.h). Flags are for later and 0;
-/// `request` is for later and ignored. The reader skips unknown types below kFirstCritical; any other unknown type is
-/// an error.
+/// `version` is that of this layout, not of the fields in the maps (Versions in messages.h). `flags` is reserved and 0;
+/// `request` is reserved and ignored. Readers skip unknown types below kFirstCritical; others are an error.
 
 #include <array>
 #include <cstdint>
@@ -22,7 +22,7 @@ inline constexpr std::size_t kHeaderBytes = 32;
 inline constexpr std::uint16_t kLayoutVersion = 1;
 inline constexpr std::uint16_t kFirstCritical = 0x80;
 inline constexpr std::uint32_t kMostMapBytes = 64 << 10;
-inline constexpr std::uint64_t kMostPayloadBytes = 20 << 20;  ///< of any type
+inline constexpr std::uint64_t kMostPayloadBytes = 20 << 20;  ///< limit for messages of all types
 
 struct FrameHeader {
     std::uint16_t version = kLayoutVersion;
@@ -36,13 +36,13 @@ struct FrameHeader {
     bool operator==(const FrameHeader&) const = default;
 };
 
-/// What holds for all messages of a type.
+/// Properties of a message type.
 struct MessageKind {
     std::string_view name;
     bool fromNode, fromCoordinator;
-    std::uint64_t mostPayload;  ///< bytes
+    std::uint64_t mostPayload;  ///< limit on the payload [bytes]
 };
-/// Of the type of that number; null: not known.
+/// Returns the properties of the type with that number; null: the type is unknown.
 const MessageKind* kindOf(std::uint16_t type);
 inline std::uint16_t typeOf(const Message& message) {
     return std::uint16_t(message.index() + 1);
@@ -53,7 +53,7 @@ std::array<std::byte, kHeaderBytes> bytesOf(const FrameHeader& header);
 /// must not send, a body over the limit of its type.
 pdr::Result<FrameHeader> headerOf(Role reader, std::span<const std::byte, kHeaderBytes> bytes);
 
-/// The error of malformed input; `where`: the message's name.
+/// Makes the error for malformed input; `where`: name of the message.
 Error malformed(const Text& reason, std::string_view where = "");
 
 }  // namespace pdr::wire

@@ -32,7 +32,8 @@ pdr::Result<void> FrameReader::readHeader() {
     return {};
 }
 
-/// One message or what is skipped in its place; nothing and no bytes left: it is not whole.
+/// Reads or skips one message. Nothing: a message of unknown type was skipped, or all bytes are consumed and the
+/// message is incomplete.
 pdr::Result<std::optional<Message>> FrameReader::readOne(std::span<const std::byte>& bytes) {
     if (!fill(head_, kHeaderBytes, bytes))
         return std::optional<Message>();

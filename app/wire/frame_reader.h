@@ -1,6 +1,6 @@
 #pragma once
-/// Decodes messages from a stream of bytes, in pieces of any size. Independent of sockets. Allocates for one message at
-/// a time, as its bytes arrive, and never beyond the limit of its type.
+/// Decodes messages from a stream of bytes that arrives in pieces of any size. Independent of sockets. Allocates for
+/// one message at a time, as its bytes arrive, and never beyond the limit of its type.
 
 #include <optional>
 #include <span>
@@ -13,20 +13,21 @@
 namespace pdr::wire {
 
 struct Limits {
-    std::uint64_t beforeAdmission = 64 << 10;  ///< of a frame's body, before the handshake has succeeded
+    std::uint64_t beforeAdmission = 64 << 10;  ///< limit on a frame's body before the handshake succeeds [bytes]
 };
 
 class FrameReader {
   public:
     explicit FrameReader(Role reader, Limits limits = {}) : reader_(reader), limits_(limits) {}
 
-    /// Consumes bytes from the front of `bytes` until a message is complete. Nothing: all are consumed and no message
-    /// is complete; call it until then. Errors: the connection must be closed; every later call returns the same error.
+    /// Consumes bytes from the front of `bytes` until a message is complete. Nothing: all bytes are consumed and no
+    /// message is complete; call it until then. Errors: the connection must be closed; every later call returns the
+    /// same error.
     pdr::Result<std::optional<Message>> next(std::span<const std::byte>& bytes);
 
-    /// After the handshake: lifts the limit `beforeAdmission`.
+    /// Lifts the limit `beforeAdmission`, after the handshake.
     void setAdmitted(bool admitted) { admitted_ = admitted; }
-    /// Whether a message is incomplete.
+    /// Whether a message has begun to arrive and is incomplete.
     bool isInside() const { return !head_.empty(); }
     /// Complete messages so far, including those of unknown types, which next() skips.
     std::int64_t messages() const { return messages_; }

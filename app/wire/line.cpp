@@ -23,7 +23,7 @@ std::string lineOf(std::string_view text, std::size_t mostBytes) {
     std::ranges::replace_if(line, controls, u' ');
     std::string bytes = line.toStdString();
     std::size_t end = std::min(bytes.size(), mostBytes);
-    while (end > 0 && end < bytes.size() && (std::uint8_t(bytes[end]) & 0xc0) == 0x80)  // inside a character
+    while (end > 0 && end < bytes.size() && (std::uint8_t(bytes[end]) & 0xc0) == 0x80)  // do not cut a character
         --end;
     bytes.resize(end);
     return bytes;

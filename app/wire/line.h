@@ -1,5 +1,5 @@
 #pragma once
-/// Lines of UTF-8 without control characters: safe to display.
+/// Lines are UTF-8 texts without control characters, which are safe to display.
 
 #include <string>
 #include <string_view>
@@ -7,8 +7,8 @@
 namespace pdr::wire {
 
 bool isLine(std::string_view text);
-/// `text` as a line of at most `mostBytes`: invalid UTF-8 becomes U+FFFD, control characters become blanks, and it is
-/// truncated at a character.
+/// Returns `text` as a line of at most `mostBytes`: invalid UTF-8 becomes U+FFFD, control characters become blanks, and
+/// a long text is truncated between two characters.
 std::string lineOf(std::string_view text, std::size_t mostBytes);
 
 }  // namespace pdr::wire

@@ -33,7 +33,7 @@ void MapReader::skip(int depth) {
 void MapReader::readKey() {
     const std::optional<std::uint64_t> before = key_;
     key_.reset();
-    must(cbor_.lastError() == QCborError::NoError, kDamaged);  // a string tells it only here
+    must(cbor_.lastError() == QCborError::NoError, kDamaged);  // errors of strings appear only here
     if (failed() || !cbor_.hasNext())
         return;
     if (!cbor_.isUnsignedInteger() || ++keys_ > kMostKeys)

@@ -1,8 +1,8 @@
 #pragma once
-/// Reads the map of a message field by field, by ascending keys; keys in between that nobody asks for are skipped. The
-/// first thing that is wrong stays what is wrong, and all that is asked for after it is left as it is.
-///   keys      unsigned, each higher than the one before, so that none is there twice; at most kMostKeys
-///   skipped   whatever it is, kMostDepth deep at most, the map included
+/// Reads the map of a message field by field, by ascending keys. Fields that are not read are skipped. The first error
+/// is kept, and reads after it leave their values unchanged.
+///   keys      unsigned, each higher than the one before, so that none occurs twice; at most kMostKeys
+///   skipped   fields of any type, nested at most kMostDepth deep, the map included
 
 #include <QCborStreamReader>
 #include <array>
@@ -23,7 +23,7 @@ class MapReader {
   public:
     explicit MapReader(std::span<const std::byte> map);
 
-    /// Whole, in [low, high].
+    /// Reads a whole number in [low, high].
     template <class Number>
     void number(std::uint64_t key, Number& value, std::uint64_t low = 0, std::uint64_t high = mostOf<Number>()) {
         if (find(key)) {
@@ -31,7 +31,7 @@ class MapReader {
             readKey();
         }
     }
-    /// As many as there are places for.
+    /// Reads an array of exactly n whole numbers in [low, high].
     template <class Number, std::size_t n>
     void numbers(std::uint64_t key, const std::array<Number*, n>& values, std::uint64_t low = 0,
                  std::uint64_t high = mostOf<Number>()) {
@@ -42,18 +42,19 @@ class MapReader {
             *value = Number(readNumber(low, high));
         leaveArray();
     }
-    /// Finite.
+    /// Reads a finite number in [low, high].
     void real(std::uint64_t key, double& value, double low, double high);
+    /// Reads an array of exactly as many finite numbers as `values` has.
     void reals(std::uint64_t key, std::span<double> values);
-    /// Exactly so many.
+    /// Reads a sequence of exactly as many bytes as `value` has.
     void bytes(std::uint64_t key, std::span<std::byte> value);
-    /// A line (line.h).
+    /// Reads a line (line.h) of at most `mostBytes`.
     void text(std::uint64_t key, std::string& value, std::size_t mostBytes);
 
-    /// A line, and where `partsKey` is there what it was made of: a sender of an earlier version has no parts.
+    /// Reads a line and, if `partsKey` is present, its parts (text_parts.h): senders of an earlier version send none.
     void phrase(std::uint64_t key, std::uint64_t partsKey, Text& text);
 
-    /// Makes a value where `key` is there, and tells so.
+    /// Makes a value if `key` is present. Returns whether there is a value.
     template <class T>
     bool optional(std::uint64_t key, std::optional<T>& value) {
         if (isNext(key))
@@ -65,7 +66,7 @@ class MapReader {
             fail(wrong);
     }
 
-    /// What is wrong; null: nothing. Reads to the end, behind which nothing may be.
+    /// Reads to the end of the map, which nothing may follow. Returns what is wrong; null: nothing.
     const char* finish();
 
   private:
@@ -83,13 +84,14 @@ class MapReader {
     double readReal(double low, double high);
     void enterArray(std::size_t length);
     void leaveArray();
-    /// Of the string of that type that is next; 0 where there is none of up to `most` bytes.
+    /// Returns the length of the next string; fails and returns 0 if it is not of that type or longer than `most`
+    /// bytes.
     std::size_t stringBytes(QCborStreamReader::Type type, std::size_t most);
     void readString(void* into, std::size_t bytes);
 
     QCborStreamReader cbor_;
     qint64 mapBytes_;
-    std::optional<std::uint64_t> key_;  ///< whose value is next
+    std::optional<std::uint64_t> key_;  ///< key of the next value; none: at the end, or after an error
     int keys_ = 0;
     const char* wrong_ = nullptr;
 };

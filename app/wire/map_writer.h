@@ -1,6 +1,6 @@
 #pragma once
-/// Writes the map of a message field by field; the counterpart of MapReader, whose limits it does not look at, but for
-/// texts, which it makes fit.
+/// Writes the map of a message field by field; the counterpart of MapReader. It does not check MapReader's limits, but
+/// truncates texts to them.
 
 #include <QCborStreamWriter>
 #include <array>
@@ -34,7 +34,7 @@ class MapWriter {
     void reals(std::uint64_t key, std::span<const double> values);
     void bytes(std::uint64_t key, std::span<const std::byte> value);
     void text(std::uint64_t key, const std::string& value, std::size_t mostBytes);
-    /// `text` in English, and where it has a pattern what it was made of (text_parts.h), unless that is too long.
+    /// Writes `text` in English and, if it has a pattern, its parts (text_parts.h), unless these are too long.
     void phrase(std::uint64_t key, std::uint64_t partsKey, const Text& text);
     template <class T>
     bool optional(std::uint64_t, const std::optional<T>& value) {

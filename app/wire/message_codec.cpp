@@ -11,7 +11,7 @@ namespace pdr::wire {
 
 namespace {
 
-/// An empty message of the variant's type of that number.
+/// Returns an empty message of the type at index `wanted` of the variant.
 template <std::size_t... index>
 Message emptyMessage(std::size_t wanted, std::index_sequence<index...>) {
     Message message;

@@ -10,7 +10,7 @@
 
 namespace pdr::wire {
 
-/// To be sent one after the other.
+/// An encoded message: head and payload, to be sent in this order.
 struct Frame {
     Bytes head;     ///< header and map
     Bytes payload;  ///< may be empty
@@ -18,13 +18,14 @@ struct Frame {
     std::size_t bytes() const { return head.size() + payload.size(); }
 };
 
-/// A chunk's bytes are moved, not copied. Ranges are not checked: the peer refuses what is out of range.
+/// Encodes a message. A chunk's bytes are moved, not copied. Ranges are not checked: the peer refuses values out of
+/// range.
 Frame encode(Message message);
-/// The frame as one sequence of bytes.
+/// Returns the frame as one sequence of bytes.
 Bytes inOnePiece(const Frame& frame);
 
 /// Decodes the body after a header that headerOf() has accepted. Nothing: an unknown type, to be skipped. Errors:
-/// malformed.
+/// malformed input.
 pdr::Result<std::optional<Message>> decode(const FrameHeader& header, std::span<const std::byte> map, Bytes payload);
 
 }  // namespace pdr::wire

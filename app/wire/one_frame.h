@@ -1,5 +1,6 @@
 #pragma once
-/// Compresses bytes to exactly one zstd frame that states their number. Memory is reused from frame to frame.
+/// Compresses bytes to exactly one zstd frame that states their number. Packers and unpackers reuse their memory from
+/// frame to frame.
 
 #include <memory>
 #include <span>
@@ -13,9 +14,9 @@ namespace pdr::wire {
 
 class FramePacker {
   public:
-    /// `level`: of zstd; the lower the faster.
+    /// `level`: compression level of zstd; the lower, the faster.
     explicit FramePacker(int level);
-    /// The frame; valid until the next call.
+    /// Returns the compressed frame; valid until the next call.
     std::span<const std::byte> pack(std::span<const std::byte> raw);
 
   private:
@@ -31,7 +32,7 @@ class FramePacker {
 class FrameUnpacker {
   public:
     FrameUnpacker();
-    /// Fills `raw`. False: not a frame of that many bytes.
+    /// Decompresses `frame` into `raw`. False: it is not a frame of that many bytes.
     bool unpack(std::span<const std::byte> frame, std::span<std::byte> raw);
 
   private:
@@ -41,16 +42,18 @@ class FrameUnpacker {
     std::unique_ptr<ZSTD_DCtx_s, Free> context_;
 };
 
-/// `head` followed by the frame.
+/// Returns `head` followed by the compressed frame of `raw`.
 Bytes packedFrame(std::span<const std::byte> head, std::span<const std::byte> raw, int level);
-/// Compressed size of the frame at the start of `bytes`; 0: there is none.
+/// Returns the compressed size of the frame at the start of `bytes`; 0: there is none.
 std::size_t firstFrameBytes(std::span<const std::byte> bytes);
 /// Whether `frame` is exactly one frame that states that size. Check this before allocating.
 bool isFrameOf(std::span<const std::byte> frame, std::size_t rawBytes);
 
-/// Puts the bytes at even places first and those at odd ones behind, and back. The low bytes of int16 voxels are noise,
-/// the high ones mostly alike: so they pack four times as fast, and smaller. Both spans are of one size.
+/// Puts the bytes at even positions first and those at odd positions behind them. The low bytes of int16 voxels are
+/// noise and the high bytes mostly alike: separated, they compress four times as fast, and smaller. Both spans have the
+/// same size.
 void splitBytes(std::span<const std::byte> raw, std::span<std::byte> halves);
+/// Restores the order of the bytes: the inverse of splitBytes().
 void joinBytes(std::span<const std::byte> halves, std::span<std::byte> raw);
 
 }  // namespace pdr::wire

@@ -18,7 +18,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-/// Three times as fast as level 1 and within 3 % of its size: what can be packed in planes is easily found.
+/// Compression level of zstd: three times as fast as level 1 and within 3 % of its size, since the redundancy of byte
+/// planes is easy to find.
 constexpr int kLevel = -1;
 
 using Indices = std::vector<std::uint32_t>;
@@ -27,7 +28,7 @@ struct Head {
     std::uint32_t pixels = 0, own = 0;
 };
 
-/// Where the parts lie in what zstd gets.
+/// Offsets of the parts in the bytes that zstd compresses.
 struct Layout {
     std::size_t pixels, own;
 
@@ -36,7 +37,7 @@ struct Layout {
     constexpr std::size_t bytes() const { return planes() + kPlanes * planeBytes(own); }
 };
 
-/// Whether any byte differs; without a branch, for light and dark take turns in noise.
+/// Whether any byte differs. Has no branches, which noise would make unpredictable.
 bool differ(const PixelSums& a, const PixelSums& b) {
     using Words = std::array<std::uint64_t, sizeof(PixelSums) / 8>;
     const auto ofA = std::bit_cast<Words>(a), ofB = std::bit_cast<Words>(b);
@@ -46,7 +47,8 @@ bool differ(const PixelSums& a, const PixelSums& b) {
     return bits != 0;
 }
 
-/// Only a background that is alike everywhere, lit or not, makes neighbours the same to the last bit.
+/// Returns the first sums that two neighbours share; zeros if there are none. Only a uniform background, lit or not,
+/// makes neighbours the same to the last bit.
 PixelSums groundOf(std::span<const PixelSums> sums) {
     const auto same = std::ranges::adjacent_find(sums, std::not_fn(differ));
     return same == sums.end() ? PixelSums{} : *same;
@@ -54,12 +56,12 @@ PixelSums groundOf(std::span<const PixelSums> sums) {
 
 constexpr std::size_t kRawBytes = Layout{kSlicePixels, kSlicePixels}.bytes();
 
-/// Packs slices, in memory that it keeps.
+/// Packs slices and reuses its memory.
 class SlicePacker {
   public:
     SlicePacker() : own_(kSlicePixels), raw_(std::make_unique_for_overwrite<std::byte[]>(kRawBytes)) {}
 
-    /// Behind what is in `packed`.
+    /// Appends the packed slice to `packed`.
     void pack(std::span<const PixelSums> slice, Bytes& packed) {
         const PixelSums ground = groundOf(slice);
         const std::span<const std::uint32_t> own = thoseUnlike(ground, slice);
@@ -93,12 +95,13 @@ class SlicePacker {
     FramePacker frames_{kLevel};
 };
 
-/// Unpacks slices, in memory that it keeps.
+/// Unpacks slices and reuses its memory.
 class SliceUnpacker {
   public:
     SliceUnpacker() : raw_(std::make_unique_for_overwrite<std::byte[]>(kRawBytes)) {}
 
-    /// The slice that `packed` begins with, which is taken off it. False: it begins with no pack of so many pixels.
+    /// Unpacks the slice at the front of `packed` and removes it from there. False: `packed` does not begin with a
+    /// slice of that many pixels.
     bool unpack(std::span<const std::byte>& packed, std::span<PixelSums> slice) {
         Head head;
         if (packed.size() < sizeof head)
@@ -120,7 +123,7 @@ class SliceUnpacker {
     }
 
   private:
-    /// The pixels whose bit is set. False: they are not as many as was said.
+    /// Collects the pixels whose bit is set. False: their number is not the one in the slice's head.
     bool findPlaces(const Layout& layout) {
         own_.clear();
         for (std::size_t i = 0; layout.places + i < layout.planes(); ++i)

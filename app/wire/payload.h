@@ -1,11 +1,11 @@
 #pragma once
-/// Payloads of messages: the parts that are too large for their maps.
+/// Payloads of messages are the parts that are too large for their maps.
 
 #include "app/wire/messages.h"
 
 namespace pdr::wire {
 
-/// Moves the payload out of a message.
+/// Returns the payload of a message, which it may move out of the message.
 template <class OfType>
 Bytes takePayload(OfType&) {
     return {};

@@ -30,8 +30,8 @@ QJsonValue valueOf(const Text& text) {
     return QString::fromStdString(text);
 }
 
-/// Of parts that somebody has sent. A pattern may name an argument many times, and arguments are nested: what grows
-/// beyond `mostBytes` is nothing, as is what has no meaning.
+/// Builds a text from parts of an untrusted peer. A pattern may name an argument many times, and arguments are nested:
+/// a text that grows beyond `mostBytes` is rejected, as are parts that have no meaning.
 class Reading {
   public:
     explicit Reading(std::size_t mostBytes) : most_(mostBytes) {}

@@ -1,5 +1,5 @@
 #pragma once
-/// Texts (render/base/text.h) with their patterns as lines, so that the receiver can say them in the language of its
+/// Serializes texts (render/base/text.h) with their patterns, so that the receiver can show them in the language of its
 /// window.
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace pdr::wire {
 
-/// What `text` was made of, as JSON: ["%1 and %2", "a.dcm", {"number": "0.5"}], {"sentence": [...]}. Empty for words,
-/// which are the same in every language.
+/// Returns the parts of `text` as JSON: ["%1 and %2", "a.dcm", {"number": "0.5"}], {"sentence": [...]}. Empty for
+/// plain words, which are the same in every language.
 std::string partsOf(const Text& text);
 
-/// The Text of these parts, unless they say anything else than `english`, which the receiver believes: then its words.
-/// `parts`: from anybody; nothing longer than `english` is ever built from them.
+/// Returns the Text of these parts if it reads as `english` in English; otherwise `english` as plain words. `parts` may
+/// come from an untrusted peer; nothing longer than `english` is ever built from them.
 Text textOf(const std::string& english, const std::string& parts);
 
 }  // namespace pdr::wire

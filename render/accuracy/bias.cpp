@@ -14,7 +14,7 @@ struct Shortcut {
     Text text;
 };
 
-/// Those that are measured: nothing else tells what they do to a picture.
+/// Returns the shortcuts in use. Only a measurement tells what they do to an image.
 std::vector<Shortcut> shortcuts(const BiasFacts& facts) {
     std::vector<Shortcut> all;
     if (facts.estimator == Estimator::kroesMarch)
@@ -39,7 +39,8 @@ BiasCause causeOf(Fault fault) {
     }
 }
 
-/// A sample that something happened to is one pixel's.
+/// Returns the bias due to a fault. Each faulty sample belongs to one pixel, so their count bounds the number of
+/// pixels.
 Bias faultBias(Fault fault, const BiasFacts& facts) {
     const std::uint64_t count = facts.health.of(fault).count;
     Bias bias{.cause = causeOf(fault), .text = phrase("%1 %2", count, faultText(fault)), .fault = fault};
@@ -77,7 +78,7 @@ Bias quadratureBias(const BiasFacts& facts) {
 }
 
 void addOfComputing(const BiasFacts& facts, std::vector<Bias>& all) {
-    if (const std::vector<Shortcut> together = shortcuts(facts); !together.empty())  // they are off together
+    if (const std::vector<Shortcut> together = shortcuts(facts); !together.empty())  // measured together
         all.push_back({together.front().cause,
                        phrase("%1: %2", shortcutNames(facts), measuredOr(facts.measured.shortcuts)),
                        facts.measured.shortcuts});

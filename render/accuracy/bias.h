@@ -1,6 +1,6 @@
 #pragma once
-/// Why a picture would not be the exact one however long one waits: causes with names, each with how much it is, as far
-/// as that is known. Noise is another number; see film_status.h.
+/// Causes why an image would differ from the exact one however many samples it gets, each with a name and its size as
+/// far as that is known. Noise is another number; see film_status.h.
 
 #include <cstdint>
 #include <optional>
@@ -17,64 +17,65 @@
 namespace pdr {
 
 enum class BiasCause {
-    // In the computing:
-    march,          ///< Exposure Render's, of 3 voxels
-    blur,           ///< of each iteration
-    fastFilter,     ///< of the volume, by texture units
-    runningMean,    ///< kept in single precision, without the first iteration
-    quadrature,     ///< along rays, to a tolerance
+    // Causes in the computation:
+    march,          ///< Exposure Render's march of 3 voxels
+    blur,           ///< blur of each iteration
+    fastFilter,     ///< filtering of the volume by texture units
+    runningMean,    ///< mean kept in single precision, without the first iteration
+    quadrature,     ///< sums along rays, to a tolerance
     overDense,      ///< see prepare/warnings.h
-    leftOut,        ///< samples that were no radiance
-    overBound,      ///< tissue above its bound was met
-    bounceCap,      ///< paths were ended
-    overTolerance,  ///< rays did not keep their bound
+    leftOut,        ///< samples left out because they were no radiance
+    overBound,      ///< extinction above its bound was met
+    bounceCap,      ///< paths were ended at the bounce limit
+    overTolerance,  ///< rays did not keep their error bound
     smoothing,
-    // In how it is shown:
-    resolution,  ///< fewer or more pixels than the view has
-    // In what was scanned, and a choice:
-    interpolatedSlices  ///< a cubic put slices between those of the scan
+    // Causes in how the image is shown:
+    resolution,  ///< the image has fewer or more pixels than the view
+    // Causes in the scanned data, and by choice:
+    interpolatedSlices  ///< a cubic interpolates slices between those of the scan
 };
 
-/// Its word in reports: "march", "bounceCap".
+/// Returns the cause's name in reports: "march", "bounceCap".
 const char* biasName(BiasCause cause);
 bool isOfComputing(BiasCause cause);
 
-/// One cause, or, of those that were measured together, the first of them.
+/// One cause, or the first of several causes that were measured together.
 struct Bias {
     BiasCause cause;
-    Text text;  ///< for the user: "march of 3 voxels: +9.7 % bright, ..."
-    // How much; nothing where that is not known:
-    std::optional<MeasuredBias> measured = {};  ///< against the exact picture
-    std::optional<double> levelsAtMost = {};    ///< display levels of 255
-    std::optional<double> shareAtMost = {};     ///< fraction of the tissue's pixels that may be off at all
-    std::optional<Fault> fault = {};            ///< that it comes from
+    Text text;  ///< text for the user: "march of 3 voxels: +9.7 % bright, ..."
+    // Size of the bias; none if not known:
+    std::optional<MeasuredBias> measured = {};  ///< measured against the exact image
+    std::optional<double> levelsAtMost = {};    ///< upper bound [display levels of 255]
+    std::optional<double> shareAtMost = {};  ///< upper bound of the fraction of the tissue's pixels that are off at all
+    std::optional<Fault> fault = {};         ///< fault that it comes from
 };
 
-/// Against the exact picture; nothing where there is none, or too little is known.
+/// Biases measured against the exact image; none if there is no such bias or too little is known.
 struct MeasuredBiases {
     std::optional<MeasuredBias> shortcuts;    ///< march, blur and fast filter together
-    std::optional<MeasuredBias> runningMean;  ///< of as many iterations as the picture has, about
+    std::optional<MeasuredBias> runningMean;  ///< for about as many iterations as the image has
     std::optional<MeasuredBias> quadrature;
 };
 
-/// What causes are known from.
+/// Facts from which the causes are derived.
 struct BiasFacts {
     Model model = Model::singleScattering;
     Estimator estimator = Estimator::unbiased;
     Schedule schedule;
     bool texturesFilter = false;  ///< texture units read the volume
-    double toleranceLevels = 0;   ///< of projections
-    Text denseWarning;            ///< empty: none
+    double toleranceLevels = 0;   ///< tolerance of projections [display levels]
+    Text denseWarning;            ///< see prepare/warnings.h; empty if none
     Health health;
-    std::uint64_t tissuePixels = 0;  ///< 0: of all pixels nothing is known
+    std::uint64_t tissuePixels = 0;  ///< pixels that show tissue; 0: nothing is known of all pixels
     MeasuredBiases measured;
-    std::optional<SmoothedError> smoothed;  ///< of a picture that is smoothed, if `isSmoothed`
+    std::optional<SmoothedError> smoothed;  ///< error of the denoised image, if `isSmoothed`
     bool isSmoothed = false;
-    ivec2 picture{0}, view{0};  ///< pixels; 0: it is not stretched
+    ivec2 picture{0}, view{0};  ///< sizes of image and view [pixels]; 0: the image is not stretched
     bool slicesInterpolated = false;
 };
 
-/// What only measuring tells the bias of: "march of 3 voxels, each iteration blurred". Empty: nothing.
+/// Returns the names of the shortcuts whose bias is known only by measurement: "march of 3 voxels, each iteration
+/// blurred". Empty: none is in use.
 Text shortcutNames(const BiasFacts& facts);
 bool keepsRunningMean(const BiasFacts& facts);
 bool sumsToATolerance(const BiasFacts& facts);
@@ -82,7 +83,7 @@ inline bool needsMeasuring(const BiasFacts& facts) {
     return !shortcutNames(facts).empty() || keepsRunningMean(facts) || sumsToATolerance(facts);
 }
 
-/// In the order of the causes. None of the computing: no bias is known there.
+/// Returns the biases in the order of the causes. If none is a cause in the computation, no bias is known there.
 std::vector<Bias> biases(const BiasFacts& facts);
 bool noneOfComputing(const std::vector<Bias>& biases);
 

@@ -9,13 +9,13 @@
 namespace pdr {
 namespace {
 
-constexpr int kDraws = 400;  ///< of the tiles
+constexpr int kDraws = 400;  ///< random selections of the tiles
 
-/// Over pixels.
+/// Sums over pixels.
 struct Sums {
     double pixels = 0;
     double biased = 0, exact = 0;  ///< luminance
-    dvec3 squares{0.0};            ///< of the bias, channel by channel [levels^2]: right in the mean alone
+    dvec3 squares{0.0};            ///< squared bias per channel [levels^2]; correct only on average
 
     void add(const Sums& other) {
         pixels += other.pixels;
@@ -63,7 +63,7 @@ std::optional<MeasuredBias> measuredBias(std::span<const BiasTile> tiles, double
             all.add(known.emplace_back(sumsOf(tile, exposure)));
     if (known.size() < kBiasTiles || !(all.exact > 0))
         return std::nullopt;
-    std::mt19937 random(1);  // the same numbers each time: a statement must not flicker
+    std::mt19937 random(1);  // fixed seed: a stated bias must not flicker
     std::vector<double> brightness, squares;
     for (int draw = 0; draw < kDraws; ++draw) {
         Sums other;

@@ -8,33 +8,35 @@ namespace pdr {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
-constexpr double kSigmas = 1.96;  ///< to either side of 95 % of a normal distribution
+constexpr double kSigmas = 1.96;  ///< from the mean to either end of 95 % of a normal distribution
 
-/// Of most scenes with low-discrepancy points, and how far single scenes lie from that: see tests/support/
-/// coverage_scenes.h and DECISIONS.md.
+/// Exponent of most scenes with low-discrepancy points, and the deviation of single scenes from it: see
+/// tests/support/coverage_scenes.h and DECISIONS.md.
 constexpr double kExponent = 0.57, kExponentSpread = 0.07;
-/// Where it is known what points have gained over independent samples, that says more: errors fell as n^-a so far, on
-/// the mean, a = 1/2 + ln gain / ln n. Those with a = kUsualFall go on as n^-kUsualExponent, and what differs, differs
-/// more from now on, since the gain of the first samples is in a.
+/// The known gain of points over independent samples says more. So far, errors fell as n^-a on average, with
+/// a = 1/2 + ln gain / ln n. Errors with a = kUsualFall go on as n^-kUsualExponent. A difference from
+/// kUsualFall grows by the factor kGoesOn from now on, because a includes the gain of the first samples.
 constexpr double kUsualFall = 0.62, kUsualExponent = 0.59, kGoesOn = 1.35, kExponentOfGainSpread = 0.03;
-constexpr double kLeastExponent = 0.5, kMostExponent = 0.8;  ///< no less than independent samples
-/// How far the exponent of one doubling of the samples lies from that of a scene.
+constexpr double kLeastExponent = 0.5, kMostExponent = 0.8;  ///< at least that of independent samples
+/// Deviation of the exponent in one doubling of the samples from that of the scene.
 constexpr double kExponentWander = 0.07;
-/// Of the error's logarithm: low-discrepancy points dip below the line at powers of two, by a twentieth. So what counts
-/// as the error of now is the mean of what it was since the samples were so many times fewer; of the dip this is left.
+/// Low-discrepancy points dip below the line at powers of two, by a twentieth. So the current error is the mean over
+/// all errors since the samples were kRecent times fewer; kDip is what is left of the dip, in the error's logarithm.
 constexpr double kRecent = 2, kDip = 0.04;
-/// Of the speed's logarithm, at least: what a machine does besides changes it by so much.
+/// Least spread of the speed's logarithm: other work of the machine changes it by so much.
 constexpr double kSpeedSpread = 0.05;
 
-constexpr double kWatched = 16;     ///< so many times the samples ago errors fell otherwise: a display clips large ones
-constexpr double kLasting = 8;      ///< ... and as long as samples are not so many times as many, few bright ones count
-constexpr double kThinning = 1.09;  ///< 2^(1/8): between the samples of two points that are kept
+/// Factor of the samples up to which earlier errors count: before, they fell otherwise, because a display clips large
+/// ones.
+constexpr double kWatched = 16;
+constexpr double kLasting = 8;      ///< growth of the samples for which a bound still counts
+constexpr double kThinning = 1.09;  ///< 2^(1/8): least ratio of the samples of two points that are kept
 
 double squared(double value) {
     return value * value;
 }
 
-/// Of the logarithm of a displayError.
+/// Returns the spread of the logarithm of a displayError.
 double spreadOf(const FilmStatus& status) {
     return std::hypot(kDip, status.displayError > 0 ? status.displayErrorSpread / status.displayError : 0);
 }
@@ -45,7 +47,8 @@ double samplesToReach(double target, double error, std::uint64_t samples) {
     return double(samples) * std::max(std::pow(error / target, 1 / kExponent), 1.0);
 }
 
-/// The exponent is not known better for being the same of both: it multiplies what the logarithms differ.
+/// The uncertainty of the exponent does not cancel although both share it: it multiplies the difference of the
+/// logarithms.
 std::optional<Foretold> samplesRatio(const FilmStatus& a, const FilmStatus& b) {
     const bool known = std::isfinite(a.displayError) && std::isfinite(b.displayError);
     if (!known || !(a.displayError > 0) || !(b.displayError > 0))
@@ -80,7 +83,7 @@ void ErrorHistory::add(double seconds, const FilmStatus& status) {
             reachedAt_[i] = seconds;
 }
 
-/// What scenes are like whose points have gained as much as these lately.
+/// Returns the exponent of other scenes whose points have recently gained as much as these.
 ErrorHistory::Guess ErrorHistory::exponentOfOthers() const {
     double falls = 0, count = 0;
     for (auto point = points_.rbegin(); point != points_.rend() && kRecent * point->samples >= points_.back().samples;
@@ -95,7 +98,8 @@ ErrorHistory::Guess ErrorHistory::exponentOfOthers() const {
     return {std::clamp(goesOn, kLeastExponent, kMostExponent), squared(kExponentOfGainSpread)};
 }
 
-/// The errors at both ends of what is watched draw a line; both know themselves only so well, and the exponent wanders.
+/// Returns the exponent of the line between the errors at both ends of the watched range, weighted against that of
+/// other scenes. Both errors are uncertain, and the exponent varies from doubling to doubling.
 ErrorHistory::Guess ErrorHistory::exponent() const {
     const Point& now = points_.back();
     const auto first = std::find_if(points_.begin(), points_.end(), [&](const Point& point) {
@@ -114,7 +118,8 @@ ErrorHistory::Guess ErrorHistory::exponent() const {
     return {std::lerp(others.mean, own, weight), weight * ownVariance};
 }
 
-/// The error that the picture has now, and its spread, by all that both were lately: few pixels tell either.
+/// Returns the current error of the image and its spread, as means over recent ones, because few pixels determine
+/// either.
 ErrorHistory::Recent ErrorHistory::recent(double exponent) const {
     const Point& now = points_.back();
     double errors = 0, spreads = 0, count = 0;
@@ -127,15 +132,16 @@ ErrorHistory::Recent ErrorHistory::recent(double exponent) const {
     return {errors / count, spreads / count};
 }
 
-/// Now, or so lately that the errors which the forecast begins from may have said too little.
+/// Returns whether an error was a bound now, or so recently that the errors from which the forecast begins may be too
+/// small.
 bool ErrorHistory::restedOnBound() const {
     return std::ranges::any_of(points_, [&](const Point& point) {
         return point.isBound && kLasting * point.samples > points_.back().samples;
     });
 }
 
-/// Pixels whose error is large now are likely to have a large one when the samples have grown but little. What is
-/// stated of pixels without any bright sample falls as 1 / n at most.
+/// Pixels whose error is large now are likely to have a large one when the samples have grown but little. The
+/// error that is stated for pixels without any bright sample falls as 1 / n at most.
 Foretold ErrorHistory::samples(double levels) const {
     const Point& now = points_.back();
     const Guess exponent = this->exponent();
@@ -152,7 +158,7 @@ Foretold ErrorHistory::samples(double levels) const {
     return {after(growth), after(growth - spread), after(growth + spread)};
 }
 
-/// That of the last doubling of the samples, and how it went up and down.
+/// Returns the speed over the last doubling of the samples, and its variation.
 ErrorHistory::Guess ErrorHistory::speed() const {
     const Point& now = points_.back();
     std::size_t first = points_.size() - 1;
@@ -170,7 +176,7 @@ ErrorHistory::Guess ErrorHistory::speed() const {
     return {mean, squared(kSpeedSpread) + (pieces > 0 ? squares / pieces : 0)};
 }
 
-/// Time passes from now on: what is uncertain of the samples and of the speed adds up in squares.
+/// Counts time from now on. The uncertainties of the samples and of the speed add up in squares.
 Foretold ErrorHistory::seconds(double levels) const {
     const Point& now = points_.back();
     const Foretold samples = this->samples(levels);

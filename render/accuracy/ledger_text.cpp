@@ -6,7 +6,7 @@
 namespace pdr {
 namespace {
 
-/// "38 % (36 to 40)". `value`: with its unit.
+/// Returns "38 % (36 to 40)". `value` includes its unit.
 Text withBand(const Text& value, double low, double high, int decimals) {
     return phrase("%1 (%2 to %3)", value, fixedNumber(low, decimals), fixedNumber(high, decimals));
 }

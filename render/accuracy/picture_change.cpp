@@ -9,10 +9,10 @@
 namespace pdr {
 namespace {
 
-constexpr double kSigmas = 1.96;  ///< to either side of 95 % of a normal distribution
-constexpr double kTail = 0.05;    ///< beyond the 95th percentile
+constexpr double kSigmas = 1.96;  ///< from the mean to either end of 95 % of a normal distribution
+constexpr double kTail = 0.05;    ///< fraction beyond the 95th percentile
 
-/// The mean of one number a pixel, and how far off it may be: other pixels of the picture would have been as good.
+/// Mean of one number per pixel, and its uncertainty due to the choice of the pixels.
 class PixelMean {
   public:
     void add(double value) {
@@ -35,11 +35,11 @@ double signOf(double value) {
     return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
-/// What is known of the differences d of all pixels, seen through noise.
+/// Statistics of the differences d of all pixels, as seen through noise.
 struct Sums {
-    PixelMean magnitude;  ///< of what is seen: noise makes it larger than mean |d|
-    PixelMean agreement;  ///< what one half shows in the direction of the other: noise makes it less than mean |d|
-    PixelMean product;    ///< of both halves: its mean is that of d^2, whatever the noise
+    PixelMean magnitude;  ///< mean |difference| seen; noise makes it larger than mean |d|
+    PixelMean agreement;  ///< component of one half in the direction of the other; noise makes it less than mean |d|
+    PixelMean product;    ///< product of both halves; its mean is that of d^2, whatever the noise
     PixelMean seen, squares;
 
     void add(const HalfDifferences& pixel) {
@@ -58,7 +58,7 @@ struct Sums {
     }
 };
 
-/// The value of which a part of them is larger.
+/// Returns the value that the fraction `part` of the values exceeds.
 double exceededBy(std::vector<double>& values, double part) {
     const auto at =
         values.begin() + std::ptrdiff_t(std::clamp((1 - part) * double(values.size()), 0.0, double(values.size() - 1)));
@@ -66,8 +66,8 @@ double exceededBy(std::vector<double>& values, double part) {
     return *at;
 }
 
-/// How far up more than kTail of the differences reach for certain: of what one half shows in the direction of the
-/// other, what points back is taken off what points on.
+/// Returns the value that more than kTail of the differences exceed for certain. Of what one half shows in the
+/// direction of the other, the number that points back is subtracted from the number that points forward.
 double surelyExceeded(std::vector<double>& agreeing, double pixels) {
     std::ranges::sort(agreeing, std::greater(), [](double x) { return std::fabs(x); });
     const double all = double(agreeing.size());
@@ -80,7 +80,7 @@ double surelyExceeded(std::vector<double>& agreeing, double pixels) {
     return 0;
 }
 
-/// Of levels, one number a channel.
+/// Returns the 95th percentile of the differences, one number per channel [levels].
 Foretold ninetyFifthOf(std::span<const HalfDifferences> pixels, const Sums& sums, double shrink) {
     std::vector<double> seen, told, agreeing;
     for (const HalfDifferences& pixel : pixels)
@@ -99,9 +99,9 @@ Foretold ninetyFifthOf(std::span<const HalfDifferences> pixels, const Sums& sums
     return {value, std::clamp(low, 0.0, value), high};
 }
 
-/// Levels that the channel differs by, to one unit of radiance over the exposure: the curve's chord between both.
+/// Returns the slope of the tone curve's chord between `a` and `b`: levels per unit of radiance over the exposure.
 float chord(const float* curve, float a, float b) {
-    constexpr float kShortest = 0.02f;  // of both: the curve is a table
+    constexpr float kShortest = 0.02f;  // least length relative to a + b, because the curve is a table
     const float middle = (a + b) / 2, half = glm::max(glm::abs(a - b), kShortest * (a + b)) / 2;
     return half > 0 ? (exactLevelOf(curve, middle + half) - exactLevelOf(curve, middle - half)) / (2 * half) : 0;
 }

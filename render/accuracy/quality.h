@@ -1,17 +1,17 @@
 #pragma once
-/// What a picture is good for by now, in one word.
+/// The quality of an image in one word: what it is good for at its current error.
 
 #include "render/film/film_status.h"
 
 namespace pdr {
 
-/// By the levels within which 95 % of the tissue lies.
+/// Quality by the levels within which 95 % of the tissue lies.
 enum class Quality {
     estimating,   ///< not known, or not known yet
-    rough,        ///< beyond 16 levels, or resting on few bright samples, which may say too little
-    orientation,  ///< within 16: where things are
-    planning,     ///< within 8: what they look like
-    reference     ///< within 1: more would not be seen
+    rough,        ///< beyond 16 levels, or based on few bright samples, so that the stated error may be too small
+    orientation,  ///< within 16 levels: shows where things are
+    planning,     ///< within 8 levels: shows what they look like
+    reference     ///< within 1 level: further improvement is not visible
 };
 
 inline constexpr double kOrientationLevels = 16, kPlanningLevels = 8;

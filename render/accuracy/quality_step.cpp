@@ -9,14 +9,14 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
-/// y at x on the line through both points, all of them logarithms' exponentials.
+/// Returns y at x on the line through both points, in logarithms of both coordinates.
 double onLine(double x, double x0, double y0, double x1, double y1) {
     const double part = x1 == x0 ? 0 : std::log(x / x0) / std::log(x1 / x0);
     return y0 * std::pow(y1 / y0, part);
 }
 
-/// Of the steps, the first of the two that a value lies between; the outermost ones hold beyond. `isBeyond`: the value
-/// lies beyond that step, towards the finer ones.
+/// Returns the index of the first of the two steps between which a value lies; beyond all steps, that of the outermost
+/// two. `isBeyond`: whether the value lies beyond a step, towards the finer ones.
 template <class IsBeyond>
 std::size_t intervalOf(const std::vector<QualityStep>& steps, const IsBeyond& isBeyond) {
     std::size_t i = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// How a film and its denoised image became better, and when the one that is shown will be how good.
+/// How a film and its denoised image have improved, and when the shown one will reach which quality.
 
 #include "render/accuracy/forecast.h"
 #include "render/film/error/shown_status.h"
@@ -9,16 +9,16 @@ namespace pdr {
 class ShownHistory {
   public:
     void clear() { *this = {}; }
-    /// Other errors from now on, as on another display.
+    /// Forgets the errors, as for another display.
     void forgetErrors();
-    /// What was known after `seconds` of rendering of the film and of what was shown of it. A denoised image is judged
-    /// now and then: the same error again is the same judgement, and says nothing new.
+    /// Adds what was known, after `seconds` of rendering, of the film and of the image that was shown. A denoised image
+    /// is judged only now and then: the same error again is the same judgement and adds nothing.
     void add(double seconds, const FilmStatus& film, const ShownStatus& shown);
 
-    /// ErrorHistory::points() of the image in `of`.
+    /// Returns ErrorHistory::points() of the image in `of`.
     std::vector<ErrorPoint> points(ErrorOf of) const;
-    /// ErrorHistory::steps() of that image. A denoised image gives way to the film where that is better: steps to come
-    /// are reached by the sooner of both.
+    /// Returns ErrorHistory::steps() of the image in `of`. A denoised image gives way to the film when that is better,
+    /// so steps to come are reached by the sooner of both.
     std::vector<QualityStep> steps(ErrorOf of) const;
 
   private:

@@ -10,7 +10,7 @@
 namespace pdr {
 namespace {
 
-/// Row by row, linear.
+/// Returns the linear radiance, row by row.
 std::vector<dvec3> radianceOf(const Film& film, bool smooth) {
     std::vector<dvec3> radiance;
     const NoisyFilm noisy = noisyFilm(film);
@@ -26,6 +26,7 @@ std::vector<dvec3> radianceOf(const Film& film, bool smooth) {
 TrueError trueError(const Film& film, const Display& display, const Film& reference) {
     const std::vector<dvec3> radiance = radianceOf(film, display.smoothed);
     const float* curve = displayCurve();
+    // Compare all tissue pixels
     double squares = 0, mean = 0;
     std::vector<float> levels;
     for (std::size_t i = 0; i < radiance.size(); ++i) {
@@ -33,7 +34,8 @@ TrueError trueError(const Film& film, const Display& display, const Film& refere
         if (!truth.tissue)
             continue;
         const double off = luminance(radiance[i] - truth.mean);
-        const double noise = luminance(truth.halves.even - truth.halves.odd) / 2;  // also of points that are no chance
+        // The halves also give the noise of low-discrepancy points
+        const double noise = luminance(truth.halves.even - truth.halves.odd) / 2;
         squares += off * off - noise * noise;
         mean += luminance(truth.mean);
         float worst = 0;
@@ -42,6 +44,7 @@ TrueError trueError(const Film& film, const Display& display, const Film& refere
                                               exactLevelOf(curve, float(truth.mean[c] / display.exposure))));
         levels.push_back(worst);
     }
+    // Take the 95th percentile of the levels
     if (levels.empty())
         return {};
     const double count = double(levels.size());

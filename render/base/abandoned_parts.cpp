@@ -12,7 +12,7 @@
 namespace pdr {
 namespace {
 
-/// Before, it may be that its program has not claimed it yet.
+/// Age from which an unclaimed file counts as abandoned. Before, its program may not have claimed it yet.
 constexpr std::time_t kAbandonedAfter = 3600;  // [s]
 
 bool isPart(const std::string& name) {

@@ -1,7 +1,7 @@
 #pragma once
-/// Elementary functions in double, by their Taylor series: sums and products that round alike everywhere, so that
-/// pictures of two machines agree bit by bit whatever their mathematical libraries do. Relative errors below 5e-16,
-/// where the value is not near 0 by cancellation.
+/// Elementary functions in double by their Taylor series: sums and products that are rounded the same everywhere, so
+/// that images of two machines agree bit by bit whatever their mathematical libraries do. Relative errors are below
+/// 5e-16 where the value is not near 0 by cancellation.
 
 namespace pdr {
 
@@ -9,7 +9,7 @@ struct SineCosine {
     double sine, cosine;
 };
 
-/// For `radians` in [-pi/4, pi/4].
+/// Returns sine and cosine of `radians` in [-pi/4, pi/4].
 constexpr SineCosine sineCosineNearZero(double radians) {
     const double x2 = radians * radians;
     double sine = 1, cosine = 1;
@@ -20,7 +20,7 @@ constexpr SineCosine sineCosineNearZero(double radians) {
     return {radians * sine, cosine};
 }
 
-/// For `radians` in [0, pi].
+/// Returns sine and cosine of `radians` in [0, pi].
 constexpr SineCosine sineCosine(double radians) {
     constexpr double kQuarterPi = 0.785398163397448310;
     constexpr double kHalfPi = 1.57079632679489656, kHalfPiRest = 6.12323399573676604e-17;
@@ -34,13 +34,13 @@ constexpr SineCosine sineCosine(double radians) {
     return {-turned.sine, -turned.cosine};
 }
 
-/// For `radians` in [0, pi/2).
+/// Returns the tangent of `radians` in [0, pi/2).
 constexpr double tangent(double radians) {
     const SineCosine both = sineCosine(radians);
     return both.sine / both.cosine;
 }
 
-/// e^x - 1 for x in [-1, 1].
+/// Returns e^x - 1 for x in [-1, 1].
 constexpr double expMinusOne(double x) {
     double series = 1;
     for (int n = 20; n >= 2; --n)

@@ -1,9 +1,9 @@
 #pragma once
-/// Cells of the grid that bounds are kept for, and the voxels that matter in each.
+/// Cells of the grid for which bounds are stored, and the voxels that matter in each.
 ///   cell (i,j,k) holds the points whose index coordinates lie in [4(i-1), 4i] x [4(j-1), 4j] x [4(k-1), 4k]: cell
-///   borders run through voxel centres, so that trilinear interpolation inside a cell meets 5 voxels an axis and no
-///   more. The first layer catches the half voxel outside the first centres.
-/// The grid is padded to whole coarse cells of 4 x 4 x 4 fine ones; cells that no point of the volume lies in are
+///   borders run through voxel centres, so that trilinear interpolation inside a cell reads only 5 voxels along each
+///   axis. The first layer covers the half voxel outside the first centres.
+/// The grid is padded to whole coarse cells of 4 x 4 x 4 fine ones; cells that contain no point of the volume are
 /// kEmptyRange.
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct HuRange {
 };
 inline constexpr HuRange kEmptyRange{INT16_MAX, INT16_MIN};
 
-/// Coarse cells along an axis of that many voxels.
+/// Returns the number of coarse cells along an axis of `voxels` voxels.
 PDR_HD inline int coarseCells(int voxels) {
     // The last point of the volume lies at index coordinate voxels - 0.5, in fine cell (voxels - 1) / 4 + 1.
     const int fine = (voxels - 1) / kFineCell + 2;
@@ -39,7 +39,7 @@ PDR_HD inline ivec3 coarseCells(ivec3 voxels) {
     return {coarseCells(voxels.x), coarseCells(voxels.y), coarseCells(voxels.z)};
 }
 
-/// Voxels whose values interpolation can meet along one axis inside cell `c`: [first, last]; empty if first > last.
+/// Voxels that interpolation can read along one axis inside a cell: [first, last]; empty if first > last.
 struct VoxelSpan {
     int first, last;
 };
@@ -51,7 +51,8 @@ PDR_HD inline VoxelSpan voxelsOfCell(int c, int size) {
     return {glm::max(begin, 0), glm::clamp(begin + kFineCell, 0, size - 1)};
 }
 
-/// Smallest and largest value that interpolation can meet in a fine cell; `voxels`: x fastest, then y, then z.
+/// Returns the smallest and the largest value that interpolation can reach in a fine cell. `voxels`: x fastest, then y,
+/// then z.
 PDR_HD inline HuRange rangeOfCell(const std::int16_t* voxels, ivec3 size, ivec3 cell) {
     const VoxelSpan x = voxelsOfCell(cell.x, size.x), y = voxelsOfCell(cell.y, size.y),
                     z = voxelsOfCell(cell.z, size.z);
@@ -65,7 +66,7 @@ PDR_HD inline HuRange rangeOfCell(const std::int16_t* voxels, ivec3 size, ivec3 
     return range;
 }
 
-/// Place of a cell in a grid, x fastest, then y, then z; and back.
+/// Returns the index of a cell in a grid, x fastest, then y, then z; cellAt() is the inverse.
 PDR_HD inline std::int64_t cellIndex(ivec3 cell, ivec3 grid) {
     return (std::int64_t(cell.z) * grid.y + cell.y) * grid.x + cell.x;
 }

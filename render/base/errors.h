@@ -1,5 +1,5 @@
 #pragma once
-/// Errors that more than one room reports: each is worded here, once, and has its kind.
+/// Errors that several modules report: each one is worded only here and has its kind.
 
 #include <cstddef>
 #include <string>
@@ -8,24 +8,24 @@
 
 namespace pdr {
 
-/// A step that was asked to stop has ended.
+/// Returns the error of a step that was asked to stop.
 inline Error cancelled() {
     return {phrase("cancelled"), "", "", ErrorKind::cancelled};
 }
 
-/// "1.5 GB", below 0.1 GB "20.0 MB".
+/// Returns a size as text: "1.5 GB", below 0.1 GB "20.0 MB".
 inline Text bytesText(std::size_t bytes) {
     const double mega = double(bytes) / 1e6;
     return mega < 100 ? phrase("%1 MB", fixedNumber(mega, 1)) : phrase("%1 GB", fixedNumber(mega / 1e3, 1));
 }
 
-/// `purpose`: "to decode it"; may be empty.
+/// Returns the error that memory does not suffice. `purpose`: "to decode it"; may be empty.
 inline Error notEnoughMemory(const Text& purpose, std::string where, Text hint) {
     return {purpose.empty() ? phrase("there is not enough memory") : phrase("there is not enough memory %1", purpose),
             std::move(where), std::move(hint), ErrorKind::memory};
 }
 
-/// Of a device. `device`: its name.
+/// Returns the error that the memory of a device is too small. `device`: its name; `needed`, `free`: bytes.
 inline Error memoryTooSmall(const std::string& device, std::size_t needed, std::size_t free) {
     return {phrase("its memory is too small: %1 are needed at a time, %2 are free", bytesText(needed), bytesText(free)),
             device, phrase("Make the picture smaller, close programs that use the device, or choose another device."),

@@ -1,12 +1,12 @@
 #pragma once
-/// What the name of a file says of its format.
+/// The ending of a file's name, which states its format.
 
 #include <filesystem>
 #include <string>
 
 namespace pdr {
 
-/// ".png" of "head.PNG": the ending in small letters (a to z); empty where there is none.
+/// Returns the ending of a file's name in lower case (a to z), ".png" for "head.PNG"; empty if there is none.
 inline std::string fileEnding(const std::filesystem::path& file) {
     std::string ending = file.extension().string();
     for (char& letter : ending)

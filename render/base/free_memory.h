@@ -1,5 +1,5 @@
 #pragma once
-/// Memory that is still to be had, asked before much of it is taken: Linux promises more than there is, and ends the
+/// Available memory. Programs check it before large allocations: Linux promises more memory than there is and kills the
 /// program later.
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace pdr {
 
-/// Bytes that this program may still take: of the machine, of its control groups and of its own limit (RLIMIT_AS) the
-/// least. What cannot be found out counts as kNoMemoryLimit.
+/// Returns the bytes that this program may still allocate: the least of what the machine, its control groups and its
+/// own limit (RLIMIT_AS) leave. A limit that cannot be read counts as kNoMemoryLimit.
 std::uint64_t freeBytes();
 
 }  // namespace pdr

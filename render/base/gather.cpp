@@ -11,9 +11,9 @@ namespace pdr {
 
 namespace {
 
-using Table = std::array<std::int16_t, 4096>;  ///< 8 kB: in the first cache
+using Table = std::array<std::int16_t, 4096>;  ///< 8 kB: fits the first-level cache
 
-/// Seconds for some hundred gathers, four at a time as for a cell of voxels.
+/// Returns the time of some hundred gathers [s], four at a time as for a cell of voxels.
 template <auto gather>
 double secondsOf(const Table& table) {
     IntLanes index{};
@@ -31,7 +31,8 @@ double secondsOf(const Table& table) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The shortest of several turns each: whatever interrupts a turn only makes it longer.
+/// Returns whether gather instructions are at least as fast as single loads. Compares the shortest of several runs
+/// each: interruptions only make a run longer.
 bool gatherAtOncePays() {
     const Table table{};
     double atOnce = 1e9, oneByOne = 1e9;

@@ -1,6 +1,6 @@
 #pragma once
-/// What went wrong with samples, by cause, and where it can be seen again. Never hidden, never turned into black: a
-/// sample that is no radiance is left out of the mean and of the count.
+/// Faults of samples, counted by cause, with the first sample at which each can be reproduced. Faults are never hidden
+/// or replaced by black: a sample that is no valid radiance is excluded from the mean and from the count.
 
 #include <cstdint>
 
@@ -9,21 +9,21 @@
 namespace pdr {
 
 enum class Fault : std::uint32_t {
-    notANumber,    ///< left out: NaN
-    infinite,      ///< left out: infinite, or beyond what float holds
-    negative,      ///< left out: light that is taken away
-    overMajorant,  ///< extinction above its bound was met: the sample counts, but is not exact
-    cutPath,       ///< a path was ended at maxBounces with light still on it: the sample counts, but is too dark
-    overTolerance  ///< a deterministic ray could not keep its error bound: the sample counts
+    notANumber,    ///< excluded: NaN
+    infinite,      ///< excluded: infinite, or beyond the range of float
+    negative,      ///< excluded: negative radiance
+    overMajorant,  ///< an extinction exceeded its bound: the sample counts, but is not exact
+    cutPath,       ///< a path ended at maxBounces with throughput left: the sample counts, but is too dark
+    overTolerance  ///< a deterministic ray exceeded its error bound: the sample counts
 };
 inline constexpr int kFaults = 6;
-inline constexpr int kLeftOut = 3;  ///< the first so many faults leave the sample out
+inline constexpr int kLeftOut = 3;  ///< number of faults, from the first, that exclude the sample
 
-/// Its word in reports: "notANumber".
+/// Names of the faults in reports: "notANumber".
 inline constexpr const char* kFaultNames[kFaults] = {"notANumber",   "infinite", "negative",
                                                      "overMajorant", "cutPath",  "overTolerance"};
 
-/// How often something happened, and the first sample that it happened to: the lowest sample, then the lowest pixel.
+/// The number of occurrences of a fault, and its first one: the lowest sample, then the lowest pixel.
 struct FaultCount {
     std::uint64_t count = 0;
     std::uint64_t sample = 0;
@@ -52,7 +52,7 @@ struct Health {
             faults[i].add(other.faults[i]);
     }
     PDR_HD const FaultCount& of(Fault fault) const { return faults[std::uint32_t(fault)]; }
-    /// Samples that were left out.
+    /// Returns the number of excluded samples.
     PDR_HD std::uint64_t rejected() const {
         std::uint64_t sum = 0;
         for (int i = 0; i < kLeftOut; ++i)

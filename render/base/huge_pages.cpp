@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kHugePage = std::size_t(2) << 20;
 
-/// Smaller arrays are not worth whole pages: up to half of one would be wasted on each.
+/// Returns whether an array is large enough for huge pages. In smaller ones, up to half a page would be wasted on each.
 bool usesHugePages(std::size_t bytes) {
     return bytes >= 2 * kHugePage;
 }
@@ -19,7 +19,7 @@ void* allocateInHugePages(std::size_t bytes) {
     if (!usesHugePages(bytes))
         return ::operator new(bytes);
     void* memory = ::operator new(bytes, std::align_val_t(kHugePage));
-    // A wish: where it is not granted, all works as well.
+    // This is a request: if the system does not grant it, everything works as well.
     madvise(memory, bytes / kHugePage * kHugePage, MADV_HUGEPAGE);
     return memory;
 }

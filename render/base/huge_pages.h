@@ -1,6 +1,6 @@
 #pragma once
-/// Memory for large arrays that are read here and there, in pages of 2 MB where the system lends them. The processor
-/// remembers where a few thousand pages lie: of 4 kB each, that is less than a large volume.
+/// Memory for large arrays with scattered accesses, in pages of 2 MB where the system provides them. The processor
+/// caches the addresses of a few thousand pages; at 4 kB each, these cover less than a large volume.
 
 #include <cstddef>
 #include <new>
@@ -8,7 +8,7 @@
 
 namespace pdr {
 
-/// As operator new. Throws std::bad_alloc.
+/// Allocates like operator new. Throws std::bad_alloc.
 void* allocateInHugePages(std::size_t bytes);
 void freeHugePages(void* memory, std::size_t bytes);
 

@@ -1,9 +1,9 @@
 #pragma once
-/// How large an image may be.
+/// Limits on the size of images.
 
 namespace pdr {
 
-/// Pixels, or texels, that a film or any other image has along a side at most.
+/// Largest number of pixels or texels along a side of a film or any other image.
 inline constexpr int kLongestSide = 16384;
 
 }  // namespace pdr

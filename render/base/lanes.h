@@ -1,10 +1,10 @@
 #pragma once
-/// Several numbers that are computed in step. Code written for a type Real runs on float, one path at a time as on a
-/// GPU, and on FloatLanes, kLanes paths at a time in the CPU's vector registers:
+/// Numbers in SIMD lanes. Code written for a type Real runs on float, one path at a time as on a GPU, and on
+/// FloatLanes, kLanes paths at a time in the CPU's vector registers:
 ///   SimdTraits<Real>::Int    whole numbers
 ///   SimdTraits<Real>::Bits   64 bits
-///   SimdTraits<Real>::Mask   per lane: holds or does not
-/// Lanes never mix: a lane's numbers are the same whatever its neighbours do.
+///   SimdTraits<Real>::Mask   true or false in each lane
+/// Lanes are independent: the numbers of a lane are the same whatever its neighbours contain.
 
 #include <bit>
 #include <cmath>
@@ -39,21 +39,21 @@ PDR_HD inline float toFloat(int x) {
 PDR_HD inline bool any(bool mask) {
     return mask;
 }
-/// Lanes where `mask` holds.
+/// Returns the number of lanes in which `mask` holds.
 PDR_HD inline int count(bool mask) {
     return mask;
 }
 PDR_HD inline float gather(const float* from, int index) {
     return from[index];
 }
-/// A ray alone leaves it to the processor to look ahead.
+/// Does nothing: a single ray leaves prefetching to the processor.
 template <class T>
 PDR_HD inline void prefetch(const T*, int) {}
-/// column[index] in a column of `count` entries that can be read up to the next multiple of kLanes.
+/// Returns column[index]. The column has `count` entries and is readable up to the next multiple of kLanes.
 PDR_HD inline float tableLookup(const float* column, int /*count*/, int index) {
     return column[index];
 }
-/// Bits 41..63 and 9..31 of a random word as whole numbers below 2^23.
+/// Returns bits 41..63 of a random word as a whole number below 2^23; lowBits() returns bits 9..31.
 PDR_HD inline int highBits(std::uint64_t word) {
     return int(word >> 41);
 }
@@ -66,7 +66,7 @@ PDR_HD inline std::uint64_t masked(bool mask, std::uint64_t word) {
 PDR_HD inline float squareRoot(float x) {
     return std::sqrt(x);
 }
-/// The bits of a float, and back.
+/// Returns the bits of a float; floatOf() is the inverse.
 PDR_HD inline std::int32_t bitsOf(float x) {
 #if defined(__CUDA_ARCH__)
     return __float_as_int(x);
@@ -102,7 +102,7 @@ inline IntLanes toInt(FloatLanes x) {
 inline FloatLanes toFloat(IntLanes x) {
     return __builtin_convertvector(x, FloatLanes);
 }
-/// Bit l: whether `mask` holds in lane l.
+/// Returns a word whose bit l is 1 where `mask` holds in lane l.
 inline std::uint32_t laneBits(IntLanes mask) {
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
     return _mm512_movepi32_mask(__m512i(mask));
@@ -122,7 +122,7 @@ inline int count(IntLanes mask) {
     return std::popcount(laneBits(mask));
 }
 #if defined(__clang__)
-/// Clang's own permutation takes constants only.
+/// Permutes lanes. Clang's own permutation accepts constants only.
 template <class Lanes, class From>
 inline Lanes permutedAny(Lanes lanes, From from) {
     Lanes result{};
@@ -136,7 +136,7 @@ inline Lanes permutedAny(Lanes lanes, From from) {
     return __builtin_shuffle(lanes, from);
 }
 #endif
-/// Lane l of the result is lane from[l] of `lanes`.
+/// Returns lanes of which lane l is lane from[l] of `lanes`.
 inline FloatLanes permuted(FloatLanes lanes, IntLanes from) {
     return permutedAny(lanes, from);
 }
@@ -150,14 +150,14 @@ inline BitsLanes selected(IntLanes mask, BitsLanes yes, BitsLanes no) {
     return __builtin_convertvector(mask, SignedBitsLanes) ? yes : no;
 }
 
-/// from[index] in each lane, by loads one after the other.
+/// Returns from[index] in each lane, by one load after the other.
 inline FloatLanes gatherOneByOne(const float* from, IntLanes index) {
     FloatLanes result;
     for (int lane = 0; lane < kLanes; ++lane)
         result[lane] = from[index[lane]];
     return result;
 }
-/// The 32 bits at from + index, that is the values at from[index] (low) and from[index + 1].
+/// Returns the 32 bits at from + index in each lane: the values at from[index] (low) and from[index + 1].
 inline IntLanes gatherPairsOneByOne(const std::int16_t* from, IntLanes index) {
     IntLanes pairs;
     for (int lane = 0; lane < kLanes; ++lane) {
@@ -167,7 +167,7 @@ inline IntLanes gatherPairsOneByOne(const std::int16_t* from, IntLanes index) {
     }
     return pairs;
 }
-/// The same in one instruction, where there is one.
+/// Variants of both functions in one instruction, where there is one.
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 inline FloatLanes gatherAtOnce(const float* from, IntLanes index) {
     return FloatLanes(_mm512_mask_i32gather_ps(_mm512_setzero_ps(), 0xFFFF, __m512i(index), from, 4));
@@ -201,14 +201,14 @@ inline FloatLanes tableLookup(const float* column, int count, IntLanes index) {
     std::memcpy(&whole, column, sizeof whole);
     return permuted(whole, index);
 }
-/// Asks for the memory at from[index] ahead of reading it: lanes meet so many places that no near cache holds them all.
-/// Inlined always: GCC 12 leaves out the call of a function that does nothing else.
+/// Prefetches the memory at from[index]: lanes read at so many positions that no near cache holds them all. Always
+/// inlined: GCC 12 omits the call of a function that does nothing else.
 template <class T>
 PDR_HD_INLINE void prefetch(const T* from, IntLanes index) {
     for (int lane = 0; lane < kLanes; ++lane)
         __builtin_prefetch(from + index[lane]);
 }
-/// Neighbouring int16 pairs at from[index] and from[index + 1].
+/// Reads the int16 values at from[index] into `first` and those at from[index + 1] into `second`.
 inline void gatherPair(const std::int16_t* from, IntLanes index, FloatLanes& first, FloatLanes& second) {
     const IntLanes pair = kGatherAtOnce ? gatherPairsAtOnce(from, index) : gatherPairsOneByOne(from, index);
     first = toFloat((pair << 16) >> 16);
@@ -252,14 +252,14 @@ PDR_HD inline Real max(Real a, Real b) {
     return a > b ? a : b;
 }
 
-/// A point or direction per lane.
+/// A point or direction; one for each lane if Real is FloatLanes.
 template <class Real>
 struct Vec3 {
     Real x, y, z;
 };
 
-/// -ln(u) for u in [2^-24, 1]; relative error below 3e-7. The same arithmetic on every device, so that they agree bit
-/// by bit: ln(2^e m) = e ln 2 + 2 artanh((m - 1) / (m + 1)), m in [0.7, 1.4).
+/// Returns -ln(u) for u in [2^-24, 1], with a relative error below 3e-7. The arithmetic is the same on every device, so
+/// that devices agree bit by bit: ln(2^e m) = e ln 2 + 2 artanh((m - 1) / (m + 1)), m in [0.7, 1.4).
 template <class Real>
 PDR_HD inline Real negativeLog(Real u) {
     using Int = typename SimdTraits<Real>::Int;

@@ -19,15 +19,15 @@ struct GroupTree {
     fs::path place;  ///< where it is mounted
 };
 
-/// Files of a group's folder, by version.
+/// Names of the files in a group's folder, which depend on the version.
 struct GroupFiles {
     std::vector<const char*> limits;
     const char* used;
-    const char* cached;  ///< a name within memory.stat
+    const char* cached;  ///< name of a line in memory.stat
 };
 
 const GroupFiles& filesOf(bool isV2) {
-    // Above memory.high a program is not ended, but slowed down to a standstill.
+    // Above memory.high a program is not killed, but slowed down to a standstill.
     static const GroupFiles v2{{"memory.max", "memory.high"}, "memory.current", "inactive_file"};
     static const GroupFiles v1{{"memory.limit_in_bytes"}, "memory.usage_in_bytes", "total_inactive_file"};
     return isV2 ? v2 : v1;
@@ -37,7 +37,7 @@ bool contains(const std::string& listed, const std::string& word) {
     return ("," + listed + ",").find("," + word + ",") != std::string::npos;
 }
 
-/// `text` with its "\040" replaced by what they stand for.
+/// Returns `text` with escapes such as "\040" replaced by the characters that they stand for.
 std::string unescaped(const std::string& text) {
     std::string plain;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -52,7 +52,8 @@ std::string unescaped(const std::string& text) {
     return plain;
 }
 
-/// "31 23 0:35 / /sys/fs/cgroup/memory rw shared:9 - cgroup cgroup rw,memory"
+/// Returns the tree of groups in a line of mountinfo, "31 23 0:35 / /sys/fs/cgroup/memory rw shared:9 - cgroup cgroup
+/// rw,memory"; nothing if the line mounts none that limits memory.
 std::optional<GroupTree> treeIn(const std::string& mount) {
     const std::size_t dash = mount.find(" - ");
     if (dash == std::string::npos)
@@ -66,7 +67,7 @@ std::optional<GroupTree> treeIn(const std::string& mount) {
     return GroupTree{type == "cgroup2", unescaped(root), unescaped(place)};
 }
 
-/// Path of this process's group in the hierarchy of a version; nothing where it is in none.
+/// Returns the path of this process's group in the hierarchy of a version; nothing if it is in none.
 std::optional<fs::path> membership(const std::string& memberships, bool isV2) {
     std::ifstream file(memberships);
     for (std::string line; std::getline(file, line);) {
@@ -80,13 +81,13 @@ std::optional<fs::path> membership(const std::string& memberships, bool isV2) {
     return {};
 }
 
-/// The first number of a file, or `otherwise`: "max" is no number.
+/// Returns the first number of a file, or `otherwise` if there is none: "max" is not a number.
 std::uint64_t numberIn(const fs::path& path, std::uint64_t otherwise) {
     std::uint64_t number = 0;
     return std::ifstream(path) >> number ? number : otherwise;
 }
 
-/// The number behind `name` in a file of names and numbers; 0 where there is none.
+/// Returns the number behind `name` in a file of names and numbers; 0 if there is none.
 std::uint64_t numberOf(const std::string& name, const fs::path& path) {
     std::ifstream file(path);
     std::uint64_t number = 0;
@@ -110,8 +111,8 @@ std::uint64_t freeOf(const fs::path& group, const GroupFiles& files) {
     return left(limit, left(used, numberOf(files.cached, group / "memory.stat")));
 }
 
-/// Of the group at `path` and all above it that are mounted. A group that is not below the mounted one, as in some
-/// containers, leaves the mounted one alone.
+/// Returns the least number of bytes that are free in the group at `path` and in all mounted groups above. If `path` is
+/// not below the mounted group, as in some containers, only the mounted group counts.
 std::uint64_t freeOf(const GroupTree& tree, const fs::path& path) {
     const GroupFiles& files = filesOf(tree.isV2);
     std::uint64_t free = freeOf(tree.place, files);

@@ -11,7 +11,7 @@ namespace {
 
 using Read = std::variant<NetworkAddress, AddressFault>;
 
-/// With or without the interface that it is behind: "fe80::1%eth0".
+/// Returns whether `host` is an IPv6 address, with or without an interface: "fe80::1%eth0".
 bool isIpv6(std::string_view host) {
     in6_addr address{};
     return ::inet_pton(AF_INET6, std::string(host.substr(0, host.find('%'))).c_str(), &address) == 1;
@@ -32,7 +32,7 @@ std::optional<std::uint16_t> portIn(std::string_view digits) {
     return error == std::errc() && stop == end ? std::optional(port) : std::nullopt;
 }
 
-/// `rest`: what stands behind the host, ":4743" or nothing.
+/// Adds the port to a host. `rest`: the text behind the host, ":4743" or nothing.
 Read withPort(std::string_view host, std::string_view rest) {
     NetworkAddress address{std::string(host)};
     std::ranges::transform(address.host, address.host.begin(),

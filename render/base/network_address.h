@@ -1,5 +1,5 @@
 #pragma once
-/// Where a render node or a coordinator is reached, as a hand writes it. Read here alone, for all programs.
+/// Network addresses of render nodes and coordinators as users write them. All programs parse them with this file.
 
 #include <cstdint>
 #include <string>
@@ -8,23 +8,23 @@
 
 namespace pdr {
 
-/// Port of nodes and coordinators where none is given.
+/// Port of nodes and coordinators if none is given.
 inline constexpr std::uint16_t kNodePort = 4743;
 
 struct NetworkAddress {
-    std::string host;  ///< a name in small letters, or an IP address without brackets
+    std::string host;  ///< a name in lower case, or an IP address without brackets
     std::uint16_t port = kNodePort;
 };
 
 /// What is wrong with an address.
 enum class AddressFault {
     host,      ///< neither a name nor an IP address
-    port,      ///< what stands behind the colon is no number up to 65535
-    brackets,  ///< several colons, and no IPv6 address
+    port,      ///< the text behind the colon is no number up to 65535
+    brackets,  ///< several colons, but no IPv6 address
 };
 
-/// "gpu-07", "gpu-07:4743", "10.0.0.7:1", "::1", "[::1]:4743". Names have letters, digits, dots, hyphens and
-/// underscores. Port 0 is read, too.
+/// Parses an address: "gpu-07", "gpu-07:4743", "10.0.0.7:1", "::1", "[::1]:4743". Names consist of letters, digits,
+/// dots, hyphens and underscores. Port 0 is accepted, too.
 std::variant<NetworkAddress, AddressFault> readNetworkAddress(std::string_view text);
 
 }  // namespace pdr

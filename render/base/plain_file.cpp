@@ -14,7 +14,7 @@
 namespace pdr {
 namespace {
 
-/// A file that is closed with its scope.
+/// A file descriptor that is closed at the end of its scope.
 class Descriptor {
   public:
     explicit Descriptor(int number) : number_(number) {}
@@ -40,7 +40,7 @@ Error cannotBeRead(const std::filesystem::path& path) {
     return {phrase("the file cannot be read (%1)", std::string(std::strerror(reason))), path.string(), hint};
 }
 
-/// Errors: it is none.
+/// Checks that `mode` is that of a plain file. Errors: it is a folder, or neither.
 Result<void> checkKind(mode_t mode, const std::filesystem::path& path) {
     if (S_ISREG(mode))
         return {};
@@ -54,12 +54,12 @@ Result<Descriptor> openPlainFile(const std::filesystem::path& path) {
     struct stat facts {};
     if (::stat(path.c_str(), &facts) != 0)
         return cannotBeRead(path);
-    if (auto ok = checkKind(facts.st_mode, path); !ok)  // opening alone may wind a tape
+    if (auto ok = checkKind(facts.st_mode, path); !ok)  // opening a device can have effects: a tape may wind
         return ok.error();
     Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
     if (file.number() < 0 || ::fstat(file.number(), &facts) != 0)
         return cannotBeRead(path);
-    if (auto ok = checkKind(facts.st_mode, path); !ok)  // it may be another one by now
+    if (auto ok = checkKind(facts.st_mode, path); !ok)  // another file may have replaced it since
         return ok.error();
     return file;
 }
@@ -71,7 +71,7 @@ Result<void> checkPlainFile(const std::filesystem::path& path) {
     return file ? Result<void>() : file.error();
 }
 
-/// Piece by piece: the size that the system states is that of another moment, or 0.
+/// Reads in pieces: the size that the system states may be outdated or 0.
 Result<std::string> readPlainFile(const std::filesystem::path& path, std::uint64_t mostBytes) {
     constexpr std::size_t kPiece = 64 << 10;
     const auto file = openPlainFile(path);

@@ -1,7 +1,7 @@
 #pragma once
-/// The one file that knows which compiler reads it. Every kernel header includes it first.
+/// Differences between compilers, which only this file knows. Every kernel header includes it first.
 ///   PDR_HD         marks a function that runs on the host and, where nvcc compiles it, on the device
-///   PDR_HD_INLINE  the same and always inlined: for the few inner loops whose state must stay in registers
+///   PDR_HD_INLINE  as PDR_HD and always inlined: for the few inner loops whose state must stay in registers
 
 #if defined(__CUDACC__)
 #include <cuda.h>  // before GLM, which asks for CUDA_VERSION
@@ -29,7 +29,7 @@ using glm::mat3;
 using glm::vec2;
 using glm::vec3;
 
-/// Paths that the CPU traces in step: what fits its widest vector registers.
+/// Number of paths that the CPU traces in SIMD lanes: as many as fit its widest vector registers.
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 inline constexpr int kLanes = 16;
 #elif defined(__AVX2__)

@@ -1,9 +1,9 @@
 #pragma once
-/// What work costs on a machine that others use too.
+/// Processor time, which measures the cost of work even on a machine that runs other programs.
 
 namespace pdr {
 
-/// Processor time that all threads of this program have taken so far [s].
+/// Returns the processor time that all threads of this program have used so far [s].
 double processorSeconds();
 
 }  // namespace pdr

@@ -31,7 +31,7 @@ fs::path folderOf(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : ".";
 }
 
-/// `path`, or what it leads to where it is a symbolic link: a rename would replace the link itself.
+/// Returns `path`, or its target if it is a symbolic link: a rename would replace the link itself.
 Result<fs::path> behindLinks(const fs::path& path) {
     constexpr int kLinks = 40;  // as many as the kernel follows
     fs::path place = path;
@@ -45,7 +45,7 @@ Result<fs::path> behindLinks(const fs::path& path) {
     return Error{phrase("the symbolic links here lead in a circle"), path.string(), phrase("Choose another name.")};
 }
 
-/// What rename() would refuse only in the end, and what it would do without asking.
+/// Checks in advance for what rename() would refuse at the end, and for what it would replace without asking.
 Result<void> checkReplaceable(const fs::path& path, const fs::path& place) {
     struct stat file {
     }, folder{};
@@ -67,8 +67,8 @@ Result<void> checkReplaceable(const fs::path& path, const fs::path& place) {
     return {};
 }
 
-/// A name in the same folder, since a rename cannot leave the file system. Random: the number of a process says nothing
-/// in a container, and a name that can be foreseen can be taken by others.
+/// Returns a name in the same folder, since a rename cannot leave the file system. The name is random: a process number
+/// is not unique across containers, and others could take a name that they can predict.
 fs::path temporaryBeside(const fs::path& place) {
     constexpr char kLetters[] = "0123456789abcdefghijklmnopqrstuv";
     std::random_device random;
@@ -78,8 +78,8 @@ fs::path temporaryBeside(const fs::path& place) {
     return place.parent_path() / name.append(kPartEnd);
 }
 
-/// The mode that an older file at `place` had, for `descriptor`; where its group cannot be kept, the group gets no
-/// rights.
+/// Gives `descriptor` the group of an older file at `place` and returns the older file's mode; nothing if there is
+/// none. If the group cannot be kept, it gets no rights.
 std::optional<mode_t> keptMode(int descriptor, const fs::path& place) {
     struct stat old {};
     if (::stat(place.c_str(), &old) != 0)
@@ -146,7 +146,7 @@ Result<void> ReplacingFile::commit() {
     if (failure_ == 0)
         remember(std::fflush(stream_.get()) == 0) && remember(::fsync(::fileno(stream_.get())) == 0);
     if (failure_ == 0 && mode_)
-        ::fchmod(::fileno(stream_.get()), *mode_);  // not everywhere: some disks know no modes
+        ::fchmod(::fileno(stream_.get()), *mode_);  // failure is ignored: some disks have no modes
     if (failure_ == 0)
         remember(std::fclose(stream_.release()) == 0);
     if (failure_ == 0)

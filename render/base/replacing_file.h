@@ -1,6 +1,6 @@
 #pragma once
-/// A file that appears whole or not at all: written beside its place and renamed into it. An error, or being forgotten
-/// before commit(), leaves an older file of that name as it was and nothing else behind.
+/// A file that appears complete or not at all: it is written beside its place and renamed into it. After an error, or
+/// without commit(), an older file of that name stays as it was and nothing else is left behind.
 
 #include <sys/types.h>
 
@@ -15,32 +15,33 @@
 
 namespace pdr {
 
-/// Who may read a file that is new. One that is replaced keeps its mode and group.
+/// Who may read a new file. A file that replaces an older one keeps its mode and group.
 enum class FileAccess {
-    everybody,  ///< as the umask says
-    owner,      ///< what shows a patient
+    everybody,  ///< everybody whom the umask allows
+    owner,      ///< only the owner: for files that show a patient
 };
 
 class ReplacingFile {
   public:
-    /// What can go wrong in the end is tried here: whoever will need hours for the content calls this before as well.
-    /// Where `path` is a link, the file behind it is replaced. Errors: no such folder, no permission for the folder,
-    /// for an older file or, in a sticky folder, for another user's file; links in a circle; `path` is a folder or no
-    /// plain file.
+    /// Opens a temporary file beside `path`. It checks all that could fail at the end, so callers that need hours for
+    /// the content call it beforehand as well. If `path` is a link, the file behind it is replaced. Errors: no such
+    /// folder; no permission for the folder, for an older file or, in a sticky folder, for another user's file; links
+    /// in a circle; `path` is a folder or no plain file.
     static Result<ReplacingFile> open(const std::filesystem::path& path, FileAccess access = FileAccess::everybody);
 
     ReplacingFile(ReplacingFile&& other) noexcept = default;
     ReplacingFile& operator=(ReplacingFile&&) = delete;
     ~ReplacingFile();
 
-    /// The first failure is remembered for commit(); later calls then do nothing and answer false.
+    /// Writes bytes. The first failure is kept for commit(); later calls of write() and seek() then do nothing and
+    /// return false.
     bool write(const void* bytes, std::size_t count);
     bool seek(std::uint64_t position);
     std::uint64_t position();
 
-    /// What failed so far, if anything did.
+    /// Returns the first failure, if there was one.
     Result<void> state() const;
-    /// Puts the file in its place, safely on the disk. Errors: a write that failed before (disk full), rename.
+    /// Moves the file to its place, safely on the disk. Errors: a write that failed before (disk full); rename.
     Result<void> commit();
 
   private:
@@ -53,10 +54,10 @@ class ReplacingFile {
         : path_(std::move(path)), place_(std::move(place)), temporary_(std::move(temporary)), stream_(stream) {}
     bool remember(bool ok);
 
-    std::filesystem::path path_;       ///< as it was asked for
-    std::filesystem::path place_;      ///< where that leads to, behind symbolic links
-    std::filesystem::path temporary_;  ///< beside place_; empty once renamed
-    std::optional<mode_t> mode_;       ///< of the older file
+    std::filesystem::path path_;       ///< path that the caller gave
+    std::filesystem::path place_;      ///< path behind symbolic links
+    std::filesystem::path temporary_;  ///< path beside place_; empty once renamed
+    std::optional<mode_t> mode_;       ///< mode of the older file; nothing if there is none
     std::unique_ptr<std::FILE, Closer> stream_;
     int failure_ = 0;  ///< errno of the first failure
 };

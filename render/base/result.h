@@ -1,5 +1,5 @@
 #pragma once
-/// What a border function hands back: a value, or an Error written for the person at the screen.
+/// Results of functions that can fail: a value, or an Error written for the user.
 
 #include <string>
 #include <utility>
@@ -9,16 +9,16 @@
 
 namespace pdr {
 
-/// What a program can do about an Error.
+/// Kind of an Error, by what a program can do about it.
 enum class ErrorKind {
-    failed,      ///< no more is known: it may work another time
-    refused,     ///< what was asked for is wrong or not possible here: the same would be refused again
-    memory,      ///< too little of it: less, or elsewhere
-    deviceLost,  ///< what should have done it does not answer: elsewhere
-    cancelled    ///< it was asked to stop: nothing to tell
+    failed,      ///< no further information: a later attempt may succeed
+    refused,     ///< the request is wrong or not possible here: it would be refused again
+    memory,      ///< too little memory: request less, or elsewhere
+    deviceLost,  ///< the device does not respond: try elsewhere
+    cancelled    ///< stopped on request: nothing to report
 };
 
-/// A failure in three short parts, each a plain sentence or phrase in the user's words. ui/ says it in other languages.
+/// A failure in three short parts, each a plain sentence or phrase in the user's words. ui/ translates it.
 ///   what    what went wrong                    "slices 41 and 42 are 6 mm apart, the others 2 mm"
 ///   where   the file, series or field          "/data/ct/series3"
 ///   hint    what to do next; may be empty      "Import the part above slice 41."
@@ -28,13 +28,13 @@ struct Error {
     Text hint;
     ErrorKind kind = ErrorKind::failed;
 
-    /// The same, in something that holds its `where`.
+    /// Returns the error with `place`, which contains its `where`, in front of it.
     Error in(const std::string& place) const {
         Error error = *this;
         error.where = where.empty() ? place : place + ", " + where;
         return error;
     }
-    /// One line: "where: what. hint"
+    /// Returns the error in one line: "where: what. hint"
     Text text() const {
         Text line = where.empty() ? what : phrase("%1: %2", where, what);
         if (hint.empty())
@@ -43,7 +43,7 @@ struct Error {
     }
 };
 
-/// Either a T or an Error. Asking for the part that is not there is a programming error (std::get throws).
+/// Either a T or an Error. Accessing the one that is absent is a programming error (std::get throws).
 template <class T>
 class [[nodiscard]] Result {
   public:

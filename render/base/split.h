@@ -1,11 +1,11 @@
 #pragma once
-/// How a picture is shared out among those who take samples for it.
+/// How an image is divided among the devices or nodes that sample it.
 
 namespace pdr {
 
 enum class Split {
-    tiles,   ///< sort-first: parts of the picture
-    samples  ///< sample-first: the whole picture, in blocks of samples
+    tiles,   ///< sort-first: each samples parts of the image
+    samples  ///< sample-first: each samples the whole image, in blocks of samples
 };
 
 }  // namespace pdr

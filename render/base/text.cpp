@@ -6,7 +6,7 @@
 namespace pdr {
 namespace {
 
-/// `pattern` with %1 to %9 replaced.
+/// Returns `pattern` with %1 to %9 replaced.
 std::string filled(const std::string& pattern, const std::vector<Text>& arguments) {
     std::string text;
     for (std::size_t i = 0; i < pattern.size(); ++i) {

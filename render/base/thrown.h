@@ -1,5 +1,5 @@
 #pragma once
-/// For the one place of each thread where nothing may be thrown any further.
+/// Conversion of exceptions into errors, for the outermost function of a thread, which must let none escape.
 
 #include <exception>
 #include <new>
@@ -9,7 +9,7 @@
 
 namespace pdr {
 
-/// The exception that is being handled, for the person at the screen. To be called in a catch block.
+/// Returns the exception that is being handled as an Error for the user. Call it in a catch block.
 inline Error thrownError() {
     try {
         throw;

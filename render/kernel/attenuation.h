@@ -1,6 +1,6 @@
 #pragma once
-/// What an optical depth does to light. Single precision throughout, the same arithmetic on every device, so that they
-/// can agree bit by bit; relative errors below 3e-7 (absorbedMean: 1e-6).
+/// Attenuation of light by an optical depth. Everything is in single precision with the same arithmetic on every
+/// device, so that devices agree bit by bit. Relative errors are below 3e-7 (absorbedBeforeMiddle: 1e-6).
 
 #include "render/base/lanes.h"
 
@@ -12,9 +12,10 @@ struct Attenuation {
     Real taken;  ///< 1 - exp(-depth), without cancellation
 };
 
-inline constexpr float kOpaqueDepth = 87;  ///< exp(-87) is the last power that single precision holds in full
+/// Depth from which on all light counts as absorbed: exp(-87) is the last whole power that float holds in full.
+inline constexpr float kOpaqueDepth = 87;
 
-/// For depth >= 0: exp(-depth) = 2^-n exp(r), |r| <= ln(2) / 2.
+/// Returns the attenuation over an optical depth >= 0: exp(-depth) = 2^-n exp(r), |r| <= ln(2) / 2.
 template <class Real>
 PDR_HD_INLINE Attenuation<Real> attenuation(Real depth) {
     using Int = typename SimdTraits<Real>::Int;
@@ -31,17 +32,18 @@ PDR_HD_INLINE Attenuation<Real> attenuation(Real depth) {
     return {depth > kOpaqueDepth ? Real{} : left, depth > kOpaqueDepth ? Real{} + 1.0f : taken};
 }
 
-/// The optical depth that takes that share of the light, in [0, 1 - 2^-24]: -ln(1 - taken), without cancellation.
+/// Returns the optical depth that absorbs the fraction `taken`, in [0, 1 - 2^-24], of the light: -ln(1 - taken),
+/// without cancellation.
 template <class Real>
 PDR_HD_INLINE Real depthThatTakes(Real taken) {
     const Real left = 1.0f - taken;
-    // What rounding took from the share is put right by the ratio (Kahan).
+    // The ratio corrects the rounding of 1 - taken (Kahan).
     return left == 1.0f ? taken : negativeLog(left) * (taken / (1.0f - left));
 }
 
-/// How far in front of the middle of a layer light is absorbed on average, as a fraction of the layer's optical depth:
-/// 1/2 - integral of w D exp(-D w) dw over [0, 1] / (1 - exp(-D)) = L(D / 2) / 2 with Langevin's function
-/// L(a) = coth(a) - 1 / a. Below a = 1 its continued fraction, cut after four levels.
+/// Returns how far in front of the middle of a layer light is absorbed on average, as a fraction of the layer's optical
+/// depth: 1/2 - integral of w D exp(-D w) dw over [0, 1] / (1 - exp(-D)) = L(D / 2) / 2 with Langevin's function L(a) =
+/// coth(a) - 1 / a. Below a = 1 it uses the continued fraction of L, cut after four levels.
 template <class Real>
 PDR_HD_INLINE Real absorbedBeforeMiddle(Real depth, const Attenuation<Real>& behind) {
     const Real a = 0.5f * depth, a2 = a * a;

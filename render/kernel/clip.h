@@ -1,12 +1,13 @@
 #pragma once
-/// What is cut away: all beyond any of some planes. What stays is convex, so a ray is clipped by shortening it.
+/// Clipping by planes: everything beyond any of the planes is cut away. What remains is convex, so a ray is clipped by
+/// shortening it.
 
 #include "render/kernel/flat_scene.h"
 #include "render/kernel/ray.h"
 
 namespace pdr {
 
-/// The part of a ray (index space) that no plane cuts away.
+/// Returns the part of a ray (index space) that no plane cuts away.
 template <class Number>
 PDR_HD_INLINE Interval<Number> cut(const FlatClip& clip, glm::vec<3, Number> origin, glm::vec<3, Number> direction,
                                    Interval<Number> inside) {
@@ -24,19 +25,19 @@ PDR_HD_INLINE Interval<Number> cut(const FlatClip& clip, glm::vec<3, Number> ori
     return inside;
 }
 
-/// How much of a ray that starts where nothing is cut away stays there [mm].
+/// Returns the length [mm] up to which a ray stays in the uncut part. The ray must start there.
 PDR_HD inline float cutLength(const FlatClip& clip, vec3 origin, vec3 direction, float length) {
     return cut(clip, origin, direction, Interval<float>{0, length}).leave;
 }
 
-/// A plane nearby that cuts.
+/// A clip plane near a point.
 struct CutFace {
-    vec3 normal;        ///< index space, of any length: to where it cuts away
-    vec3 foot;          ///< index space: the nearest point on the plane
-    float voxelMm = 0;  ///< size of a voxel across the plane; 0: there is none nearby
+    vec3 normal;        ///< index space, of any length, towards the part that is cut away
+    vec3 foot;          ///< nearest point on the plane, index space
+    float voxelMm = 0;  ///< size of a voxel across the plane; 0: no plane is near
 };
 
-/// The nearest plane that is less than a voxel away from `position` (index space).
+/// Returns the nearest plane that is less than a voxel away from `position` (index space).
 PDR_HD inline CutFace cutFaceNear(const FlatClip& clip, vec3 position) {
     CutFace face{};
     float nearest = 1;  // voxel

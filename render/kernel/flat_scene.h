@@ -1,5 +1,6 @@
 #pragma once
-/// The scene as the kernel reads it: plain numbers and pointers into arrays that somebody else owns (scene/flatten).
+/// The scene as the kernel reads it: plain numbers and pointers into arrays that are owned elsewhere
+/// (prepare/flatten.h).
 ///   index space   voxel (i,j,k) is centred at (i,j,k); the volume's box is [-0.5, size - 0.5]
 ///   local space   patient axes (LPS), millimetres, origin at the volume's centre
 ///   along a ray   distances t in mm; a ray's index-space direction is indexFromLocal * (unit local direction)
@@ -12,7 +13,7 @@
 namespace pdr {
 
 /// One linear piece of the transfer function: opacity(hu) = opacity + slope * (hu - start) for hu in [start, end).
-struct alignas(16) OpacityPiece {  // a GPU reads it at once
+struct alignas(16) OpacityPiece {  // aligned, so that a GPU reads it in one access
     float start, end;
     float opacity, slope;
     bool operator==(const OpacityPiece&) const = default;
@@ -26,8 +27,8 @@ struct Material {
     float roughness;
 };
 
-/// pieces[pieceAt[(hu - INT16_MIN) / 16]] is the first piece that may hold hu. The first begins below any HU, the last
-/// has no end.
+/// A transfer function. pieces[pieceAt[(hu - INT16_MIN) / 16]] is the first piece that may hold hu. The first piece
+/// begins below any HU, the last one has no end.
 struct FlatTransferFunction {
     const OpacityPiece* pieces;
     const Material* materials;  ///< two per piece: at its start and at its end
@@ -36,140 +37,142 @@ struct FlatTransferFunction {
     float extinctionPerMm;
 };
 
-/// Numbers on a grid, read trilinearly between its voxels.
+/// Values on a grid, interpolated trilinearly between its voxels.
 struct FlatGrid {
     const std::int16_t* voxels;
     ivec3 size;
     vec3 lastIndex;   ///< size - 1
-    vec3 lastCorner;  ///< max(size - 2, 0): where the last interpolation cell begins
-    int stepX;        ///< voxels to the next along x, y, z; 0 where there is only one
+    vec3 lastCorner;  ///< max(size - 2, 0): lowest corner of the last interpolation cell
+    /// Distance to the next voxel along x, y and z in `voxels`; 0 along an axis with a single voxel.
+    int stepX;
     std::int64_t stepY, stepZ;
 };
 
 struct FlatVolume : FlatGrid {
     dmat3 exactIndexFromLocal;  ///< linear part, 1/mm
-    mat3 indexFromLocal;        ///< the same in single precision
+    mat3 indexFromLocal;        ///< linear part, 1/mm, in single precision
     mat3 localFromIndex;        ///< linear part, mm
-    std::uint64_t texture;      ///< of a GPU, to be filtered by its texture units (kernel/texture.h); 0: exactly
+    /// Handle of the GPU texture through which texture units filter the volume (kernel/texture.h); 0: exact filtering.
+    std::uint64_t texture;
 };
 
-/// What is seen of the volume (volume/mask.h): weights from 0 to kSeen on a grid of its own, whose node (i,j,k) is
-/// voxel (i,j,k) << shift. The last node lies on or beyond the last voxel, so that a cell between voxels lies in one
-/// between nodes. Without a mask `voxels` is null.
+/// The visible part of the volume (volume/mask.h): weights from 0 to kSeen on a grid of their own, whose node (i,j,k)
+/// is voxel (i,j,k) << shift. The last node lies on or beyond the last voxel, so that every cell between voxels lies in
+/// one cell between nodes. Without a mask `voxels` is null.
 struct FlatMask : FlatGrid {
     ivec3 shift;
     vec3 nodesPerVoxel;  ///< 2^-shift
 };
 
-/// Bounds on the extinction [1/mm] in cells of a grid; see volume/ranges.h for where the cells lie.
+/// Upper bounds on the extinction [1/mm] in the cells of a two-level grid; volume/ranges.h defines where the cells lie.
 struct FlatMajorants {
     const float* fine;
     const float* coarse;
     ivec3 fineSize;
     ivec3 coarseSize;
-    vec3 occupiedLow, occupiedHigh;  ///< index space: outside this box the extinction is 0
-    bool dense;                      ///< some fine cell may promise more collisions than kVoxelMajorantDepth
+    vec3 occupiedLow, occupiedHigh;  ///< index space; outside this box the extinction is 0
+    bool dense;                      ///< the optical depth of a fine cell may exceed kVoxelMajorantDepth
 };
 
 struct FlatCamera {
-    dvec3 eye;                 ///< index space
-    dvec3 forward, right, up;  ///< local; `forward` is a unit vector, `right` and `up` are what one image width and
-                               ///< height add to it (perspective) or to the eye (orthographic, mm)
-    double perspective;        ///< 1 or 0
-    ivec2 film;                ///< pixels
-    dvec2 perPixel;            ///< 1 / film
-    dvec3 localEye;            ///< local
-    dvec3 lensRight, lensUp;   ///< local, mm: along `right` and `up`, as long as the lens' radius
-    double focus;              ///< mm along the view: where a lens is sharp; 0: a pinhole
+    dvec3 eye;  ///< index space
+    /// Local axes. `forward` is a unit vector; one image width adds `right` and one image height adds `up` to it
+    /// (perspective) or to the eye (orthographic, mm).
+    dvec3 forward, right, up;
+    double perspective;       ///< 1: perspective, 0: orthographic
+    ivec2 film;               ///< pixels
+    dvec2 perPixel;           ///< 1 / film
+    dvec3 localEye;           ///< local space
+    dvec3 lensRight, lensUp;  ///< local, mm: along `right` and `up`, as long as the radius of the lens
+    double focus;             ///< distance of the plane in focus along the view [mm]; 0: a pinhole
 };
 
 enum class LightType : std::uint32_t { directional, rectangle, sphere };
 
 struct FlatLight {
     LightType type;
-    vec3 radiance;          ///< or irradiance of a directional light
-    vec3 position;          ///< local, mm: centre
-    vec3 normal;            ///< unit: to the light (directional) or out of the rectangle's shining side
-    vec3 halfU, halfV;      ///< half edges of a rectangle, mm
-    float area;             ///< mm^2, of a rectangle
-    float radius;           ///< mm, of a sphere
+    vec3 radiance;          ///< radiance, or irradiance of a directional light
+    vec3 position;          ///< centre, local [mm]
+    vec3 normal;            ///< unit: towards the light (directional) or out of the emitting side of a rectangle
+    vec3 halfU, halfV;      ///< half edges of a rectangle [mm]
+    float area;             ///< area of a rectangle [mm^2]
+    float radius;           ///< radius of a sphere [mm]
     std::uint32_t visible;  ///< 1: the camera sees it
 };
 
-/// A ball around some lights. Nodes stand in depth-first order.
+/// A node of the tree of lights: a bounding sphere of some lights. Nodes are in depth-first order.
 struct FlatLightNode {
     vec3 centre;   ///< local, mm
     float radius;  ///< mm
-    int light;     ///< the only one within; -1: those of the nodes from here to `next`
-    int next;      ///< the first node that is not within
+    int light;     ///< index of the only light inside; -1: the lights of the nodes from here to `next`
+    int next;      ///< index of the first node that is not inside this one
 };
 
-// A GPU is sent again only the tables whose bytes changed (device/gpu/gpu_array.h): padding, which nobody sets, would
-// be compared with them.
+// Only tables whose bytes changed are sent to a GPU again (device/gpu/gpu_array.h). The structs have no padding, since
+// its undefined bytes would be compared, too.
 static_assert(sizeof(OpacityPiece) == 4 * sizeof(float));
 static_assert(sizeof(Material) == 3 * sizeof(vec3) + sizeof(float));
 static_assert(sizeof(FlatLight) == sizeof(LightType) + 5 * sizeof(vec3) + 2 * sizeof(float) + sizeof(std::uint32_t));
 static_assert(sizeof(FlatLightNode) == sizeof(vec3) + sizeof(float) + 2 * sizeof(int));
 
-/// Light from all around; see kernel/environment.h. Without a picture `texels` is null.
+/// The environment light; see transport/environment.h. Without an image `texels` is null.
 struct FlatEnvironment {
-    vec3 zenith, nadir;       ///< radiance from straight above (+z) and below; a picture is multiplied by zenith
-    bool visible;             ///< whether the camera sees it, ...
-    vec3 behind;              ///< ... or else sees this
-    float turn;               ///< whole turns: the picture is turned by this from +y towards +x
+    vec3 zenith, nadir;       ///< radiance from straight above (+z) and below; an image is multiplied by zenith
+    bool visible;             ///< whether the camera sees the environment
+    vec3 behind;              ///< what the camera sees instead if it is not visible
+    float turn;               ///< rotation of the image from +y towards +x [whole turns]
     ivec2 size;               ///< texels
-    const vec3* texels;       ///< radiance, rows from the zenith
-    const float* pdf;         ///< of each texel's directions when sampled by its light [1/sr]
-    const float* rowSums;     ///< size.y + 1: light of the rows above
-    const float* columnSums;  ///< size.x + 1 for each row: light of the texels to the left
+    const vec3* texels;       ///< radiance of the texels, rows from the zenith down
+    const float* pdf;         ///< pdf of each texel's directions when sampled in proportion to light [1/sr]
+    const float* rowSums;     ///< size.y + 1 sums: light of the rows above
+    const float* columnSums;  ///< size.x + 1 sums for each row: light of the texels to the left
 };
 
-/// The half space dot(normal, p) <= offset stays; index space.
+/// A clip plane: keeps the half space dot(normal, p) <= offset in index space.
 struct FlatPlane {
     vec3 normal;
     float offset;
 };
-static_assert(sizeof(FlatPlane) == sizeof(vec3) + sizeof(float));  // sent like the tables above
+static_assert(sizeof(FlatPlane) == sizeof(vec3) + sizeof(float));  // compared like the tables above
 
 struct FlatClip {
     const FlatPlane* planes;
     int count;
-    bool shadows;  ///< what is cut away still throws its shadow
+    bool shadows;  ///< clipped tissue still casts shadows
 };
 
-/// For each block of kViewBlock x kViewBlock pixels: the depths along the view between which all lies that is not
-/// empty.
+/// Depth bounds for each block of kViewBlock x kViewBlock pixels: all non-empty cells lie between them.
 struct FlatViewBounds {
     const vec2* depths;  ///< (near, far) mm from the eye along `forward`; near > far: nothing there
     int blocksPerRow;
 };
 inline constexpr int kViewBlock = 4;
 
-/// The optical models as the kernel tells them apart. All but scattering are sums along one straight ray.
+/// The optical models as the kernel distinguishes them. All except scattering are sums along one straight ray.
 enum class FlatModel : std::uint32_t { scattering, absorption, emission, emissionAbsorption, maximumIntensity };
 
-/// The columns of FlatOptics::table. Along a piece the HU are counted as a fraction, 0 at its start and 1 at its end.
+/// The columns of FlatOptics::table. Along a piece, HU are expressed as a fraction: 0 at its start and 1 at its end.
 enum class OpticsColumn : int {
     start,           ///< HU; -infinity for the first piece
     end,             ///< HU; infinity for the last piece
     perHu,           ///< fraction per HU; 0 for the outermost pieces, which are constant
-    extinction,      ///< at the start [1/mm]
-    extinctionRise,  ///< from the start to the end
-    source,          ///< radiance per optical depth (albedo + emission) at the start: three columns
+    extinction,      ///< extinction at the start [1/mm]
+    extinctionRise,  ///< change of the extinction from the start to the end [1/mm]
+    source,          ///< three columns: radiance per optical depth (albedo + emission) at the start
     sourceRise = source + 3
 };
 inline constexpr int kOpticsColumns = int(OpticsColumn::sourceRise) + 3;
 
-/// What the models without scattering look up.
+/// Tables and constants of the models without scattering.
 struct FlatOptics {
     FlatModel model;
     const float* table;           ///< kOpticsColumns columns of `stride` entries, one per piece of the curve
     int stride;                   ///< pieces, rounded up to a multiple of kLanes
-    float clearUpTo, clearFrom;   ///< HU below the one, and at or above the other, have no extinction
-    float rounding;               ///< HU: by how much interpolation in single precision may be off
-    float quadrature;             ///< fraction of a ray's radiance that the sum along it may be off
-    float cutOff;                 ///< fraction of a ray's radiance that may be left out at its end
-    vec3 brightest;               ///< no source and nothing behind the volume is brighter
+    float clearUpTo, clearFrom;   ///< HU below clearUpTo and HU at or above clearFrom have no extinction
+    float rounding;               ///< error bound of interpolation in single precision [HU]
+    float quadrature;             ///< tolerated error of the sum along a ray, as a fraction of the ray's radiance
+    float cutOff;                 ///< fraction of a ray's radiance that may be omitted at its end
+    vec3 brightest;               ///< upper bound per channel on the sources, the environment and the background
     float windowLow, windowHigh;  ///< HU shown black and white by maximumIntensity
 };
 
@@ -185,22 +188,24 @@ struct FlatScene {
     FlatViewBounds viewBounds;
     const FlatLight* lights;
     int lightCount;
-    const float* lightSums;           ///< lightCount + 1: what the lights before bring; null: few lights
-    const FlatLightNode* lightNodes;  ///< where there are sums: of the lights with a place
+    /// lightCount + 1 cumulative sums of picking weights: how much light the lights before bring to the volume; null if
+    /// there are few lights.
+    const float* lightSums;
+    const FlatLightNode* lightNodes;  ///< tree of the rectangles and spheres; only with lightSums
     int lightNodeCount;
-    bool lightsInView;      ///< the camera sees one of them
-    bool sampleDirections;  ///< events look for light also where they scatter it to; see directLight()
-    bool lightAlongPath;    ///< and there a path that goes on collects it itself; see continuationFindsLight()
-    bool plainBackground;   ///< behind the volume it looks the same everywhere
-    bool lit;               ///< scattered light may come from somewhere: a light shines, or tissue does
+    bool lightsInView;      ///< the camera sees at least one of the lights
+    bool sampleDirections;  ///< events also sample light along a scattered direction; see directLight()
+    bool lightAlongPath;    ///< a path that continues collects that light itself; see continuationFindsLight()
+    bool plainBackground;   ///< the background is the same in every direction
+    bool lit;               ///< scattered light has a possible source: a light, the environment or tissue
     FlatEnvironment environment;
     FlatClip clip;
-    bool fastFiltering;  ///< a device that has texture units may read the volume through them
-    bool unshadowed;     ///< light reaches every event as if nothing were in between; see Scene
-    bool marched;        ///< by kernel/kroes_path.h instead of kernel/integrator.h: BIASED
-    int maxBounces;      ///< scattering events on a path, at most
+    bool fastFiltering;  ///< devices with texture units may read the volume through them
+    bool unshadowed;     ///< light reaches every event without attenuation; see Scene
+    bool marched;        ///< baseline/kroes_path.h replaces transport/integrator.h: BIASED
+    int maxBounces;      ///< maximum number of scattering events on a path
     float phaseG;
-    float surfaceFactor;  ///< see surfaceNormal() [mm/HU]; 0: no surfaces
+    float surfaceFactor;  ///< [mm/HU], see surfaceFactorOf(); 0: no surfaces
     std::uint64_t seed;
     const SobolTable* sobol;  ///< kernel/sobol.h
     std::uint32_t features;   ///< kernel/features.h

@@ -1,9 +1,9 @@
 #pragma once
-/// The gradient of the HU, of which surfaces are made: that of a cubic B-spline with the voxels as its coefficients. It
-/// smooths alike along all axes of the grid and at every place in a cell, and has no kink where a ray passes from one
-/// cell to the next; the HU themselves stay trilinear (volume_sampling.h). Exact where the HU are linear. Borders are
-/// clamped. Read from the voxels, never through a texture. Unser 1999, "Splines: a perfect fit for signal and image
-/// processing".
+/// The gradient of the HU, from which surfaces are made. It is the gradient of a cubic B-spline whose coefficients are
+/// the voxels. The spline smooths equally along all axes of the grid and at every position in a cell, and has no kink
+/// where a ray passes from one cell to the next. It is exact where the HU are linear. Borders are clamped. It always
+/// reads the voxels, never a texture; the HU themselves stay trilinear (volume_sampling.h). Unser 1999, "Splines: a
+/// perfect fit for signal and image processing".
 
 #include <cmath>
 
@@ -11,13 +11,14 @@
 
 namespace pdr {
 
-/// The four voxels around a place along one axis, and what each counts there.
+/// The four voxels around a position along one axis, and their weights there.
 struct SplineAxis {
-    std::int64_t voxel[4];  ///< from the first one of the volume
-    float share[4];         ///< of a value: the cubic B-spline; they add up to 1
-    float rise[3];          ///< of the step from each voxel to the next: its derivative, the quadratic one; likewise
+    std::int64_t voxel[4];  ///< offset from the first voxel of the volume
+    float share[4];         ///< weights of the values (cubic B-spline); their sum is 1
+    /// Weights of the steps between neighbouring voxels (its derivative, quadratic); their sum is 1.
+    float rise[3];
 
-    /// `position`: index space; `step`: voxels to the next.
+    /// Computes the weights at `position` (index space). `step`: distance to the next voxel in the array.
     PDR_HD SplineAxis(float position, float lastIndex, std::int64_t step) {
         const float corner = std::floor(position), t = position - corner, u = 1 - t;
         for (int n = 0; n < 4; ++n)
@@ -35,17 +36,19 @@ struct SplineAxis {
         return share[0] * v[0] + share[1] * v[1] + share[2] * v[2] + share[3] * v[3];
     }
 
-    /// Per voxel; exactly 0 where all four agree.
+    /// Returns the slope per voxel; exactly 0 where all four values agree.
     PDR_HD float slope(const float (&v)[4]) const {
         return rise[0] * (v[1] - v[0]) + rise[1] * (v[2] - v[1]) + rise[2] * (v[3] - v[2]);
     }
 };
 
-/// Gradient of the HU at `position` (index space) in local space [HU/mm]. Reads 64 voxels.
+/// Returns the gradient of the HU at `position` (index space) in local space [HU/mm]. Reads 64 voxels.
 PDR_HD inline vec3 hounsfieldGradient(const FlatVolume& volume, vec3 position) {
+    // Compute the spline weights along each axis.
     const SplineAxis x(position.x, volume.lastIndex.x, volume.stepX), y(position.y, volume.lastIndex.y, volume.stepY),
         z(position.z, volume.lastIndex.z, volume.stepZ);
-    float values[4], slopesX[4], slopesY[4];  // of the four slices
+    // Sum the values and slopes of the 4 x 4 rows, slice by slice.
+    float values[4], slopesX[4], slopesY[4];  // in the four slices
     for (int k = 0; k < 4; ++k) {
         float rows[4], rowSlopes[4];
         for (int j = 0; j < 4; ++j) {
@@ -59,6 +62,7 @@ PDR_HD inline vec3 hounsfieldGradient(const FlatVolume& volume, vec3 position) {
         slopesX[k] = y.value(rowSlopes);
         slopesY[k] = y.slope(rows);
     }
+    // Combine the slices and transform the gradient to local space.
     const vec3 perIndex(z.value(slopesX), z.value(slopesY), z.slope(values));
     return glm::transpose(volume.indexFromLocal) * perIndex;
 }

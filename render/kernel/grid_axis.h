@@ -1,5 +1,5 @@
 #pragma once
-/// One axis of a ray's way through nested grids of cells. Cells are whole numbers that only ever move forward, so
+/// One axis of a ray's traversal of nested grids of cells. Cell indices are integers that only move forward, so
 /// rounding can neither stall nor reverse a ray. After Amanatides & Woo 1987.
 ///   cell c of edge E covers [E c - 4, E (c + 1) - 4] in index space: every grid begins one 4-voxel cell outside the
 ///   first voxel centre, and the cells of a coarser grid are found by shifting
@@ -8,20 +8,20 @@
 
 namespace pdr {
 
-/// Finest: edge of the cells that are counted, in voxels; a power of 2, at most 4.
+/// State of the traversal along one axis. Finest: edge of the smallest cells in voxels; a power of 2, at most 4.
 template <class Real, int Finest>
 struct GridAxis {
     using Int = typename SimdTraits<Real>::Int;
     using Mask = typename SimdTraits<Real>::Mask;
 
     Real origin, direction, inverse;
-    Int cell;  ///< finest cell
-    Int up;    ///< 1: moves to higher cells, 0: to lower ones
+    Int cell;  ///< index of the finest cell
+    Int up;    ///< 1: the ray moves to higher cells, 0: to lower ones
 
-    /// The part of the ray inside [low, high] is kept: `enter` grows, `leave` shrinks.
+    /// Clips the ray to [low, high]: raises `enter` and lowers `leave`.
     PDR_HD_INLINE void start(Real from, Real along, float low, float high, Real& enter, Real& leave) {
         origin = from;
-        // A component of 0 becomes one that reaches no border within any volume.
+        // Replace a component of 0 by one that reaches no border within any volume.
         direction = ((along < 1e-20f) & (along > -1e-20f)) ? Real{} + 1e-20f : along;
         inverse = 1.0f / direction;
         up = direction > 0.0f ? Int{} + 1 : Int{};
@@ -34,22 +34,22 @@ struct GridAxis {
 
     PDR_HD void enter(Real t, int cells) { cell = clamped(cellAt(at(t)), Int{}, Int{} + (cells - 1)); }
 
-    /// Distance at which the ray leaves its cell of Edge voxels along this axis.
+    /// Returns the distance at which the ray leaves its cell of Edge voxels along this axis.
     template <int Edge>
     PDR_HD Real leave() const {
         constexpr int kShift = shiftOf(Edge);
         return (toFloat(((cell >> kShift) + up) * Edge - 4) - origin) * inverse;
     }
 
-    /// The same for a cell of `within` + 1 finest cells along an edge.
+    /// Returns the distance at which the ray leaves its cell that is `within` + 1 finest cells wide.
     PDR_HD Real leave(Int within) const {
         const Int border = up > 0 ? (cell | within) + 1 : cell & ~within;
         return (toFloat(border * Finest - 4) - origin) * inverse;
     }
 
-    /// Into the cell beyond `leaveAt`, where `onward` holds: the neighbour along the axis whose border (`reach`) was
-    /// reached. Along the others the finest cell is found anew, inside the cell of `within` + 1 finest ones that is
-    /// being left.
+    /// Moves into the cell beyond `leaveAt`, where `onward` holds. Along the axis whose border (`reach`) was reached,
+    /// this is the neighbour of the cell of `within` + 1 finest ones that is being left. Along the other axes, the
+    /// finest cell inside the cell that is being left is found anew.
     PDR_HD_INLINE void advance(Mask onward, Int within, Real reach, Real leaveAt) {
         const Int low = cell & ~within, high = cell | within;
         const Int inside = clamped(cellAt(at(leaveAt)), low, high);
@@ -58,7 +58,7 @@ struct GridAxis {
         cell = onward ? next : cell;
     }
 
-    /// Where `mask` holds: lane l goes on where lane from[l] of `other` is.
+    /// Copies the state of lane from[l] of `other` into lane l, where `mask` holds.
     void take(Mask mask, const GridAxis& other, Int from) {
         const auto taken = [mask, from](auto& mine, const auto& theirs) {
             mine = mask ? permuted(theirs, from) : mine;
@@ -70,7 +70,7 @@ struct GridAxis {
         taken(up, other.up);
     }
 
-    /// From finest cells to those of `edge` voxels.
+    /// Returns the right shift from an index of finest cells to an index of cells of `edge` voxels.
     static constexpr int shiftOf(int edge) {
         int shift = 0;
         while (Finest << shift < edge)

@@ -1,18 +1,18 @@
 #pragma once
-/// How much of the tissue at a place is seen: a weight that multiplies its extinction. Kernels that may meet a mask ask
-/// isMasked() first; the weights are interpolated as HU are.
+/// Visibility weights: how much of the tissue at a position is visible, as a factor of its extinction. Kernels that may
+/// have a mask call isMasked() first. The weights are interpolated like HU.
 
 #include "render/kernel/volume_sampling.h"
 
 namespace pdr {
 
-inline constexpr float kPerWeight = 1.0f / kSeen;  // a power of two: nothing is rounded
+inline constexpr float kPerWeight = 1.0f / kSeen;  // a power of two: the product is not rounded
 
 PDR_HD inline bool isMasked(const FlatScene& scene) {
     return scene.mask.voxels != nullptr;
 }
 
-/// At `position` (index space of the volume), in [0, 1]. `scene` has a mask.
+/// Returns the weight at `position` (index space of the volume), in [0, 1]. `scene` must have a mask.
 template <class Real>
 PDR_HD_INLINE Real weightAt(const FlatScene& scene, const Vec3<Real>& position) {
     const auto node = [](Real place, float last, float nodes) {
@@ -28,7 +28,8 @@ PDR_HD inline float weightAt(const FlatScene& scene, vec3 position) {
     return weightAt(scene, Vec3<float>{position.x, position.y, position.z});
 }
 
-/// Of the weight at `position` (index space), in local space [1/mm], over the distance of two nodes.
+/// Returns the gradient of the weight at `position` (index space) in local space [1/mm], from differences over the
+/// distance between two nodes.
 PDR_HD inline vec3 weightGradient(const FlatScene& scene, vec3 position) {
     const vec3 halfStep = 0.5f / scene.mask.nodesPerVoxel;
     vec3 perIndex;

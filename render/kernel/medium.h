@@ -1,11 +1,11 @@
 #pragma once
-/// From Hounsfield units to optics.
+/// The medium: opacity, extinction and material as functions of the HU.
 
 #include "render/kernel/mask.h"
 
 namespace pdr {
 
-/// Which piece of the curve holds `hu`; right-continuous.
+/// Returns the index of the piece of the curve that holds `hu`. Pieces include their start, not their end.
 PDR_HD inline int pieceOf(const FlatTransferFunction& function, float hu) {
     int piece = function.pieceAt[(int(hu) + 32768) >> 4];
     while (hu >= function.pieces[piece].end)
@@ -13,19 +13,20 @@ PDR_HD inline int pieceOf(const FlatTransferFunction& function, float hu) {
     return piece;
 }
 
-/// The piece of the curve that holds `hu`.
+/// Returns the piece of the curve that holds `hu`.
 PDR_HD inline const OpacityPiece& pieceHolding(const FlatTransferFunction& function, float hu) {
     return function.pieces[pieceOf(function, hu)];
 }
 
 #if !defined(__CUDACC__)
 
-/// A piece per lane.
+/// One piece for each lane.
 struct OpacityPieceLanes {
     FloatLanes start{}, opacity{}, slope{};
 };
 
-/// The same in step: every piece is tried, since curves have few and a look-up would gather five numbers for each lane.
+/// Returns the piece that holds `hu` in each lane. It tries every piece, since curves have few and a look-up would
+/// gather five numbers for each lane.
 PDR_HD_INLINE OpacityPieceLanes pieceHolding(const FlatTransferFunction& function, FloatLanes hu) {
     OpacityPieceLanes found;
     for (int i = 0; i < function.pieceCount; ++i) {
@@ -40,24 +41,24 @@ PDR_HD_INLINE OpacityPieceLanes pieceHolding(const FlatTransferFunction& functio
 
 #endif
 
-/// Opacity at `hu` by the line of one piece; rounding leaves it monotone in `hu`.
+/// Returns the opacity at `hu` on the line of one piece; with rounding, it stays monotone in `hu`.
 template <class Piece, class Real>
 PDR_HD_INLINE Real opacityIn(const Piece& piece, Real hu) {
     return piece.opacity + piece.slope * (hu - piece.start);
 }
 
-/// [0, 1]
+/// Returns the opacity at `hu`, in [0, 1].
 PDR_HD inline float opacity(const FlatTransferFunction& function, float hu) {
     return opacityIn(pieceHolding(function, hu), hu);
 }
 
-/// [1/mm]
+/// Returns the extinction at `hu` [1/mm].
 template <class Real>
 PDR_HD_INLINE Real extinctionOf(const FlatTransferFunction& function, Real hu) {
     return function.extinctionPerMm * opacityIn(pieceHolding(function, hu), hu);
 }
 
-/// Extinction at `position` (index space) [1/mm]: the tissue's, as far as it is seen.
+/// Returns the extinction at `position` (index space) [1/mm]: that of the tissue times its visibility weight.
 template <class Real>
 PDR_HD_INLINE Real extinction(const FlatScene& scene, const Vec3<Real>& position) {
     const Real whole = extinctionOf(scene.transferFunction, hounsfield(scene.volume, position));

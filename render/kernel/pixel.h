@@ -1,12 +1,12 @@
 #pragma once
-/// Pixels: what is known of them before a sample, and how samples are added to their sums.
+/// Pixels: what is known about them before the first sample, and how samples are added to their sums.
 
 #include "render/base/tile.h"
 #include "render/kernel/flat_scene.h"
 
 namespace pdr {
 
-/// Why a radiance is none.
+/// Returns why addSample() rejected `radiance`.
 PDR_HD inline Fault faultOf(vec3 radiance) {
     for (int channel = 0; channel < 3; ++channel)
         if (!(radiance[channel] == radiance[channel]))
@@ -17,7 +17,8 @@ PDR_HD inline Fault faultOf(vec3 radiance) {
     return Fault::infinite;
 }
 
-/// Adds the sample of that number. What is no radiance is left out: false; faultOf() says why.
+/// Adds sample number `sample`. Returns false, and adds nothing, where a channel of `radiance` is negative or no finite
+/// number; faultOf() returns the reason.
 PDR_HD_INLINE bool addSample(PixelSums& sums, vec3 radiance, std::uint64_t sample) {
     const float least = glm::min(glm::min(radiance.x, radiance.y), radiance.z);
     const float total = radiance.x + radiance.y + radiance.z;
@@ -39,12 +40,12 @@ PDR_HD inline vec2 depthBounds(const FlatScene& scene, ivec2 pixel) {
     return bounds.depths[(pixel.y / kViewBlock) * bounds.blocksPerRow + pixel.x / kViewBlock];
 }
 
-/// Whether the pixel shows nothing but a background that looks the same everywhere.
+/// Returns whether a pixel shows only a background that is the same in every direction.
 PDR_HD inline bool isBackgroundOnly(const FlatScene& scene, vec2 depths) {
     return depths.x > depths.y && scene.plainBackground;
 }
 
-/// What a sample has seen of its pixel before it met anything.
+/// Returns the bits of PixelSums::seen that are known before any sample is traced.
 PDR_HD inline std::uint32_t seenAtFirst(const FlatScene& scene, vec2 depths) {
     return scene.lit && depths.x <= depths.y ? kSeenChance : 0;
 }

@@ -1,8 +1,8 @@
 #pragma once
-/// Random numbers that are addressed, not consumed: each is a function of (seed, pixel, sample, dimension, index), so
-/// that any order, tile, thread or machine, and any effect left out, gives the same numbers to the rest.
+/// Random numbers that are addressed, not consumed: each is a function of (seed, pixel, sample, dimension, index). The
+/// order of work, tiles, threads, machines and effects that are left out do not change the other numbers.
 ///   Random        one path: keys made from seed, pixel and sample
-///   RandomStream  one dimension of it, as a sequence; numbers lie in [2^-24, 1 - 2^-24], never 0 or 1
+///   RandomStream  one dimension of a path, as a sequence; numbers lie in [2^-24, 1 - 2^-24], never 0 or 1
 /// The generator is SplitMix64's finaliser (Steele, Lea & Flood 2014; constants: Stafford's variant 13) over a counter,
 /// with a second key mixed in halfway, so that no two streams can run into each other.
 
@@ -12,11 +12,11 @@
 
 namespace pdr {
 
-/// What a random number is for. Fixed: a new effect gets a new number, none is ever reused.
+/// Purpose of a random number. The values are fixed: a new effect gets a new value, none is ever reused.
 enum class Dimension : std::uint32_t {
-    filter = 0,  ///< place in the pixel
+    filter = 0,  ///< position in the pixel
     lens = 1,
-    bounce = 16,  ///< + kDimensionsPerBounce * bounce + one of the following
+    bounce = 16,  ///< + kDimensionsPerBounce * bounce + a BounceDimension
 };
 inline constexpr std::uint32_t kDimensionsPerBounce = 16;
 enum class BounceDimension : std::uint32_t {
@@ -37,7 +37,7 @@ PDR_HD inline std::uint64_t mixBits(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
-/// One dimension, for one path (Real = float) or for several in step.
+/// The stream of one dimension, for one path (Real = float) or for several in lanes.
 template <class Real>
 struct RandomStreamOf {
     using Bits = typename SimdTraits<Real>::Bits;
@@ -45,7 +45,7 @@ struct RandomStreamOf {
 
     Bits counter, key;
 
-    /// The next two numbers, where `mask` holds; the streams of other lanes stay where they are.
+    /// Draws the next two numbers where `mask` holds; the streams of other lanes do not advance.
     PDR_HD void pair(Mask mask, Real& first, Real& second) {
         counter += masked(mask, Bits{} + 0x9E3779B97F4A7C15ull);
         Bits x = (counter ^ (counter >> 30)) * 0xBF58476D1CE4E5B9ull;

@@ -1,26 +1,27 @@
 #pragma once
-/// A ray inside the volume's box, ready for walking cells.
+/// Rays in the index space of a volume, and their clipping to a box.
 
 #include "render/base/portable.h"
 
 namespace pdr {
 
-/// origin + direction * t, index space, t in mm from the origin, 0 <= t <= length. The origin lies at the box's border
-/// or inside, so that single precision is fine grained wherever the camera stands.
+/// A ray origin + direction * t in index space, with t in mm from the origin and 0 <= t <= length. The origin lies at
+/// the border of the volume's box or inside, so that single precision is accurate wherever the camera stands.
 struct Ray {
     vec3 origin;
-    vec3 direction;  ///< index steps per mm
+    vec3 direction;  ///< index-space step per mm
     float length;    ///< mm; <= 0: the ray misses the box
 };
 
-/// The part of a ray inside the box [low, high], at t in [enter, leave]; empty (enter > leave) where it misses. A
-/// direction component of 0 is parallel to its slab: it bounds nothing when the origin lies inside and everything when
-/// it does not. Closed at the lower border. Number: float or double.
+/// The part of a ray at t in [enter, leave]; empty if enter > leave. Number: float or double.
 template <class Number>
 struct Interval {
     Number enter, leave;
 };
 
+/// Returns the part of `interval` in which a ray is inside the box [low, high]. A direction component of 0 is parallel
+/// to its slab: it bounds nothing if the origin lies inside the slab, and empties the interval if it does not. The box
+/// is closed at its lower border.
 template <class Number>
 PDR_HD_INLINE Interval<Number> clipped(glm::vec<3, Number> origin, glm::vec<3, Number> direction,
                                        glm::vec<3, Number> low, glm::vec<3, Number> high, Interval<Number> interval) {

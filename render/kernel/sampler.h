@@ -1,11 +1,12 @@
 #pragma once
-/// The numbers of one path. Those that decide most of the noise - the place in the pixel and on the lens, and all up to
-/// the first event and its light - are coordinates of low-discrepancy points (sobol.h); all others are hashed
-/// (random.h).
-///   sequences   a pixel has two, scrambled apart: one for its even and one for its odd samples, so that the means of
-///               both halves are independent estimates, however even each is. No other seed has them, neighbouring ones
-///               included: the seed alone is mixed before pixel and half are counted from it
-///   addressed   as all random numbers: by seed, pixel, sample, bounce and dimension
+/// The random numbers of one path. Those that decide most of the noise are coordinates of low-discrepancy points
+/// (sobol.h): the position in the pixel and on the lens, and all numbers up to the first event and its light. All
+/// others are hashed (random.h).
+///   sequences   each pixel has two, scrambled independently: one for its even and one for its odd samples. The means
+///               of the two halves are independent estimates even though each sequence is stratified. No other seed has
+///               these sequences, neighbouring seeds included: the seed alone is mixed before pixel and half are added
+///               to it
+///   addressing  like all random numbers, by seed, pixel, sample, bounce and dimension
 
 #include "render/kernel/attenuation.h"
 #include "render/kernel/random.h"
@@ -13,8 +14,8 @@
 
 namespace pdr {
 
-/// -ln(1 - x) for x = (fraction + 1/2) 2^-32: a distance by optical depth, exponentially distributed, in
-/// [1.2e-10, 23]. Without cancellation for small x.
+/// Returns -ln(1 - x) for x = (fraction + 1/2) 2^-32: an exponentially distributed optical depth in [1.2e-10, 23]. It
+/// is computed without cancellation for small x.
 PDR_HD inline float freePathDepth(std::uint32_t fraction) {
     const float x = (float(fraction) + 0.5f) * 0x1p-32f;
     const float rest = (float(~fraction) + 0.5f) * 0x1p-32f;
@@ -42,7 +43,7 @@ class Sampler {
         const int first = coordinateOf(dimension);
         return isCoordinate(bounce, first) ? vec2(number(first), number(first + 1)) : stream(bounce, dimension).pair();
     }
-    /// A pair and a third number.
+    /// Returns three numbers.
     PDR_HD vec3 triple(int bounce, BounceDimension dimension) const {
         const int first = coordinateOf(dimension);
         if (isCoordinate(bounce, first))
@@ -51,15 +52,16 @@ class Sampler {
         const vec2 u = random.pair();
         return {u, random.pair().x};
     }
-    /// The optical depth up to the first event.
+    /// Returns the optical depth up to the first event.
     PDR_HD float depth() const { return freePathDepth(coordinate(coordinateOf(BounceDimension::distance))); }
 
-    /// As many numbers as are asked for, all hashed.
+    /// Returns a stream of hashed numbers.
     PDR_HD RandomStream stream(int bounce, BounceDimension dimension) const {
         return random_.stream(bounce + (branch_ << 24), dimension);
     }
 
-    /// For the light path number i of `count` from the first event: the next points of a denser sequence.
+    /// Returns the sampler of light path `i` of `count` from the first event, which uses the next points of a denser
+    /// sequence.
     PDR_HD Sampler branch(int i, int count) const {
         Sampler branch = *this;
         branch.point_ = point_ * std::uint32_t(count) + std::uint32_t(i);
@@ -68,8 +70,8 @@ class Sampler {
     }
 
   private:
-    /// The first coordinate of what a dimension of the first event asks for; the lower, the more even in company. -1:
-    /// hashed.
+    /// Returns the first coordinate that a dimension of the first event uses; -1: its numbers are hashed. Lower
+    /// coordinates are more evenly distributed jointly.
     PDR_HD static constexpr int coordinateOf(BounceDimension dimension) {
         switch (dimension) {
             case BounceDimension::distance:
@@ -94,7 +96,7 @@ class Sampler {
         return -1;
     }
 
-    /// Only the first event is decided by coordinates.
+    /// Returns whether a number is a coordinate of a point: only numbers of the first event are.
     PDR_HD static constexpr bool isCoordinate(int bounce, int first) { return bounce == 0 && first >= 0; }
 
     PDR_HD std::uint32_t coordinate(int dimension) const {
@@ -102,7 +104,7 @@ class Sampler {
         seed = (seed ^ (seed >> 32)) * 0xD6E8FEB86659FD93ull;
         return owenScrambled(sobolCoordinate(*points_, dimension, point_), std::uint32_t(seed >> 32));
     }
-    /// In [2^-24, 1 - 2^-24].
+    /// Returns a coordinate of the point, in [2^-24, 1 - 2^-24].
     PDR_HD float number(int dimension) const { return (float(coordinate(dimension) >> 9) + 0.5f) * 0x1p-23f; }
 
     Random random_;

@@ -1,6 +1,6 @@
 #pragma once
-/// Owen-scrambled Sobol points: each coordinate of each point is as random as an independent number, but together the
-/// points are so even that the mean of a smooth function over n of them is off by less than 1 / sqrt(n).
+/// Owen-scrambled Sobol points. Each coordinate of each point alone is as random as an independent number, but together
+/// the points are so even that the mean of a smooth function over n of them has an error below 1 / sqrt(n).
 ///   matrices     Joe & Kuo 2008 (new-joe-kuo-6), the first kSobolDimensions dimensions
 ///   scrambling   nested uniform (Owen 1995), by hashing (Laine & Karras 2011; constants: Vegdahl 2021)
 /// Coordinates are 32-bit fractions: k stands for (k + 1/2) 2^-32.
@@ -13,8 +13,8 @@ namespace pdr {
 
 inline constexpr int kSobolDimensions = 18;
 
-/// The points, looked up by four bits of their number at a time: a coordinate is the exclusive or of as many entries as
-/// the number has hexadecimal digits.
+/// Look-up table of the points, by four bits of a point's number at a time: a coordinate is the exclusive or of as many
+/// entries as the number has hexadecimal digits.
 struct SobolTable {
     static constexpr int kDigits = 8;
     std::uint32_t of[kSobolDimensions][kDigits][16];
@@ -22,12 +22,13 @@ struct SobolTable {
 
 namespace sobol {
 
-/// A primitive polynomial over GF(2), by its degree and its inner coefficients, and the first columns of the matrix.
+/// Recurrence of a dimension: a primitive polynomial over GF(2), given by its degree and its inner coefficients, and
+/// the first columns of the matrix.
 struct Recurrence {
     int degree;
     std::uint32_t coefficients, first[6];
 };
-/// Of all dimensions but the first, which is van der Corput's.
+/// Recurrences of all dimensions except the first, which is van der Corput's.
 inline constexpr Recurrence kRecurrences[kSobolDimensions - 1] = {
     {1, 0, {1}},
     {2, 1, {1, 3}},
@@ -48,7 +49,7 @@ inline constexpr Recurrence kRecurrences[kSobolDimensions - 1] = {
     {6, 22, {1, 3, 1, 15, 13, 25}},
 };
 
-/// The matrix of a dimension: column `bit` is what that bit of a point's number adds to its coordinate.
+/// The matrix of a dimension: column `bit` is what that bit of a point's number adds (exclusive or) to its coordinate.
 struct Columns {
     std::uint32_t of[32];
 };
@@ -105,8 +106,8 @@ PDR_HD inline std::uint32_t reversedBits(std::uint32_t x) {
     return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
 }
 
-/// A permutation of the fractions, another for each `seed`, that maps every interval [k 2^-m, (k + 1) 2^-m) onto one of
-/// its kind.
+/// Permutes the fractions, differently for each `seed`. Every interval [k 2^-m, (k + 1) 2^-m) is mapped onto an
+/// interval of this form.
 PDR_HD inline std::uint32_t owenScrambled(std::uint32_t fraction, std::uint32_t seed) {
     std::uint32_t x = reversedBits(fraction);
     x ^= x * 0x3D20ADEAu;

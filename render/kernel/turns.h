@@ -1,6 +1,6 @@
 #pragma once
-/// Angles in turns: 1 is the whole circle, so that what lies beyond an eighth of it is cut off without rounding. The
-/// same arithmetic on every device, so that they agree bit by bit.
+/// Angles in turns: 1 is the full circle, so that reducing an angle to an eighth of a turn needs no rounding. The
+/// arithmetic is the same on every device, so that devices agree bit by bit.
 
 #include "render/base/lanes.h"
 
@@ -11,8 +11,8 @@ struct CirclePoint {
     Real cosine, sine;
 };
 
-/// The point of the unit circle at that angle, for |turns| <= 2^20; errors below 1e-7, of small sines below 1.5e-7 of
-/// themselves. By the Taylor series to an eighth of a turn.
+/// Returns the point of the unit circle at the angle `turns`, for |turns| <= 2^20. Errors are below 1e-7; for small
+/// sines the relative error is below 1.5e-7. Uses the Taylor series up to an eighth of a turn.
 template <class Real>
 PDR_HD inline CirclePoint<Real> circlePoint(Real turns) {
     using Int = typename SimdTraits<Real>::Int;
@@ -29,12 +29,12 @@ PDR_HD inline CirclePoint<Real> circlePoint(Real turns) {
     return {((quarters + 1) & 2) != 0 ? -across : across, (quarters & 2) != 0 ? -up : up};
 }
 
-/// The angle in [-1/2, 1/2] at which the point (x, y) is seen from (0, 0), which itself is at 0; errors below 5e-8. By
-/// the series of the arc tangent to a sixteenth of a turn.
+/// Returns the angle, in [-1/2, 1/2], at which the point (x, y) is seen from (0, 0); 0 for the origin itself. Errors
+/// are below 5e-8. Uses the series of the arc tangent up to a sixteenth of a turn.
 template <class Real>
 PDR_HD inline Real turnsTo(Real x, Real y) {
     using Mask = typename SimdTraits<Real>::Mask;
-    constexpr float kTangent = 0.414213562f;  // of a sixteenth of a turn
+    constexpr float kTangent = 0.414213562f;  // tangent of a sixteenth of a turn
     const Real ax = max(x, -x), ay = max(y, -y);
     const Real far = max(ax, ay), ratio = far > 0.0f ? min(ax, ay) / far : Real{};
     const Mask steep = ratio > kTangent;

@@ -1,5 +1,5 @@
 #pragma once
-/// The cell between eight neighbouring voxel centres, in which trilinear interpolation is one formula.
+/// The cell between eight neighbouring voxel centres, in which trilinear interpolation is a single formula.
 
 #include "render/base/lanes.h"
 #include "render/kernel/flat_scene.h"
@@ -8,11 +8,11 @@ namespace pdr {
 
 template <class Real>
 struct VoxelCell {
-    Vec3<Real> lowest;  ///< its lowest corner, index space
-    Real hu[8];         ///< of its corners: [x + 2 y + 4 z] from the lowest
+    Vec3<Real> lowest;  ///< lowest corner, index space
+    Real hu[8];         ///< HU at the corners: [x + 2 y + 4 z] from the lowest
 };
 
-/// The cell whose lowest corner is voxel `corner`, inside [0, lastCorner].
+/// Returns the cell whose lowest corner is voxel `corner`, in [0, lastCorner].
 PDR_HD_INLINE VoxelCell<float> cellAt(const FlatGrid& volume, const Vec3<int>& corner) {
     VoxelCell<float> cell;
     cell.lowest = {float(corner.x), float(corner.y), float(corner.z)};
@@ -22,17 +22,18 @@ PDR_HD_INLINE VoxelCell<float> cellAt(const FlatGrid& volume, const Vec3<int>& c
     return cell;
 }
 
-/// See below: a ray alone leaves it to the processor.
+/// Does nothing: a single ray leaves prefetching to the processor.
 PDR_HD_INLINE void prefetchCell(const FlatGrid&, const Vec3<int>&) {}
 
 #if !defined(__CUDACC__)
 
-/// Distance from the first voxel. Lanes: for volumes of fewer than 2^31 voxels.
+/// Returns the offset of a voxel from the first voxel in each lane. The volume must have fewer than 2^31 voxels.
 inline IntLanes voxelIndex(const FlatGrid& volume, const Vec3<IntLanes>& voxel) {
     return (voxel.z * volume.size.y + voxel.y) * volume.size.x + voxel.x;
 }
 
-/// The same in step. For volumes of at least two voxels along x: neighbours along x are read as one word.
+/// Returns the cell of each lane. The volume must have at least two voxels along x: neighbours along x are read as one
+/// word.
 PDR_HD_INLINE VoxelCell<FloatLanes> cellAt(const FlatGrid& volume, const Vec3<IntLanes>& corner) {
     const IntLanes index = voxelIndex(volume, corner);
     VoxelCell<FloatLanes> cell;
@@ -47,7 +48,7 @@ PDR_HD_INLINE VoxelCell<FloatLanes> cellAt(const FlatGrid& volume, const Vec3<In
     return cell;
 }
 
-/// Asks for the memory of a cell ahead of reading it.
+/// Prefetches the memory of a cell before it is read.
 PDR_HD_INLINE void prefetchCell(const FlatGrid& volume, const Vec3<IntLanes>& corner) {
     const IntLanes index = voxelIndex(volume, corner);
     for (const std::int64_t from : {std::int64_t(0), volume.stepY, volume.stepZ, volume.stepZ + volume.stepY})
@@ -56,8 +57,8 @@ PDR_HD_INLINE void prefetchCell(const FlatGrid& volume, const Vec3<IntLanes>& co
 
 #endif
 
-/// The lowest corner of the cell at voxel `corner`, at the volume's borders of the outermost one; of any cell where
-/// `mask` does not hold.
+/// Returns the lowest corner of the cell at voxel `corner`, or of the outermost cell at the volume's borders. Where
+/// `mask` does not hold, it returns voxel 0.
 template <class Int, class Mask>
 PDR_HD_INLINE Vec3<Int> nearestCorner(const FlatGrid& volume, const Vec3<Int>& corner, Mask mask) {
     const auto inside = [mask](Int value, float last) {
@@ -75,7 +76,8 @@ PDR_HD_INLINE auto nearestCell(const FlatGrid& volume, const Vec3<Int>& corner, 
     return cellAt(volume, nearestCorner(volume, corner, mask));
 }
 
-/// Where `position` (index space) lies in the cell, along each axis in [0, 1]: beside it as on its border.
+/// Returns where `position` (index space) lies in the cell, in [0, 1] along each axis; positions outside are clamped to
+/// the border.
 template <class Real>
 PDR_HD_INLINE Vec3<Real> fractionsIn(const VoxelCell<Real>& cell, const Vec3<Real>& position) {
     const auto fraction = [](Real place, Real lowest) { return min(max(place - lowest, Real{}), Real{} + 1.0f); };
@@ -83,7 +85,7 @@ PDR_HD_INLINE Vec3<Real> fractionsIn(const VoxelCell<Real>& cell, const Vec3<Rea
             fraction(position.z, cell.lowest.z)};
 }
 
-/// HU at fractions in [0, 1] of the cell. Where all eight voxels agree the result is theirs.
+/// Returns the HU at fractions in [0, 1] of the cell. Where all eight voxels agree, the result is exactly their value.
 template <class Real>
 PDR_HD_INLINE Real trilinear(const VoxelCell<Real>& cell, const Vec3<Real>& fraction) {
     const auto mix = [](Real a, Real b, Real fraction) { return a + (b - a) * fraction; };

@@ -1,5 +1,6 @@
 #pragma once
-/// What finding the light of a picture of the surroundings needs; see sampleEnvironment() in kernel/environment.h.
+/// Tables for sampling an environment image in proportion to its light; see sampleEnvironment() in
+/// kernel/transport/environment.h.
 
 #include <memory>
 #include <vector>
@@ -10,10 +11,10 @@ namespace pdr {
 
 struct EnvironmentTables {
     std::shared_ptr<const EnvironmentImage> image;
-    std::vector<float> rowSums;     ///< size.y + 1: light of the rows above
-    std::vector<float> columnSums;  ///< size.x + 1 for each row: light of the texels to the left
-    vec3 brightest{0.0f};           ///< no texel is brighter
-    std::vector<float> density;     ///< of each texel's directions [1/sr], as the two tables above find them
+    std::vector<float> rowSums;     ///< size.y + 1 sums: light of the rows above
+    std::vector<float> columnSums;  ///< size.x + 1 sums for each row: light of the texels to the left
+    vec3 brightest{0.0f};           ///< highest value of each channel in any texel
+    std::vector<float> density;     ///< pdf of each texel's directions when sampled by these sums [1/sr]
 
     explicit EnvironmentTables(std::shared_ptr<const EnvironmentImage> picture);
 };

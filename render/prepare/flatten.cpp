@@ -74,7 +74,7 @@ void flattenCamera(FlatCamera& flat, const Camera& camera, const VolumeGeometry&
     flat.focus = radius > 0 ? camera.focusDistanceMm() : 0;
 }
 
-/// The planes that cut the volume, in index space.
+/// Fills in the planes that cut the volume, in index space.
 void flattenClip(PreparedScene& prepared, const Scene& scene) {
     const dmat4& patientFromIndex = scene.volume->geometry().patientFromIndex;
     for (const ClipPlane& plane : scene.clip.planesThrough(scene.volume->geometry())) {
@@ -112,6 +112,7 @@ std::shared_ptr<const PreparedScene> Flattener::flatten(const Scene& scene) {
 }
 
 std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
+    // Flatten the volume, the transfer function and the visible parts.
     auto prepared = std::make_shared<PreparedScene>();
     prepared->revision = scene.revision;
     prepared->volume = scene.volume;
@@ -122,25 +123,28 @@ std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
     prepared->mask = prepared->seen.mask();
     if (prepared->mask)
         flattenMask(prepared->flat.mask, *prepared->mask);
+    // Reuse the tables of an environment image that is still the same.
     if (scene.environment.image)
         prepared->environment = last_ && last_->environment && last_->environment->image == scene.environment.image
                                     ? last_->environment
                                     : std::make_shared<const EnvironmentTables>(scene.environment.image);
+    // Flatten optics, camera, lights and clip planes, which build on the tables above.
     flattenOptics(*prepared, scene);
     flattenCamera(prepared->flat.camera, scene.camera, scene.volume->geometry(), scene.film);
     flattenLights(*prepared, scene);
     flattenClip(*prepared, scene);
 
     FlatScene& flat = prepared->flat;
+    // Set the numbers and flags that select effects in the kernel.
     flat.fastFiltering = scene.filtering == Filtering::fast && !isProjection(scene.model);
     flat.marched = scene.estimator == Estimator::kroesMarch;
     flat.phaseG = scene.phaseG;
     flat.surfaceFactor = surfaceFactorOf(scene.gradientFactor);
     flat.unshadowed = scene.unshadowed;
     flat.features = neededFeatures(needs(scene));
-    flat.maxBounces = has(flat.features, kBounces) ? scene.maxBounces : 1;  // for programs that hold all effects, too
+    flat.maxBounces = has(flat.features, kBounces) ? scene.maxBounces : 1;  // also for kernels that contain all effects
     flat.sampleDirections = searchesAlongScatter(scene);
-    // A path passes nothing that was cut away, and all else that stands in its way: so does the light that it collects.
+    // A path does not cross clipped tissue and is attenuated by all other tissue, and so is the light that it collects.
     flat.lightAlongPath = flat.sampleDirections && !flat.unshadowed && !(flat.clip.count > 0 && flat.clip.shadows);
     flat.lit = !isProjection(scene.model) &&
                (shines(prepared->lights) || !scene.environment.isBlack() || (flat.features & kEmission) != 0);

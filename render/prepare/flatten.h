@@ -1,5 +1,5 @@
 #pragma once
-/// The only builder of kernel tables: from a Scene value to the plain arrays that devices read.
+/// Builds the kernel's tables: from a Scene value to the plain arrays that devices read. No other code builds them.
 
 #include <memory>
 
@@ -9,14 +9,14 @@ namespace pdr {
 
 struct Scene;
 
-/// Prepares scenes one after the other and keeps what the next one can use again: the ranges while the volume stays,
-/// the majorants while the transfer function stays too.
+/// Prepares scenes one after the other and keeps what the next one can reuse: the ranges as long as the volume stays
+/// the same, and the majorants as long as the transfer function and the visible parts stay the same, too.
 class Flattener {
   public:
-    /// All that a ray needs on the host. `scene` must have passed Scene::check().
+    /// Prepares everything that a ray needs on the host. `scene` must have passed Scene::check().
     std::shared_ptr<const PreparedScene> prepare(const Scene& scene);
-    /// Without the acceleration structure: flat.majorants and flat.viewBounds are left empty, for a device that makes
-    /// them from the rest in its own memory.
+    /// Prepares a scene without the acceleration structure: flat.majorants and flat.viewBounds stay empty, for a device
+    /// that computes them from the rest in its own memory.
     std::shared_ptr<const PreparedScene> flatten(const Scene& scene);
 
   private:

@@ -1,5 +1,5 @@
 #pragma once
-/// The part of flatten that knows lights.
+/// Flattening of lights and the environment.
 
 #include "render/prepare/prepared_scene.h"
 
@@ -7,7 +7,7 @@ namespace pdr {
 
 struct Scene;
 
-/// Fills in lights and environment; prepared.environment is there when the scene has a picture.
+/// Fills in the lights and the environment. `prepared.environment` must be set if the scene has an environment image.
 void flattenLights(PreparedScene& prepared, const Scene& scene);
 
 }  // namespace pdr

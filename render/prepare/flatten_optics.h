@@ -1,5 +1,5 @@
 #pragma once
-/// The tables of the models without scattering.
+/// Flattening of the tables for models without scattering.
 
 #include "render/prepare/prepared_scene.h"
 
@@ -7,13 +7,14 @@ namespace pdr {
 
 struct Scene;
 
-/// Fills `prepared.flat.optics` and what it points into. After the pieces of the transfer function.
+/// Fills `prepared.flat.optics` and the table that it points to. Call it after the transfer function has been
+/// flattened.
 void flattenOptics(PreparedScene& prepared, const Scene& scene);
 
-/// For maximumIntensity: the highest HU of each cell, lifted by kMipBias, in place of bounds on the extinction.
+/// Returns, for maximumIntensity, the highest HU of each cell plus kMipBias in place of bounds on the extinction.
 Majorants highestHu(const CellRanges& ranges, ivec3 volumeSize, const FlatMask& mask);
 
-/// Share of a radiance by which it may be off so that no channel moves by more than `levels` of 255, whatever the
+/// Returns the relative error of a radiance that changes no channel by more than `levels` of 255, whatever the
 /// exposure.
 double relativeTolerance(double levels);
 

@@ -11,7 +11,7 @@ namespace pdr {
 
 namespace {
 
-/// A ray, and how far along it half of its light has met an event [mm].
+/// A ray, and the distance along it at which half of its light has met an event [mm].
 struct Hit {
     PathSegment segment;
     float distance;

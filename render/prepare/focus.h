@@ -1,5 +1,5 @@
 #pragma once
-/// How far away is what a pixel shows, and what is it?
+/// The depth and the tissue that a pixel shows.
 
 #include <optional>
 
@@ -7,17 +7,19 @@
 
 namespace pdr {
 
-/// Depth along the view [mm from the eye], through a pinhole, at which half of the light from `pixel` (x, y) has met an
-/// event; nothing where less than half of it does, or outside the image.
+/// Returns the depth along the view [mm from the eye], through a pinhole, at which half of the light from `pixel` (x,
+/// y) has met an event; nothing if less than half of it meets one, or outside the image.
 std::optional<double> depthUnder(const PreparedScene& scene, ivec2 pixel);
 
-/// What a pixel shows.
+/// The tissue that a pixel shows.
 struct TissueUnder {
-    float hu;      ///< mean of the first 2 mm behind the depth above: the edge itself is neither of its two sides
-    float spread;  ///< standard deviation there [HU]
+    /// Mean of the first 2 mm behind the depth that depthUnder() returns: HU at the edge itself belong to neither side.
+    float hu;
+    float spread;  ///< standard deviation over these 2 mm [HU]
 };
 
-/// Likewise nothing where less than half of the light meets an event, or outside the image.
+/// Returns the tissue under `pixel` (x, y); nothing if less than half of the light meets an event, or outside the
+/// image.
 std::optional<TissueUnder> tissueUnder(const PreparedScene& scene, ivec2 pixel);
 
 }  // namespace pdr

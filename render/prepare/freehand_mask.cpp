@@ -9,12 +9,12 @@
 namespace pdr {
 namespace {
 
-/// One line, ready to be asked.
+/// One line, prepared for queries.
 class Cut {
   public:
     explicit Cut(const FreehandCut& cut) : view_(cut.camera, 1), outline_(cut.outline), keepInside_(cut.keepInside) {}
 
-    /// How deep a place lies in what the line leaves [mm]; negative in what it cuts away.
+    /// Returns how deep a position lies in what the line leaves [mm]; negative in what it cuts away.
     double depthMm(dvec3 placeMm) const {
         constexpr double kFarOutside = -1e9;  // behind the eye
         const std::optional<dvec2> seen = view_.at(placeMm);
@@ -37,7 +37,7 @@ bool isSame(const VolumeGeometry& a, const VolumeGeometry& b) {
 std::shared_ptr<const Mask> freehandMask(const std::vector<FreehandCut>& cuts, const VolumeGeometry& geometry) {
     if (cuts.empty())
         return nullptr;
-    constexpr double kNodeMm = 2;  // a little coarser than other masks: the picture waits for it
+    constexpr double kNodeMm = 2;  // a little coarser than other masks, since the image waits for it
     const std::vector<Cut> all(cuts.begin(), cuts.end());
     return maskOf(MaskGrid::over(geometry, kNodeMm), "", [&](dvec3 place) {
         const dvec3 placeMm(geometry.patientFromIndex * dvec4(place, 1));

@@ -1,5 +1,6 @@
 #pragma once
-/// What lines drawn by hand leave of a volume, as a mask: made anew from the lines, which alone are kept in files.
+/// The mask of freehand cuts: the parts of a volume that drawn lines leave visible. It is computed from the lines,
+/// since files store only these.
 
 #include <memory>
 #include <vector>
@@ -9,27 +10,28 @@
 
 namespace pdr {
 
-/// Seen is what no line cuts away; the line runs along the middle of an even edge of Mask::kEdgeMm. Null: there is no
-/// line.
+/// Returns the mask of what no line cuts away; null if there is no line. The line runs along the middle of a uniform
+/// edge of Mask::kEdgeMm.
 std::shared_ptr<const Mask> freehandMask(const std::vector<FreehandCut>& cuts, const VolumeGeometry& geometry);
 
-/// All that hides parts of a volume, and what is seen of it: made again only where something of it is another.
+/// Everything that hides parts of a volume, and the resulting mask. Masks are computed again only where their inputs
+/// change.
 class SeenParts {
   public:
     SeenParts() = default;
-    /// `visible`: what is seen but for the lines; null: all. `last`: where there may be something to use again, or
-    /// null.
+    /// Combines the lines with `visible`, the mask of what is visible without them; null: everything. `last`: the parts
+    /// of the scene before, whose masks may be reused, or null.
     SeenParts(const std::vector<FreehandCut>& cuts, std::shared_ptr<const Mask> visible, const VolumeGeometry& geometry,
               const SeenParts* last);
 
-    /// Null: everything is seen.
+    /// Returns the mask; null if everything is visible.
     const std::shared_ptr<const Mask>& mask() const { return mask_; }
 
   private:
     std::vector<FreehandCut> cuts_;
     VolumeGeometry geometry_;
-    std::shared_ptr<const Mask> visible_, left_;  ///< by the lines
-    std::shared_ptr<const Mask> mask_;
+    std::shared_ptr<const Mask> visible_, left_;  ///< visible without the lines, left by the lines; null: everything
+    std::shared_ptr<const Mask> mask_;            ///< both combined; null: everything
 };
 
 }  // namespace pdr

@@ -10,14 +10,15 @@ namespace pdr {
 
 namespace {
 
-/// Of all picks, those that any light that shines gets alike: the places that are asked do not know of every corner.
+/// Share of the picks that is distributed equally over the lights that shine: the sampled positions do not represent
+/// every corner of the volume.
 constexpr double kPickedAlike = 0.25;
 
 bool shines(const FlatLight& light) {
     return light.radiance != vec3(0);
 }
 
-/// 27 places all over the volume, local [mm].
+/// Returns 27 positions distributed over the volume, local [mm].
 std::vector<vec3> placesWithin(const FlatVolume& volume) {
     std::vector<vec3> places;
     for (int i = 0; i < 27; ++i) {
@@ -27,7 +28,8 @@ std::vector<vec3> placesWithin(const FlatVolume& volume) {
     return places;
 }
 
-/// Irradiance, about, summed over places and colours. No light fills more than half of what a place sees.
+/// Returns the approximate irradiance by a light, summed over positions and colour channels. A light counts as filling
+/// half of a position's directions at most.
 double bringsTo(const FlatLight& light, std::span<const vec3> places) {
     double sum = 0;
     for (const vec3 place : places) {
@@ -63,7 +65,7 @@ float reachOf(const FlatLight& light) {
 
 class LightTree {
   public:
-    /// `slack` [mm]: by how much balls are larger than need be.
+    /// Builds a tree of `lights`. `slack` [mm]: margin that is added to the radius of each bounding sphere.
     LightTree(std::span<const FlatLight> lights, float slack) : lights_(lights), slack_(slack) {}
 
     void add(std::span<int> members) {
@@ -102,7 +104,7 @@ class LightTree {
         }
         return {centre, radius * 1.001f + slack_ + 1e-5f * glm::length(centre), -1, 0};
     }
-    /// Halves them where they lie farthest apart.
+    /// Splits the lights into halves along the axis of their largest extent. Returns the size of the first half.
     std::size_t splitAcross(std::span<int> members) const {
         const Box box = centresOf(members);
         const vec3 extent = box.high - box.low;
@@ -118,7 +120,8 @@ class LightTree {
     std::vector<FlatLightNode> nodes_;
 };
 
-/// Single precision finds where a ray passes a ball to about 1e-7 of the distance from the ball to the ray's origin.
+/// Returns the tree of the rectangles and spheres that shine. The margin is needed since single precision finds where a
+/// ray passes a sphere to about 1e-7 of the distance from the sphere to the ray's origin.
 std::vector<FlatLightNode> treeOf(std::span<const FlatLight> lights, std::span<const vec3> places) {
     std::vector<int> placed;
     for (std::size_t i = 0; i < lights.size(); ++i)

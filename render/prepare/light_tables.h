@@ -1,5 +1,5 @@
 #pragma once
-/// What an event and a ray need to know to ask few of very many lights; see kernel/transport/many_lights.h.
+/// Tables with which an event and a ray consider only few of very many lights; see kernel/transport/many_lights.h.
 
 #include <span>
 #include <vector>
@@ -9,11 +9,12 @@
 namespace pdr {
 
 struct LightTables {
-    std::vector<float> sums;           ///< one more than there are lights: what the lights before bring to the volume
-    std::vector<FlatLightNode> nodes;  ///< a tree of balls around the lights that have a place
+    /// One more entry than lights: cumulative picking weights, how much light the lights before bring to the volume.
+    std::vector<float> sums;
+    std::vector<FlatLightNode> nodes;  ///< tree of bounding spheres of the rectangles and spheres
 };
 
-/// Empty where no more than kMostLightsInTurn lights shine.
+/// Returns the tables; empty if no more than kMostLightsInTurn lights shine.
 LightTables lightTables(std::span<const FlatLight> lights, const FlatVolume& volume);
 
 }  // namespace pdr

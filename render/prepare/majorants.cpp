@@ -10,7 +10,7 @@ namespace pdr {
 
 namespace {
 
-/// Index-space box of all fine cells with a bound above 0; empty (low > high) if there is none.
+/// The index-space box of all fine cells with a bound above 0; empty (low > high) if there are none.
 struct Box {
     vec3 low{1e30f}, high{-1e30f};
 
@@ -32,6 +32,7 @@ Majorants::Majorants(const CellRanges& ranges, const TransferTables& tables, ive
         const float whole = extinctionBound(tables.extinctionPerMm, maximum.over(range), highest);
         return whole > 0 && mask.voxels != nullptr ? maskedBound(whole, highestWeight(mask, volumeSize, cell)) : whole;
     };
+    // Bound the fine and coarse cells, slab by slab in parallel.
     std::vector<Box> boxes(coarseSize.z);
     tbb::parallel_for(0, coarseSize.z, [&](int slab) {
         for (int k = slab * kFinePerCoarse; k < (slab + 1) * kFinePerCoarse; ++k)
@@ -48,6 +49,7 @@ Majorants::Majorants(const CellRanges& ranges, const TransferTables& tables, ive
                     boxes[slab].include({i, j, k});
                 }
     });
+    // Unite the boxes of the slabs and clip them to the volume.
     Box all;
     for (const Box& box : boxes) {
         all.low = glm::min(all.low, box.low);

@@ -1,5 +1,5 @@
 #pragma once
-/// Upper bounds on the extinction, for free paths.
+/// Upper bounds on the extinction (majorants), for sampling free paths.
 
 #include "render/base/huge_pages.h"
 #include "render/kernel/flat_scene.h"
@@ -8,7 +8,7 @@
 
 namespace pdr {
 
-/// Bounds on the extinction for one volume under one transfer function, as far as it is seen.
+/// Bounds on the extinction of the visible part of one volume under one transfer function.
 struct Majorants {
     HugePageVector<float> fine, coarse;
     vec3 occupiedLow{0}, occupiedHigh{0};

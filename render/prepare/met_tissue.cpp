@@ -6,9 +6,10 @@ namespace pdr {
 
 namespace {
 
-/// Of the four shares that voxels have in the slope of a cubic B-spline those above 0 add up to 3/4 at most, half-way
-/// between two of them: along every axis it is at most that part of the range of the HU. It is taken between
-/// values of two sums each, and a sum may round by kHuSlack.
+/// Returns a bound on the gradients of the HU in a volume [HU/mm]. Of the four weights that voxels have in the slope of
+/// a cubic B-spline, the positive ones add up to 3/4 at most, half-way between two voxels, so that the slope along each
+/// axis is at most that part of the range of the HU. The slope is taken between values of two sums each, and a sum may
+/// be rounded by kHuSlack.
 double steepestIn(const Volume& volume) {
     const HuRange range = volume.storedRange();
     if (range.lowest == range.highest)

@@ -1,6 +1,6 @@
 #pragma once
-/// What of a transfer function a volume can meet: the pieces of the curve between its lowest and its highest HU. Only
-/// what is met can show, whatever else the curve says.
+/// Visible tissue: the pieces of a transfer function's curve between the lowest and the highest HU of a volume. Only
+/// these can affect the image, whatever else the curve contains.
 
 #include <algorithm>
 #include <vector>
@@ -13,19 +13,20 @@ namespace pdr {
 
 class MetTissue {
   public:
-    /// `function` must have passed its check().
+    /// Finds the visible tissue. `function` must have passed its check().
     MetTissue(const TransferFunction& function, const Volume& volume);
 
-    /// Whether some of it is opaque. Where it is not, no light meets anything.
+    /// Returns whether some of the tissue is opaque. If none is, no light meets anything.
     bool any() const { return extinctionPerMm_ > 0 && highestOpacity_ > 0; }
-    /// No point of the volume is more opaque; 0 to 1.
+    /// Returns the highest opacity of any point of the volume, 0 to 1.
     float highestOpacity() const { return highestOpacity_; }
-    /// No point has a higher extinction [1/mm].
+    /// Returns the highest extinction of any point [1/mm].
     double highestExtinction() const { return double(extinctionPerMm_) * highestOpacity_; }
-    /// No gradient in the volume is steeper [HU/mm]; each axis is counted for itself, so it may be up to sqrt(3) less.
+    /// Returns a bound on the gradients in the volume [HU/mm]. Each axis is counted separately, so the bound may be too
+    /// high by a factor of up to sqrt(3).
     double steepest() const { return steepest_; }
 
-    /// Whether property(material) is anything but black in opaque tissue that is met.
+    /// Returns whether property(material) is anything but black in visible, opaque tissue.
     template <class Property>
     bool anywhere(Property property) const {
         return any() && std::ranges::any_of(materials_, [&](const Material& m) { return property(m) != vec3(0); });

@@ -11,7 +11,7 @@
 namespace pdr {
 namespace {
 
-constexpr float kSharpPhase = 0.5f;  ///< |g| from which on scattering is sharper than lights are large
+constexpr float kSharpPhase = 0.5f;  ///< |g| from which scattering counts as sharper than lights are large
 
 bool isBlack(vec3 colour) {
     return colour == vec3(0);
@@ -51,8 +51,8 @@ bool isPlaced(const Light& light) {
     return !std::holds_alternative<DirectionalLight>(light);
 }
 
-/// Whether a surface could be shiny for all that the curve says, whatever the volume holds: at or beside a node that is
-/// opaque.
+/// Returns whether the transfer function allows shiny surfaces, whatever the volume holds: whether a specular node is
+/// opaque or next to an opaque one.
 bool speaksOfHighlights(const Scene& scene) {
     const std::vector<TransferNode>& nodes = scene.transferFunction.nodes;
     const auto opaque = [&](std::size_t i) { return i < nodes.size() && nodes[i].opacity > 0; };
@@ -62,12 +62,12 @@ bool speaksOfHighlights(const Scene& scene) {
     return shiny && scene.gradientFactor > 0 && scene.transferFunction.extinctionPerMm > 0;
 }
 
-/// A scene and what of it can be met.
+/// A scene and its visible tissue.
 struct Subject {
     const Scene& scene;
     MetTissue tissue;
     bool lit;    ///< a light or the environment shines
-    bool glows;  ///< tissue that is met shines by itself
+    bool glows;  ///< visible tissue emits light
 
     explicit Subject(const Scene& s)
         : scene(s),
@@ -78,8 +78,8 @@ struct Subject {
     bool scattersOften() const { return scene.model == Model::multipleScattering && scene.maxBounces > 1; }
 };
 
-/// Why nothing that happens to light at an event can show; empty where it can. `fromWithin`: light that tissue gives
-/// off counts, since it comes by on its way from event to event.
+/// Returns why scattering at events cannot affect the image; empty if it can. `fromWithin`: light that tissue emits
+/// counts, since paths collect it from event to event.
 Text whyNothingScatters(const Subject& subject, bool fromWithin = true) {
     if (!subject.tissue.any())
         return phrase("no tissue is opaque at the HU that the volume holds");
@@ -90,13 +90,13 @@ Text whyNothingScatters(const Subject& subject, bool fromWithin = true) {
     return {};
 }
 
-/// "needed: YES" or "off: NO".
+/// Returns an effect with the reason `yes` or `no`, shown as "needed: YES" or "off: NO".
 Effect effect(Text name, bool needed, Text yes, Text no, std::uint32_t features = 0,
               void (*leaveOut)(Scene&) = nullptr) {
     return {std::move(name), needed, needed ? std::move(yes) : std::move(no), features, leaveOut};
 }
 
-/// Of the models that are sums along straight rays.
+/// Returns an effect that is off for `reason`.
 Effect off(Text name, Text reason) {
     return effect(std::move(name), false, {}, std::move(reason));
 }
@@ -111,7 +111,7 @@ Effect shadows(const Subject& subject) {
                   [](Scene& s) { s.unshadowed = true; });
 }
 
-/// No face of a cut is steeper [HU/mm]; see cutSteepness(). 0: nothing is cut.
+/// Returns a bound on the gradient of the cut faces [HU/mm], see cutSteepness(); 0 if nothing is cut.
 double steepestCut(const Scene& scene) {
     double steepest = 0;
     for (const ClipPlane& plane : scene.clip.planesThrough(scene.volume->geometry())) {
@@ -123,7 +123,7 @@ double steepestCut(const Scene& scene) {
     return steepest;
 }
 
-/// No edge of what is seen is steeper [HU/mm]; see seenGradient(). 0: all is seen.
+/// Returns a bound on the gradient at the edges of the mask [HU/mm], see seenGradient(); 0 if everything is visible.
 double steepestMask(const Scene& scene) {
     if (!scene.mask)
         return 0;
@@ -132,7 +132,7 @@ double steepestMask(const Scene& scene) {
     return double(cutSteepness(highest, float(glm::min(nodesMm.x, glm::min(nodesMm.y, nodesMm.z))))) * std::sqrt(3.0);
 }
 
-/// Whether some random number makes an event a surface; see normalAt(). The smallest one is 2^-24.
+/// Returns whether some random number makes an event a surface; see normalAt(). The smallest one is 2^-24.
 bool surfacesCanShow(const Subject& subject) {
     constexpr double kRounding = 1 + 1e-5;
     const double highest =
@@ -185,7 +185,8 @@ Effect emission(const Subject& subject) {
                                            [](const TransferNode& node) { return !isBlack(node.emission); });
     const std::uint32_t features = isProjection(model) ? 0u : std::uint32_t(kEmission);
     return effect(phrase("emission"), subject.glows, phrase("a point of the curve emits light"),
-                  emits ? phrase("no opaque tissue that the volume holds emits light") : phrase("no point of the curve emits light"),
+                  emits ? phrase("no opaque tissue that the volume holds emits light")
+                        : phrase("no point of the curve emits light"),
                   features, [](Scene& s) {
                       for (TransferNode& node : s.transferFunction.nodes)
                           node.emission = vec3(0);

@@ -1,6 +1,7 @@
 #pragma once
-/// highestOpacity() of kernel/cell_bound.h in O(1) after one table is built: the same number, bit by bit.
-/// A sparse table over 1-HU bins: any curve, non-monotone ones and vertical steps included.
+/// highestOpacity() of kernel/bounds/cell_bound.h in O(1) after a table has been built, with the same result bit by
+/// bit. The table is a sparse table over 1-HU bins and works for any curve, including non-monotone ones and vertical
+/// steps.
 
 #include <vector>
 
@@ -10,16 +11,16 @@ namespace pdr {
 
 class OpacityMaximum {
   public:
-    /// Answers for intervals inside `domain`.
+    /// Builds the table for intervals inside `domain`.
     OpacityMaximum(const FlatTransferFunction& function, HuRange domain);
 
-    /// highestOpacity(function, range)
+    /// Returns highestOpacity(function, range).
     float over(HuRange range) const;
 
   private:
     int first_;
     std::vector<float> points_;  ///< opacity at first_ + i
-    /// levels_[l][i]: maximum over bins i .. i + 2^l - 1; bin i is [first_ + i, first_ + i + 1].
+    /// Maxima: levels_[l][i] is the maximum over bins i .. i + 2^l - 1; bin i is [first_ + i, first_ + i + 1].
     std::vector<std::vector<float>> levels_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What kernels read of a scene.
+/// A scene prepared for kernels.
 
 #include <memory>
 #include <vector>
@@ -15,8 +15,8 @@
 
 namespace pdr {
 
-/// A FlatScene together with all that it points into. Immutable; devices share it. Never copied: `flat` points into
-/// this.
+/// A FlatScene together with everything that it points to. Immutable and shared by devices. It cannot be copied, since
+/// `flat` points into it.
 struct PreparedScene {
     PreparedScene() = default;
     PreparedScene(const PreparedScene&) = delete;
@@ -27,20 +27,20 @@ struct PreparedScene {
 
     std::shared_ptr<const Volume> volume;
     SeenParts seen;
-    std::shared_ptr<const Mask> mask;            ///< of all that is seen; null: everything
-    std::shared_ptr<const CellRanges> ranges;    ///< null where it was flattened only
-    std::shared_ptr<const Majorants> majorants;  ///< likewise
+    std::shared_ptr<const Mask> mask;            ///< mask of everything visible; null: all is visible
+    std::shared_ptr<const CellRanges> ranges;    ///< null after Flattener::flatten()
+    std::shared_ptr<const Majorants> majorants;  ///< null after Flattener::flatten()
     TransferTables tables;
     std::vector<float> optics;
     std::vector<FlatLight> lights;
     LightTables lightTables;
-    std::shared_ptr<const EnvironmentTables> environment;  ///< null: no picture
+    std::shared_ptr<const EnvironmentTables> environment;  ///< null without an environment image
     std::vector<FlatPlane> clipPlanes;
-    std::vector<vec2> viewDepths;  ///< likewise empty
+    std::vector<vec2> viewDepths;  ///< empty after Flattener::flatten()
 };
 
-/// Whether both scenes have the same majorants, wherever these are made: of the same voxels under the same
-/// opacity, of which the same is seen.
+/// Returns whether both scenes have the same majorants, wherever these are computed: for the same voxels, the same
+/// opacity and the same visible part.
 bool sameMajorants(const PreparedScene& a, const PreparedScene& b);
 
 }  // namespace pdr

@@ -18,6 +18,7 @@ Material materialOf(const TransferNode& node) {
 }  // namespace
 
 TransferTables::TransferTables(const TransferFunction& function) : extinctionPerMm(function.extinctionPerMm) {
+    // Make a piece between neighbouring nodes of different HU, and constant pieces at both ends.
     const std::vector<TransferNode>& nodes = function.nodes;
     const auto add = [&](float start, float end, const TransferNode& from, const TransferNode& to) {
         const float slope = (to.opacity - from.opacity) / (end - start);
@@ -31,6 +32,7 @@ TransferTables::TransferTables(const TransferFunction& function) : extinctionPer
             add(nodes[i].hu, nodes[i + 1].hu, nodes[i], nodes[i + 1]);
     add(nodes.back().hu, kInfinity, nodes.back(), nodes.back());
 
+    // Find the first piece of each bucket of 16 HU.
     pieceAt.resize(65536 / 16);
     std::uint16_t piece = 0;
     for (std::size_t bucket = 0; bucket < pieceAt.size(); ++bucket) {

@@ -1,5 +1,5 @@
 #pragma once
-/// A transfer function as the kernel reads it: linear pieces, and where to look for the one that holds a value.
+/// A transfer function as the kernel reads it: linear pieces, and a look-up table of the piece that holds a value.
 
 #include <vector>
 
@@ -11,18 +11,18 @@ namespace pdr {
 struct TransferTables {
     std::vector<OpacityPiece> pieces;
     std::vector<Material> materials;     ///< two per piece
-    std::vector<std::uint16_t> pieceAt;  ///< 65536 / 16
+    std::vector<std::uint16_t> pieceAt;  ///< 65536 / 16 entries, see FlatTransferFunction
     float extinctionPerMm = 0;
 
     TransferTables() = default;
-    /// `function` must have passed check().
+    /// Builds the tables. `function` must have passed check().
     explicit TransferTables(const TransferFunction& function);
 
-    /// Points into this.
+    /// Returns a view that points into this object.
     FlatTransferFunction flat() const;
-    /// Of the whole curve.
+    /// Returns the highest opacity of the whole curve.
     float highestOpacity() const;
-    /// Whether the opacity is the same everywhere.
+    /// Returns whether `other` has the same opacity and extinction for all HU.
     bool sameOpacity(const TransferTables& other) const;
 };
 

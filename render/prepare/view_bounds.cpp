@@ -37,7 +37,7 @@ vec2 united(vec2 a, vec2 b) {
     return {std::min(a.x, b.x), std::max(a.y, b.y)};
 }
 
-/// Adds what the occupied cells of a slab cover to `depths`; false where one reaches behind the eye.
+/// Adds the depths that the occupied cells of a slab cover to `depths`. Returns false if a cell reaches behind the eye.
 bool cover(const FlatScene& scene, const ViewProjection& projection, int slab, std::vector<vec2>& depths) {
     const ivec2 film = scene.camera.film, blocks = viewBlocks(film);
     bool behind = false;

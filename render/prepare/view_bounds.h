@@ -1,6 +1,7 @@
 #pragma once
-/// Between which depths a camera can meet tissue, per block of pixels: rays start where the first occupied cell of
-/// their block begins, and pixels that can meet nothing cost nothing. An accelerator: it never changes the picture.
+/// The depths between which a camera can meet tissue, for each block of pixels. Rays start where the first occupied
+/// cell of their block begins, and pixels that can meet nothing cost nothing. This acceleration never changes the
+/// image.
 
 #include <vector>
 
@@ -8,8 +9,9 @@
 
 namespace pdr {
 
-/// Depth intervals (near, far) [mm along the view] for blocks of kViewBlock x kViewBlock pixels, row by row. Needs the
-/// volume, majorants and camera of `scene`. Where tissue reaches the camera's plane every block gets (0, infinity).
+/// Returns depth intervals (near, far) [mm along the view] for blocks of kViewBlock x kViewBlock pixels, row by row.
+/// Needs the volume, majorants and camera of `scene`. If tissue reaches the camera's plane, every block gets (0,
+/// infinity).
 std::vector<vec2> viewDepths(const FlatScene& scene);
 
 }  // namespace pdr

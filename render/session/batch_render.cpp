@@ -10,7 +10,7 @@ namespace pdr {
 namespace {
 
 constexpr double kReportSeconds = 0.5;
-constexpr std::uint64_t kErrorEvery = 16;  ///< samples between two looks at the error; it costs time
+constexpr std::uint64_t kErrorEvery = 16;  ///< samples between two readings of the error, which take time
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -53,7 +53,7 @@ bool BatchRender::errorIsDue() const {
 
 Result<void> BatchRender::takeSamples(double elapsed, std::stop_token stop) {
     const std::uint32_t samples = wantedSamples(elapsed);
-    // A launch that is broken off leaves worthless sums: the first one has nothing to lose.
+    // An interrupted launch leaves worthless sums. The first one has nothing to lose.
     const bool canBreakOff = done_ == 0 || whenStopped_ == WhenStopped::discard;
     const auto there = film_.extend(done_, samples, canBreakOff ? stop : std::stop_token());
     if (!there)
@@ -68,7 +68,7 @@ Result<void> BatchRender::takeSamples(double elapsed, std::stop_token stop) {
     return {};
 }
 
-/// A film tells its status with a picture.
+/// Reads the film's status, which comes with an image.
 Result<void> BatchRender::look() {
     if (done_ == 0)
         return {};
@@ -96,8 +96,8 @@ std::uint32_t BatchRender::wantedSamples(double elapsed) const {
     return toBlockEnd(std::uint32_t(std::clamp(wanted, 1.0, double(order.samples))));
 }
 
-/// Fewer, so that the last block is whole, where one ends on the way: what is left of a block is a piece of work, and a
-/// message, of its own.
+/// Reduces `wanted` so that the samples end with a whole block, if one ends on the way: the rest of a block would be a
+/// piece of work, and a message, of its own.
 std::uint32_t BatchRender::toBlockEnd(std::uint32_t wanted) const {
     const std::uint64_t end = done_ + wanted, blockEnd = end - end % kSamplesPerBlock;
     return end == stops_.samples || blockEnd <= done_ ? wanted : std::uint32_t(blockEnd - done_);

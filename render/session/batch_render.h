@@ -1,5 +1,5 @@
 #pragma once
-/// Renders one picture to its end, on the thread that asks for it: no window, no session.
+/// Renders one image to its end on the calling thread, without window or session.
 
 #include <cstdint>
 #include <functional>
@@ -11,48 +11,50 @@
 
 namespace pdr {
 
-/// When to stop; whichever comes first. At least one must be there.
+/// Limits at which rendering stops, at the first one reached. At least one must be set.
 struct Stops {
     std::optional<std::uint64_t> samples;  ///< per pixel; >= 1
-    std::optional<double> seconds;         ///< of rendering; > 0; the sample that is on its way is still finished, and
-                                           ///< so is the first one after all were found wrong
-    std::optional<double> relativeError;   ///< FilmStatus::relativeError; > 0
-    std::optional<double> levels;          ///< FilmStatus::displayError; > 0
+    /// Rendering time, > 0. The sample in progress is still finished, and so is the first one after all samples were
+    /// found wrong.
+    std::optional<double> seconds;
+    std::optional<double> relativeError;  ///< FilmStatus::relativeError; > 0
+    std::optional<double> levels;         ///< FilmStatus::displayError; > 0
 };
 
 enum class StopReason { samples, seconds, error, levels, interrupted };
 
-/// How far it is. `fraction` is a guess where only an error is asked for.
+/// Progress of a rendering. `fraction` is a guess if only an error limit is set.
 struct BatchState {
     FilmStatus film;
     double seconds = 0;
     double fraction = 0;                ///< [0, 1]
-    std::optional<double> secondsLeft;  ///< absent while nothing can be said
+    std::optional<double> secondsLeft;  ///< none while it cannot be estimated
 };
 
 struct BatchResult {
     StopReason reason = StopReason::samples;
     FilmStatus film;
-    double seconds = 0;  ///< of rendering
+    double seconds = 0;  ///< rendering time
 };
 
-/// What becomes of the samples that are there when a stop is requested.
+/// What happens to the samples so far when a stop is requested.
 enum class WhenStopped {
-    keep,    ///< the one that is on its way is finished, so that the film stays right; the very first is given up
-    discard  ///< it ends at once, and the film is worthless
+    keep,    ///< finish the sample in progress, so that the film stays valid; the very first one is abandoned
+    discard  ///< end at once; the film is worthless
 };
 
 class BatchRender {
   public:
     using Report = std::function<void(const BatchState&)>;
 
-    /// `film` is empty, of the scene that its device holds, and outlives this. `display`: what levels are those of.
+    /// `film` must be empty, belong to the scene that its device holds, and outlive this object. `display` defines the
+    /// display levels.
     BatchRender(Accumulator& film, const Stops& stops, const Display& display,
                 WhenStopped whenStopped = WhenStopped::keep)
         : film_(film), stops_(stops), display_(display), whenStopped_(whenStopped) {}
 
-    /// Renders until the first stop, or a stop request. `report` is called after the first sample and then about twice
-    /// a second. Where an error stops, the number of samples does not depend on the machine's speed.
+    /// Renders until the first limit or a stop request. `report` is called after the first sample and then about twice
+    /// a second. If an error limit ends rendering, the number of samples does not depend on the machine's speed.
     Result<BatchResult> run(std::stop_token stop, const Report& report);
 
   private:
@@ -71,8 +73,8 @@ class BatchRender {
     Display display_;
     WhenStopped whenStopped_;
     std::uint64_t done_ = 0;  ///< samples of every pixel
-    double begunAt_ = 0;      ///< when the first of them was asked for, in seconds of rendering
-    FilmStatus status_;       ///< of the film when it was last looked at
+    double begunAt_ = 0;      ///< rendering time when the first of them was requested [s]
+    FilmStatus status_;       ///< status of the film when last read
 };
 
 }  // namespace pdr

@@ -11,13 +11,13 @@
 namespace pdr {
 namespace {
 
-constexpr int kTileEdge = 4;     ///< pixels; no more: neighbours tell little that is new
-constexpr int kTilesAlong = 16;  ///< the picture's edges
-constexpr int kBlurReach = 1;    ///< pixels that a blurred one is made from, to either side
+constexpr int kTileEdge = 4;     ///< pixels; not larger, because neighbouring pixels add little
+constexpr int kTilesAlong = 16;  ///< most tiles along each edge of the image
+constexpr int kBlurReach = 1;    ///< pixels to either side from which a blurred pixel is made
 
-constexpr float kExactTolerance = 0.01f, kLeastTolerance = 1e-3f;  ///< of the tolerance; levels
+constexpr float kExactTolerance = 0.01f, kLeastTolerance = 1e-3f;  ///< fraction of the tolerance; display levels
 
-/// One in each cell of a grid, anywhere in it.
+/// Returns one tile in each cell of a grid, at a random place in the cell.
 std::vector<Tile> latticeOf(ivec2 film) {
     const ivec2 cells = glm::clamp(film / kTileEdge, ivec2(1), ivec2(kTilesAlong));
     const ivec2 edge = glm::min(film, ivec2(kTileEdge));
@@ -33,7 +33,7 @@ std::vector<Tile> latticeOf(ivec2 film) {
     return tiles;
 }
 
-/// With the pixels around it that are blurred into it.
+/// Returns the tile together with the surrounding pixels that are blurred into it.
 Tile grown(const Tile& tile, ivec2 film) {
     const ivec2 begin = glm::max(ivec2(tile.x, tile.y) - kBlurReach, ivec2(0));
     const ivec2 end = glm::min(ivec2(tile.x + tile.width, tile.y + tile.height) + kBlurReach, film);
@@ -51,7 +51,7 @@ Scene exactly(Scene scene) {
 
 TwoWays withoutShortcuts(const Scene& scene) {
     TwoWays ways{scene, exactly(scene)};
-    ways.biased.schedule.runningMean = false;  // it knows no halves, and blurs nothing
+    ways.biased.schedule.runningMean = false;  // it keeps no halves of the samples, and blurs nothing
     return ways;
 }
 
@@ -91,8 +91,8 @@ Result<void> BiasLattice::addRound(Device& device, const std::stop_token& stop) 
 
 namespace {
 
-/// What is known of a pixel after n samples: of all, or without the first of them, which `first` holds alone. Then the
-/// halves are no longer told apart.
+/// Returns the means of a pixel after n samples. If `first`, which holds the first sample alone, is not null, that
+/// sample is left out; both halves are then the mean of all remaining samples.
 HalfMeans meansOf(const PixelEstimate& pixel, const PixelEstimate* first, double n) {
     if (first == nullptr)
         return pixel.halves;
@@ -100,7 +100,7 @@ HalfMeans meansOf(const PixelEstimate& pixel, const PixelEstimate* first, double
     return {rest, rest};
 }
 
-/// A film of n samples, and one of the first alone where that is to be left out; after a stop request there is none.
+/// A film of n samples, and a film of the first sample alone if that is to be left out; null after a stop request.
 struct Taken {
     std::shared_ptr<const Film> all, first;
 };
@@ -128,6 +128,7 @@ Result<void> BiasLattice::add(const Scene& scene, HalfMeans BothWays::*way, Devi
     const bool blurs = scene.schedule.kind == Schedule::Kind::kroes && scene.schedule.filter;
     const bool leavesOut = grows() && way == &BothWays::exact;
     const auto areaOf = [&](const Tile& tile) { return blurs ? grown(tile, scene.film) : tile; };
+    // Reuse one film for all tiles
     auto film = device.film(areaOf(tiles.front().tile), scene.revision, scene.schedule);
     if (!film)
         return film.error();
@@ -140,6 +141,7 @@ Result<void> BiasLattice::add(const Scene& scene, HalfMeans BothWays::*way, Devi
             return known.error();
         if (!known->all)
             return {};
+        // Add the means of the tile's pixels, without their margin
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             const int x = tile.x - area.x + int(i) % tile.width, y = tile.y - area.y + int(i) / tile.width;
             const PixelEstimate pixel = known->all->pixel(x, y);

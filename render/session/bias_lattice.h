@@ -1,6 +1,6 @@
 #pragma once
-/// What a biased way to make pictures is off, measured beside them: a sparse lattice of small tiles of the same view,
-/// made that way and exactly.
+/// Measures the bias of a way of rendering beside the image: a sparse lattice of small tiles of the same view is
+/// rendered in that way and exactly.
 
 #include <cstdint>
 #include <stop_token>
@@ -15,28 +15,30 @@ namespace pdr {
 
 class Device;
 
-/// The same picture without what is known to make it another one: unbiased, filtered exactly, nothing blurred.
+/// Returns the same scene without everything known to bias its image: unbiased estimator, exact filtering, no blur.
 Scene exactly(Scene scene);
 
-/// Two ways to one picture, and how they are compared.
+/// Two ways to render one image, and how they are compared.
 struct TwoWays {
-    /// Of either: of random numbers of their own, or of the same, so that nearly all that differs is the bias; or as an
-    /// average that leaves the first sample out, and forgets that it did.
+    /// Relation of the samples of both ways. independent: different random numbers. same: the same random numbers,
+    /// so that nearly all that differs is the bias. sameButTheFirst: the same, where the biased way is an average that
+    /// silently loses the first sample.
     enum class Samples { independent, same, sameButTheFirst };
 
     Scene biased, exact;
     Samples compared = Samples::independent;
-    /// Of every pixel in a round, either way. Of fewer than 64 independent ones the curve of the display makes a bias
-    /// of the noise.
+    /// Samples per pixel in a round, for either way. With fewer than 64 independent ones, the tone curve of the display
+    /// turns noise into bias.
     std::uint32_t samples = 64;
 };
 
-/// March, blur and fast filter, all that `scene` has of them, and the picture without.
+/// Compares `scene` with march, blur and fast filter, as far as it uses them, to the same scene without them.
 TwoWays withoutShortcuts(const Scene& scene);
-/// The running mean of Exposure Render's order of work, and the same samples, which are also those of the mean, summed
-/// in double. Each round is of twice the samples of the one before and takes its place: rounding errors grow with them.
+/// Compares the running mean of Exposure Render's schedule to a sum in double precision of the same samples, those that
+/// the mean contains. Each round has twice the samples of the one before and replaces it, because rounding errors grow
+/// with the samples.
 TwoWays withoutRounding(const Scene& scene);
-/// A projection, and the same rays to a hundredth of its tolerance.
+/// Compares a projection to the same rays integrated to a hundredth of its tolerance.
 TwoWays withoutTolerance(const Scene& scene);
 
 class BiasLattice {
@@ -44,18 +46,18 @@ class BiasLattice {
     /// `ways.biased` must have passed Scene::check().
     explicit BiasLattice(TwoWays ways);
 
-    /// A round, with random numbers that no other round has. `device` holds another scene then. A round that is
-    /// stopped, or fails with the device's error, counts for nothing.
+    /// Renders one round, with random numbers that no other round has. Afterwards `device` holds another scene. A
+    /// round that is stopped, or fails with the device's error, does not count.
     Result<void> addRound(Device& device, const std::stop_token& stop);
 
-    /// On a display of that exposure; nothing while too little is known.
+    /// Returns the bias on a display of that exposure; nothing while too little is known.
     std::optional<MeasuredBias> measured(double exposure) const;
-    /// Of each pixel, that are known.
+    /// Returns the samples of each pixel that count so far.
     std::uint64_t samples() const { return samples_; }
 
   private:
     struct Pixel {
-        BothWays sums;  ///< over the rounds that count
+        BothWays sums;  ///< sums over the rounds that count
         bool tissue = false;
     };
     struct Tiled {

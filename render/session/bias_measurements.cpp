@@ -12,7 +12,7 @@
 namespace pdr {
 namespace {
 
-constexpr double kSureEnough = 1.25;  ///< from the estimate to either end of its interval
+constexpr double kSureEnough = 1.25;  ///< largest factor from the estimate to either end of its interval
 constexpr std::uint64_t kMostSamples = 4096, kMostOfRays = 64;
 
 bool isSure(const std::optional<MeasuredBias>& bias) {
@@ -44,7 +44,7 @@ MeasuredBiases BiasMeasurements::measured(double exposure) const {
     return biases;
 }
 
-/// What rounding does grows with the samples; all else is the same from the first one on.
+/// The rounding error grows with the samples; all other biases are the same from the first sample on.
 bool BiasMeasurements::Measurement::hasWork(std::uint64_t samples, const MeasuredBiases& known) const {
     if (lattice.samples() == 0)
         return true;

@@ -1,5 +1,5 @@
 #pragma once
-/// All that has to be measured of a picture's bias, each on a lattice of its own, round by round.
+/// All measurements of an image's bias, each on its own lattice, round by round.
 
 #include <cstdint>
 #include <stop_token>
@@ -12,19 +12,20 @@ namespace pdr {
 
 class BiasMeasurements {
   public:
-    /// `facts`: of `scene`, which must have passed Scene::check().
+    /// `facts` must be those of `scene`, which must have passed Scene::check().
     BiasMeasurements(const Scene& scene, const BiasFacts& facts);
 
-    /// On a display of that exposure.
+    /// Returns the biases measured so far, on a display of that exposure.
     MeasuredBiases measured(double exposure) const;
-    /// That a round of would tell more of a picture which has so many samples, beside what is `known`; null: none.
+    /// Returns the lattice of which another round would improve on what is `known` of an image with so many samples;
+    /// null if none.
     BiasLattice* next(std::uint64_t samples, const MeasuredBiases& known);
 
   private:
     struct Measurement {
         std::optional<MeasuredBias> MeasuredBiases::*result;
         BiasLattice lattice;
-        std::uint64_t mostSamples;  ///< of each of its pixels: it knows enough then
+        std::uint64_t mostSamples;  ///< per pixel: enough, no more are measured
 
         bool hasWork(std::uint64_t samples, const MeasuredBiases& known) const;
     };
@@ -32,11 +33,11 @@ class BiasMeasurements {
     std::vector<Measurement> all_;
 };
 
-/// Part of the time of a final image that its bias may be measured in beside it.
+/// Fraction of a final image's time in which its bias may be measured.
 inline constexpr double kBiasTimeShare = 0.1;
 
-/// Of `biased`, in as many rounds as fit `seconds`, and one of each lattice at least. After a stop request: what there
-/// is. Errors: the device's.
+/// Measures the biases of `biased`, in as many rounds as fit `seconds`, but at least one per lattice. After a stop
+/// request, returns what is known so far. Errors: the device's.
 Result<MeasuredBiases> measureBias(const Scene& biased, double exposure, Device& device, double seconds,
                                    const std::stop_token& stop);
 

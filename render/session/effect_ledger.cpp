@@ -9,7 +9,7 @@ namespace pdr {
 
 namespace {
 
-/// So many iterations are hoped for in each measurement: fewer say little of the picture.
+/// Iterations that each measurement should have: fewer say little about the image.
 constexpr int kWantedIterations = 8;
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// What the seconds of a picture go to: every effect, whether the scene calls for it, what it costs and what it brings.
+/// Cost table of an image: for every effect, whether the scene needs it, what it costs and what it brings.
 
 #include <memory>
 #include <optional>
@@ -15,41 +15,41 @@ namespace pdr {
 
 struct TriedEffect {
     Effect effect;
-    std::optional<EffectTrial> trial;  ///< of what is needed and can be left out; none: not measured yet
-    bool ofViewBefore = false;         ///< the trial is of the same scene as it was seen before
+    std::optional<EffectTrial> trial;  ///< result if the effect is needed and can be left out; none: not measured yet
+    bool ofViewBefore = false;         ///< the trial is that of an earlier view of the same scene
 
     bool canBeTried() const { return effect.needed && effect.leaveOut != nullptr; }
-    /// Without it rendering takes no longer, and nobody would see a difference.
+    /// Returns whether rendering takes no longer without the effect and nobody would see a difference.
     bool couldBeLeftOut() const;
 };
 
 struct EffectLedger {
-    ivec2 film{0};  ///< pixels of the small picture that is measured
+    ivec2 film{0};  ///< pixels of the small image that is measured
     DeviceInfo device;
-    Model model = Model::singleScattering;  ///< of the scene
-    std::vector<TriedEffect> effects;       ///< as needs() has them
-    double seconds = 0;                     ///< of processor time that measuring has taken
-    bool complete = false;                  ///< all that can be tried is, as the scene is seen now
-    Text failure;                           ///< why no more will be known; empty: nothing has failed
+    Model model = Model::singleScattering;  ///< model of the scene
+    std::vector<TriedEffect> effects;       ///< in the order of needs()
+    double seconds = 0;                     ///< processor time that measuring has taken
+    bool complete = false;                  ///< all effects that can be tried have been, in the current view
+    Text failure;                           ///< reason why measuring ended early; empty if nothing has failed
 };
 
-/// Fills the ledger of a scene, step by step.
+/// Fills the cost table of a scene, step by step.
 class Calibration {
   public:
-    /// How much may be spent.
+    /// Limits of the effort.
     struct Effort {
-        int longestSide;  ///< of the small picture, at most [pixels]
-        double seconds;   ///< of processor time, about, for all effects
+        int longestSide;  ///< longest side of the small image, at most [pixels]
+        double seconds;   ///< processor time for all effects, approximate
     };
 
-    /// `devices` must outlive it, and are its own meanwhile.
+    /// `devices` must outlive this object, which has sole use of them.
     Calibration(Scene scene, const Display& display, const DevicePair& devices, const Effort& effort);
 
     bool isDone() const { return ledger_.complete; }
-    /// One launch. Errors: those of the device. After a stop request all of it is worthless.
+    /// Runs one launch. Errors: the device's. After a stop request the whole calibration is worthless.
     Result<void> step(const std::stop_token& stop = {});
     const EffectLedger& ledger() const { return ledger_; }
-    /// With the film of the ledger.
+    /// Returns the scene with the film size of the ledger.
     const Scene& scene() const { return scene_; }
 
   private:
@@ -62,7 +62,7 @@ class Calibration {
     DevicePair devices_;
     Effort effort_;
     EffectLedger ledger_;
-    std::size_t next_ = 0;  ///< effect that is tried
+    std::size_t next_ = 0;  ///< index of the effect being tried
     std::unique_ptr<EffectTrying> trying_;
 };
 

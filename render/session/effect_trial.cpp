@@ -10,12 +10,12 @@ namespace pdr {
 
 namespace {
 
-constexpr std::uint32_t kMostIterations = 64;  ///< in one measurement
-/// In one measurement of an effect: of fewer samples in all no error is known.
+constexpr std::uint32_t kMostIterations = 64;  ///< per measurement
+/// Fewest iterations per measurement of an effect: with fewer samples in all, no error is known.
 constexpr std::uint32_t kFewestIterations = std::uint32_t(kSamplesToEstimate) / kBandMeasurements + 1;
-constexpr int kFewestPixels = 16;  ///< on a trial picture's longest side
+constexpr int kFewestPixels = 16;  ///< on the longest side of a trial image
 
-/// Of each measurement, where a round over all pictures takes so long.
+/// Returns the iterations per measurement, from the duration of a round with one iteration of each image.
 std::uint32_t iterationsFor(double secondsOfARound, double budgetSeconds) {
     const double fitting = budgetSeconds / (kBandMeasurements * std::max(secondsOfARound, 1e-9));
     return std::uint32_t(std::clamp(fitting, 1.0, double(kMostIterations)));
@@ -101,7 +101,7 @@ Result<double> TrialPicture::accumulate(std::uint32_t n, const std::stop_token& 
 }
 
 Foretold timeWithout(const Foretold& samples, const CostBand& share) {
-    constexpr double kLeast = 1e-3;  // nothing is for free
+    constexpr double kLeast = 1e-3;  // nothing is free
     const auto price = [&](double part) { return std::log(std::max(1 - part, kLeast)); };
     const double value = std::log(samples.value) + price(share.middle);
     const double below = std::hypot(std::log(samples.value / samples.low), price(share.middle) - price(share.high));

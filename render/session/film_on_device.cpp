@@ -12,7 +12,7 @@ Result<void> FilmOnDevice::begin(const Scene& scene) {
     torn_ = true;
     scene_ = scene;
     Result<void> begun = device_->upload(*scene_);
-    if (!begun && film_) {  // its memory may be what is missing
+    if (!begun && film_) {  // the device may lack just the memory of the old film
         film_.reset();
         begun = device_->upload(*scene_);
     }
@@ -39,7 +39,7 @@ Result<void> FilmOnDevice::emptyFilm() {
 
 void FilmOnDevice::close() {
     forget();
-    (void)device_->unload();  // one that cannot even forget says so at the next scene
+    (void)device_->unload();  // a device that cannot even unload reports that at the next scene
 }
 
 Result<void> FilmOnDevice::moveTo(std::unique_ptr<Device> device, const Film* from) {

@@ -1,5 +1,5 @@
 #pragma once
-/// What is known of a picture's bias from its scene and its film.
+/// What is known of an image's bias from its scene and its film.
 
 #include <string>
 
@@ -10,7 +10,7 @@ namespace pdr {
 struct FilmStatus;
 struct Scene;
 
-/// All but what was measured and how it is shown. `device`: its name, "cpu".
+/// Returns all facts except what was measured and how the image is shown. `device`: its name, "cpu".
 BiasFacts biasFacts(const Scene& scene, const FilmStatus& status, const std::string& device);
 
 }  // namespace pdr

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Calibration::Effort kEffort{.longestSide = 96, .seconds = 3};
 
-/// Whether both are one scene, seen from elsewhere: the lights may follow the camera.
+/// Returns whether both are one scene seen from different views. Lights may differ, because they may follow the camera.
 bool differInViewOnly(Scene a, const Scene& b) {
     a.camera = b.camera;
     a.lights = b.lights;
@@ -114,7 +114,8 @@ Result<void> LiveLedger::measure(const std::stop_token& stop) {
     return {};
 }
 
-/// Where there is something new. What is not measured yet may be known of the view before.
+/// Takes over the calibration's rows, and reports them, if there is something new. A row that is not measured yet keeps
+/// the result of the earlier view.
 void LiveLedger::takeRows() {
     EffectLedger now = calibration_->ledger();
     if (!ledger_.effects.empty() && ledger_.film == now.film && tried(ledger_) == tried(now) && !now.complete)

@@ -1,5 +1,5 @@
 #pragma once
-/// The ledger of the scene that is being rendered, filled between launches and only while somebody looks.
+/// Cost table of the scene that is being rendered, filled between launches and only while there is an observer.
 
 #include <memory>
 #include <optional>
@@ -14,18 +14,19 @@ class LiveLedger {
   public:
     explicit LiveLedger(SessionClock clock) : clock_(std::move(clock)) {}
 
-    /// Somebody looks from now on, or nobody: then nothing is measured, and what was is forgotten.
+    /// Sets the observer, and forgets all measurements. An empty one: nobody observes, and nothing is measured.
     void watch(EffectsWatch watch);
-    /// What is in hand now. What is known of the same scene, seen otherwise, stays as that of the view before.
+    /// Sets the current scene and display. If only the view of the scene differs from before, its results stay, marked
+    /// as those of an earlier view.
     void follow(const Scene& scene, const Display& display);
-    /// There is no scene.
+    /// Forgets the scene; there is none from now on.
     void forget();
 
-    /// Whether something is still to be measured.
+    /// Returns whether something is still to be measured.
     bool hasWork() const;
-    /// Whether measuring has had less than its part of the time.
+    /// Returns whether measuring has had less than its share of the time.
     bool isDue() const { return spent_ <= kPart * (clock_() - begunAt_); }
-    /// One launch; it has work. After a stop request nothing of it is kept.
+    /// Runs one launch; hasWork() must be true. After a stop request nothing of it is kept.
     void step(const std::stop_token& stop);
 
   private:
@@ -41,9 +42,9 @@ class LiveLedger {
     std::optional<Scene> scene_;
     Display display_;
     std::unique_ptr<Device> with_, without_;
-    std::unique_ptr<Calibration> calibration_;  ///< after both: it must not outlive them
-    EffectLedger ledger_;                       ///< as it was told last
-    double begunAt_ = 0, spent_ = 0;            ///< of the scene in hand [s]
+    std::unique_ptr<Calibration> calibration_;  ///< declared after both devices, which must outlive it
+    EffectLedger ledger_;                       ///< as last reported
+    double begunAt_ = 0, spent_ = 0;            ///< start of the current scene, and time measuring it [s]
 };
 
 }  // namespace pdr

@@ -79,7 +79,7 @@ void Session::Loop::clear() {
     place_.close();
 }
 
-/// To those who ask for a film that is not there.
+/// Answers the snapshot requests for a film that does not exist with the reason.
 void Session::Loop::answer(const RenderCommands::Iteration& step) const {
     const Error reason =
         step.clear ? Error{phrase("the picture was closed"), "", phrase("Open the series again.")}
@@ -91,7 +91,7 @@ void Session::Loop::answer(const RenderCommands::Iteration& step) const {
         order.look(reason);
 }
 
-/// Takes a new scene; that of a hand that has come to rest is the one that is there.
+/// Takes a new scene. If the drag has ended without a change, the scene is the current one and its film continues.
 void Session::Loop::begin(const RenderCommands::SceneOrder& order) {
     moving_ = order.moving;
     if (place_.film() != nullptr && order.scene.revision == scene_.revision)
@@ -107,7 +107,7 @@ void Session::Loop::begin(const RenderCommands::SceneOrder& order) {
     beginFilm(ladder_.first(scene_.film));
 }
 
-/// A film of the scene from its beginning.
+/// Starts an empty film of the scene with that divider.
 void Session::Loop::beginFilm(int divider) {
     divider_ = divider;
     startOver();
@@ -118,7 +118,7 @@ void Session::Loop::beginFilm(int divider) {
     ladder_.addBeginning(secondsSince(start));
 }
 
-/// The next film of the same scene; the picture of the one before stays until this one's is no worse.
+/// Starts the next finer film of the same scene. The current image stays until the new film's image is no worse.
 void Session::Loop::beginFiner() {
     Result<std::shared_ptr<const Film>> film = place_.film()->film();
     if (!film)
@@ -134,14 +134,14 @@ Scene Session::Loop::dividedScene() const {
     if (!coarse())
         return scene;
     scene.film = dividedFilm(scene.film, divider_);
-    scene.seed ^= mixBits(scene.revision);  // else the grain would stand still on a picture that moves
+    scene.seed ^= mixBits(scene.revision);  // otherwise the noise pattern would stand still on a moving image
     return scene;
 }
 
 void Session::Loop::switchTo(const DeviceOpener& open) {
     const Text old = deviceLabel(place_.info());
     std::shared_ptr<const Film> from = checkpoint_;
-    std::optional<Error> lost;  // when the old device does not hand out its film
+    std::optional<Error> lost;  // set if the old device does not return its film
     if (place_.film() != nullptr && sweep_.samples().least > 0) {
         if (const auto film = place_.film()->film())
             from = *film;
@@ -159,13 +159,13 @@ void Session::Loop::switchTo(const DeviceOpener& open) {
     notify(joined(Text::sentence(phrase("the other device cannot be used: %1", moved.error().text())), goesOnOn(old)));
 }
 
-/// Of another scene, or the same from its beginning.
+/// Resets the state for an empty film, of another scene or of the same one.
 void Session::Loop::startOver() {
     goOnFrom(nullptr);
     seconds_ = 0;
 }
 
-/// The film in hand is a new one, which holds what `film` holds.
+/// Resets the state for a new film, which already holds the samples of `film`; null: none.
 void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     sweep_ = film                ? Sweep(film->progress())
              : place_.hasScene() ? Sweep(TileProgress(wholeImage(place_.size())))
@@ -215,8 +215,8 @@ void Session::Loop::recover(const Text& reason) {
     notify(joined(what, goesOnOn(deviceLabel(place_.info()))));
 }
 
-/// In a catch block: ends as any other fault does. The film's memory is given back first; should there be too little to
-/// go on elsewhere, there may still be enough to say so.
+/// Handles an exception, inside a catch block, like any other fault. Frees the film's memory first: even if that is too
+/// little to continue on another device, it may be enough to report the error.
 void Session::Loop::threw() noexcept {
     for (const bool elsewhere : {!place_.info().hostMemory, false}) {
         try {

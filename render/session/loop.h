@@ -1,5 +1,5 @@
 #pragma once
-/// The render thread.
+/// The render thread of a session: takes commands, renders, and sends frames.
 
 #include <deque>
 #include <memory>
@@ -38,7 +38,7 @@ class Session::Loop {
     void take(const RenderCommands::Iteration& step);
     RenderCommands::LoopState state();
 
-    // What a step may ask for. Each leaves either a film that can go on, or none and a frame that says why.
+    // Actions of a step. Each leaves either a film that can continue, or no film and a frame that says why.
     void clear();
     void answer(const RenderCommands::Iteration& step) const;
     void switchTo(const DeviceOpener& open);
@@ -71,14 +71,14 @@ class Session::Loop {
     ShownStatus shown(const FilmStatus& film, bool denoised, float exposure);
     void addTimes(std::uint32_t n, double iterationSeconds, double displaySeconds);
 
-    // Beginnings.
+    // Starting and continuing films.
     void beginFilm(int divider);
     void beginFiner();
     void startOver();
     void goOnFrom(std::shared_ptr<const Film> film);
     Scene dividedScene() const;
 
-    // When a device fails or refuses.
+    // A device that fails or refuses.
     void recover(const Text& reason);
     void failedOnDevice(const Error& error);
     void threw() noexcept;
@@ -97,20 +97,21 @@ class Session::Loop {
     std::vector<QualityStep> steps(ErrorOf of) const;
     bool smooths(const Display& asked) const { return asked.smoothed && canBeSmoothed(scene_); }
     double pixels() const { return double(place_.size().x) * place_.size().y; }
-    /// Of the part that is being sampled; samples that each of them has.
+    /// Number of pixels in the part that is being sampled; partSamples(): samples that each of them has.
     double partPixels() const { return double(sweep_.part().width) * sweep_.part().height; }
     std::uint64_t partSamples() const { return sweep_.samplesOf(sweep_.part()); }
     bool isWhole(const Tile& part) const { return part == wholeImage(place_.size()); }
-    /// Whether no part is further than another.
+    /// Returns whether all pixels have equally many samples.
     bool isEven() const {
         const SampleCounts samples = sweep_.samples();
         return samples.least == samples.most;
     }
-    /// Whether the film is not yet the scene's own.
+    /// Returns whether the film is a coarse one or was begun during a drag, and so is not yet the scene's final film.
     bool coarse() const { return divider_ > 1 || passing_; }
-    /// Whether an image in the making is put off for another display: there is one to show on that at once.
+    /// Returns whether an image in progress is postponed for another display, because an older image can be shown
+    /// on that at once.
     bool givesWay() const { return !first_ || (coarser_ && !coarse()); }
-    /// Whether there is a smoothed picture of which something is to be said.
+    /// Returns whether there is a denoised image whose error can be judged.
     bool canJudge() { return !coarse() && !moving_ && smooths(commands.display()); }
     bool canSnapshot() const {
         return place_.film() != nullptr && !moving_ && !coarse() && !first_ && !sweep_.isHalfMade();
@@ -123,60 +124,59 @@ class Session::Loop {
     SessionClock clock_;
     FilmOnDevice place_;
     bool onFallback_ = false;
-    Scene scene_;                 ///< as it was submitted
-    std::uint64_t revision_ = 0;  ///< of the scene submitted last, whatever became of it
+    Scene scene_;                 ///< scene as submitted
+    std::uint64_t revision_ = 0;  ///< revision of the scene submitted last, even if it failed
     bool moving_ = false;
-    int divider_ = 1;       ///< of the film: see ResolutionLadder
-    bool passing_ = false;  ///< it was begun while the user dragged: with random numbers of its own
-    std::shared_ptr<const Film>
-        coarser_;  ///< whose picture stays until the film's own is no worse; null: there is none
-    std::shared_ptr<const GuidedFilm> coarserGuided_;  ///< that one on its guide; null: it has none
+    int divider_ = 1;                      ///< divider of the film; see ResolutionLadder
+    bool passing_ = false;                 ///< the film was begun during a drag, with random numbers of its own
+    std::shared_ptr<const Film> coarser_;  ///< coarser film, shown until the film's image is no worse; null if none
+    std::shared_ptr<const GuidedFilm> coarserGuided_;  ///< coarser_ drawn on its guide; null if it has none
     Development coarserPictures_;
 
-    // Of the film:
-    Sweep sweep_;                                  ///< how far it is
-    std::uint32_t done_ = 0;                       ///< iterations since it was last shown
-    bool wholeFrame_ = true;                       ///< those of the frame in the making give to all pixels alike
-    std::deque<Display> waiting_;                  ///< what the pictures that were ordered and not taken are made for
-    bool first_ = false;                           ///< its first picture is still to come
-    bool fresh_ = false;                           ///< the first one from this device is
-    bool broken_ = false;                          ///< its first image was broken off, and comes before more samples
-    std::shared_ptr<const denoise::Guide> guide_;  ///< that its pictures are drawn on; null: none, or not yet
-    bool guideSought_ = false;                     ///< the device was asked for it
-    std::shared_ptr<const GuidedFilm> guided_;     ///< the film on it, as it was shown; null: it was not
-    std::optional<double> shownError_;             ///< of its full picture that was shown last; none: there is none
-    ErrorOf shownOf_ = ErrorOf::film;              ///< image that it speaks of
-    ShownHistory history_;                         ///< of its full pictures
-    float historyExposure_ = 0;                    ///< of the display that its errors are those of
-    double frameSeconds_ = 0;                      ///< of the frame in the making
-    double seconds_ = 0;                           ///< of all of them
-    FilmStatus surveyed_;                          ///< what the last picture that was surveyed told
-    double judgeSeconds_ = 0, judgedAt_ = 0;       ///< of that, what judging smoothedView_ took last, and when it ended
-    double mapSeconds_ = 0;                        ///< of that, spent on errorMap_
+    // State of the current film:
+    Sweep sweep_;                  ///< its progress
+    std::uint32_t done_ = 0;       ///< iterations since it was last shown
+    bool wholeFrame_ = true;       ///< the current frame's iterations cover all pixels equally
+    std::deque<Display> waiting_;  ///< displays of the images that were requested and not yet read back
+    bool first_ = false;           ///< its first image is still to come
+    bool fresh_ = false;           ///< its first image from this device is to come, or a new judgement is to be shown
+    bool broken_ = false;          ///< its first image was interrupted, and is made before more samples
+    std::shared_ptr<const denoise::Guide> guide_;  ///< guide that its images are drawn on; null: none, or not yet
+    bool guideSought_ = false;                     ///< the guide has been requested from the device
+    std::shared_ptr<const GuidedFilm> guided_;     ///< the film drawn on the guide, as last shown; null if not shown so
+    std::optional<double> shownError_;        ///< error of its full image shown last [levels]; none if there is none
+    ErrorOf shownOf_ = ErrorOf::film;         ///< image that shownError_ describes
+    ShownHistory history_;                    ///< errors of its full images
+    float historyExposure_ = 0;               ///< exposure at which the errors in history_ were taken
+    double frameSeconds_ = 0;                 ///< time spent on the current frame
+    double seconds_ = 0;                      ///< time spent on the film, without the current frame
+    FilmStatus surveyed_;                     ///< status of the last image whose errors were counted
+    double judgeSeconds_ = 0, judgedAt_ = 0;  ///< duration of the last judgement of smoothedView_; seconds_ at its end
+    double mapSeconds_ = 0;                   ///< part of seconds_ spent on errorMap_
     SmoothedView smoothedView_;
-    std::optional<BiasMeasurements> biasMeasurements_;  ///< of the same picture; none: not asked for yet
-    double biasAt_ = 0;                                 ///< when a round of one was last
-    double biasSeconds_ = 0;                            ///< what that cost
-    MeasuredBiases bias_;                               ///< that they tell, on a display of this exposure (0: of none)
+    std::optional<BiasMeasurements> biasMeasurements_;  ///< bias of the same image; none if not requested yet
+    double biasAt_ = 0;                                 ///< clock time at the end of the last round
+    double biasSeconds_ = 0;                            ///< duration of that round
+    MeasuredBiases bias_;  ///< measured biases at biasExposure_, which is 0 if they are outdated
     float biasExposure_ = 0;
     ErrorMapView errorMap_;
     RegionView region_;
-    double aheadSeconds_ = 0;  ///< spent on it alone, ...
-    double aheadSamples_ = 0;  ///< ... and samples that each of its pixels got
-    bool brightens_ = false;   ///< its picture, a smoothed one, was just shown on another display
+    double aheadSeconds_ = 0;  ///< time spent on the region alone
+    double aheadSamples_ = 0;  ///< samples per pixel of the region in that time
+    bool brightens_ = false;   ///< the display of a denoised image has just changed
 
     FrameTimer meter_;
-    bool measuring_ = false;  ///< the frame in the making, with nothing behind it
-    double measuredAt_ = 0;   ///< when one was last
+    bool measuring_ = false;  ///< the current frame is timed, with no other work in flight
+    double measuredAt_ = 0;   ///< clock time of the last timed frame
 
-    std::shared_ptr<const Film> checkpoint_;  ///< what is left when the device is lost; null: nothing
+    std::shared_ptr<const Film> checkpoint_;  ///< film to continue from if the device is lost; null if none
     double checkpointAt_ = 0;
-    double checkpointSeconds_ = 0;  ///< what the last one cost
+    double checkpointSeconds_ = 0;  ///< duration of taking the last one
 
     ResolutionLadder ladder_;
     LiveLedger ledger_{clock_};
 
-    std::jthread thread_;  ///< last: it uses all of the above
+    std::jthread thread_;  ///< declared last, because it uses all members above
 };
 
 }  // namespace pdr

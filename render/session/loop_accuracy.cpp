@@ -1,4 +1,4 @@
-/// What the render thread finds out about how right its pictures are, and when.
+/// How the render thread determines the accuracy of its images, and when.
 
 #include <algorithm>
 #include <utility>
@@ -9,21 +9,21 @@ namespace pdr {
 
 namespace {
 
-/// Of the time, what may go into maps of the error, so that each is made often; where it takes more, seldom.
+/// Fraction of the time up to which error maps are made often; if they take more, they are made seldom.
 constexpr double kBesideShare = 0.01;
-/// A denoised image is judged anew when the samples are so many times as many, and as soon as that takes no more than
-/// this share of the time since the last one.
+/// A denoised image is judged anew when its samples have grown by kJudgedGrowth, or already by kLeastJudgedGrowth if
+/// the last judgement took at most kJudgedShare of the time since then.
 constexpr std::uint64_t kJudgedGrowth = 2;
 constexpr double kJudgedShare = 0.04, kLeastJudgedGrowth = 1.09;
-constexpr double kOftenMapped = 1.25, kSeldomMapped = 2;      ///< 1.25: a ninth of the errors is gone
-/// Errors are counted anew when the samples are so many times as many; below kSamplesToEstimate, of which little is
-/// said, at each doubling.
+constexpr double kOftenMapped = 1.25, kSeldomMapped = 2;  ///< growth of the samples; 1.25: the error falls by 1/9
+/// Growth of the samples after which errors are counted anew. Below kSamplesToEstimate, where little is known of them,
+/// they are counted at each doubling.
 constexpr double kSurveyed = 1.09;
 
 }  // namespace
 
-/// At rest, where a smoothed picture is wanted: now and then, and where rendering holds. It takes longer than a picture
-/// may: brightness does not wait for it.
+/// Judges the error of the denoised image, if one is shown at rest: from time to time, and when rendering stops. This
+/// takes longer than an image may, so a change of brightness interrupts it.
 Result<void> Session::Loop::judgeSmoothing(const RenderCommands::Iteration& step) {
     const bool isCheap = judgeSeconds_ <= kJudgedShare * (seconds_ - judgedAt_);
     const double growth = isCheap ? kLeastJudgedGrowth : double(kJudgedGrowth);
@@ -39,7 +39,7 @@ Result<void> Session::Loop::judgeSmoothing(const RenderCommands::Iteration& step
     return judged;
 }
 
-/// Where the image that is shown is still rough, if that is wanted of it.
+/// Updates the error map of the shown image, if one is requested and due.
 Result<void> Session::Loop::mapErrors(const Display& display, const std::stop_token& stop) {
     if (!commands.errorMap() || coarse()) {
         errorMap_.clear();
@@ -64,7 +64,7 @@ Result<void> Session::Loop::mapErrors(const Display& display, const std::stop_to
     return made;
 }
 
-/// Whether the errors are to be counted anew; in between what was said of them last stands.
+/// Returns whether errors are to be counted anew. Until then the last counts remain valid.
 bool Session::Loop::isSurveyDue(const Display& asked) const {
     const double samples = sweep_.samples().mean, enough = double(kSamplesToEstimate);
     const double next = surveyed_.meanSamplesPerPixel < enough ? std::min(2 * surveyed_.meanSamplesPerPixel, enough)
@@ -72,12 +72,13 @@ bool Session::Loop::isSurveyDue(const Display& asked) const {
     return coarse() || !shownError_ || asked.exposure != historyExposure_ || samples >= next;
 }
 
-/// How good the image is that is made of a film of that status, as it was judged last.
+/// Returns how good an image of a film is. `film`: status of the film. The error of a denoised image is that of the
+/// last judgement.
 ShownStatus Session::Loop::shown(const FilmStatus& film, bool denoised, float exposure) {
     return shownStatus(film, denoised, denoised ? smoothedView_.error(exposure) : std::nullopt);
 }
 
-/// What is known of it, if it is the film's own.
+/// Completes the status of an image with the errors counted last, and records its error unless the film is coarse.
 void Session::Loop::remember(DisplayedPicture& picture) {
     FilmStatus& status = picture.picture.status;
     if (!picture.picture.surveyed) {
@@ -101,13 +102,13 @@ void Session::Loop::remember(DisplayedPicture& picture) {
     history_.add(seconds_ - secondsAhead(), status, now);
 }
 
-/// That a part has had of the samples that the whole picture is still to get.
+/// Returns the time already spent on samples that a part of the image has and the rest is still to get [s].
 double Session::Loop::secondsAhead() const {
     const SampleCounts samples = sweep_.samples();
     return aheadSamples_ > 0 ? aheadSeconds_ / aheadSamples_ * double(samples.most - samples.least) : 0;
 }
 
-/// How good the region is, if there is one.
+/// Updates the status of the region, if there is one and it is due.
 Result<void> Session::Loop::lookAtRegion(const Display& display) {
     if (coarse() || !region_.region())
         return {};
@@ -116,9 +117,8 @@ Result<void> Session::Loop::lookAtRegion(const Display& display) {
         return {};
     const double start = clock_();
     const bool denoised = smoothedView_.better({display.exposure, smooths(display)}).smoothed;
-    Result<void> looked = place_.film()->look([&](const Film& film) {
-        region_.look(film, display.exposure, seconds_, denoised ? &smoothedView_ : nullptr);
-    });
+    Result<void> looked = place_.film()->look(
+        [&](const Film& film) { region_.look(film, display.exposure, seconds_, denoised ? &smoothedView_ : nullptr); });
     seconds_ += secondsSince(start);
     return looked;
 }
@@ -129,7 +129,8 @@ RenderCommands::Progress Session::Loop::progress() const {
             sweep_.samples().least};
 }
 
-/// What it takes until the whole picture is as good: what a part has had already counts when the rest gets there.
+/// Returns the steps of the whole image. The time that a part is ahead is added to the steps to come, because it counts
+/// only once the rest catches up.
 std::vector<QualityStep> Session::Loop::steps(ErrorOf of) const {
     std::vector<QualityStep> steps = history_.steps(of);
     const double ahead = secondsAhead();

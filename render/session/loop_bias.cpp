@@ -1,4 +1,4 @@
-/// How the render thread measures what its pictures are off for good, where they are made in a way that has a bias.
+/// How the render thread measures the bias of its images, if they are made in a biased way.
 
 #include "render/session/known_bias.h"
 #include "render/session/loop.h"
@@ -7,11 +7,12 @@ namespace pdr {
 
 namespace {
 
-constexpr double kBiasShare = 0.02;  ///< of the time, at most, after the first round
+constexpr double kBiasShare = 0.02;  ///< largest fraction of the time, after the first round
 
 }  // namespace
 
-/// Whether anything has to be measured at all is asked once for each film. Null: nothing, or all is known.
+/// Returns the lattice to measure next; null if there is nothing to measure or everything is known. What has to be
+/// measured is determined once per film.
 BiasLattice* Session::Loop::nextLattice() {
     if (!biasMeasurements_)
         biasMeasurements_.emplace(scene_, biasFacts(scene_, {}, place_.info().name));
@@ -26,7 +27,7 @@ MeasuredBiases Session::Loop::knownBias(float exposure) {
     return biasMeasurements_ ? bias_ : MeasuredBiases();
 }
 
-/// A round between two frames, at rest; it ends as soon as anything else is wanted.
+/// Measures one round between two frames, at rest. Any other request interrupts it.
 Result<void> Session::Loop::measureBias(const RenderCommands::Iteration& step) {
     if (secondsSince(biasAt_) < biasSeconds_ / kBiasShare || step.detour.stop_requested())
         return {};

@@ -1,4 +1,4 @@
-/// What the render thread does for a frame.
+/// The work of the render thread for one frame: samples, snapshots and checkpoints.
 
 #include <algorithm>
 #include <utility>
@@ -9,48 +9,53 @@ namespace pdr {
 
 namespace {
 
-/// A launch at most, so that brightness, a change of devices, a pause or a look need not wait for a long frame; and a
-/// piece of one where it can be had in pieces. On a busy machine they take several times as long.
+/// Longest duration of a launch, so that a change of brightness or device, a pause or a snapshot need not wait for a
+/// long frame; and of a piece of a launch, if it can be split. On a busy machine both take several times as long.
 constexpr double kLaunchSeconds = 0.06, kPieceSeconds = 0.015;
-constexpr double kCheckpointSeconds = 2;      ///< between two of them, at least, ...
-constexpr double kCheckpointFraction = 0.01;  ///< ... and the part of the time that they may take, at most
-constexpr double kMeasureSeconds = 2;         ///< between two frames whose display is measured alone
+constexpr double kCheckpointSeconds = 2;      ///< least time between two checkpoints
+constexpr double kCheckpointFraction = 0.01;  ///< largest fraction of the time that checkpoints may take
+constexpr double kMeasureSeconds = 2;         ///< between two frames whose display is timed alone
 
 }  // namespace
 
 void Session::Loop::work(const RenderCommands::Iteration& step) {
+    // Show the existing image on another display
     brightens_ = step.redisplay && !first_ && !coarse() && smooths(commands.display());
     if (step.redisplay && (!first_ || coarser_))
         return finish(step, first_ ? showCoarser(step) : show(step, false));
+    // Replace a coarse film by the next finer one
     if (step.render && coarse() && !first_)
         beginFiner();
     if (place_.film() == nullptr)
         return;
+    // Take samples
     Result<void> done;
     if (step.render && !broken_)
         done = accumulate(step);
     if (done && step.render && step.stop.stop_requested()) {
-        place_.tearFilm();  // something newer is waiting
+        place_.tearFilm();  // a newer request is waiting
         return;
     }
     if (done && !first_ && step.detour.stop_requested())
-        return finish(step, done);  // another display: the next step shows what is there on it
+        return finish(step, done);  // another display: the next step shows the existing image on it
+    // Judge and show the image at the end of a frame
     const bool frameEnds = !step.render || broken_ || (!sweep_.isHalfMade() && (done_ >= wanted(step.pace) || late()));
     if (done && frameEnds)
         done = judgeSmoothing(step);
     if (done && givesWay() && step.detour.stop_requested()) {
         broken_ = first_ && frameEnds;
-        return finish(step, done);  // what was half judged is judged at another time
+        return finish(step, done);  // an interrupted judgement is repeated later
     }
     if (done && sweep_.samples().least > 0 && frameEnds)
         done = show(step, step.render);
     finish(step, std::move(done));
 }
 
-/// The end of a step: what else is wanted of the film, unless something went wrong.
+/// Ends a step: takes snapshots, a checkpoint and bias measurements where due. If `done` is an error, handles that
+/// instead.
 void Session::Loop::finish(const RenderCommands::Iteration& step, Result<void> done) {
     if (done && place_.film() == nullptr)
-        return;  // its picture was broken off
+        return;  // its image was interrupted
     if (done && canSnapshot())
         done = takeSnapshots();
     if (done && sweep_.samples().least > 0 && !sweep_.isHalfMade() && !coarse() && !place_.info().hostMemory)
@@ -61,7 +66,8 @@ void Session::Loop::finish(const RenderCommands::Iteration& step, Result<void> d
         failedOnDevice(done.error());
 }
 
-/// Between launches, where nothing else is wanted; all the time while rendering holds.
+/// Measures the costs of effects: between launches if nothing else is requested, and all the time while rendering is
+/// stopped.
 void Session::Loop::measureEffects(const RenderCommands::Iteration& step) {
     if (!canSnapshot())
         return;
@@ -70,19 +76,20 @@ void Session::Loop::measureEffects(const RenderCommands::Iteration& step) {
         ledger_.step(step.detour);
 }
 
-/// Iterations of the next frame; as many more as its part is smaller than the picture.
+/// Returns the iterations of the next frame. Their number rises as the sampled part gets smaller than the image.
 std::uint32_t Session::Loop::wanted(const FrameBudget& pace) const {
     const double larger = pixels() / partPixels();
     const std::uint32_t usual = coarse() ? ResolutionLadder::kSamples : std::uint32_t(larger * meter_.iterations(pace));
     return first_ && coarser_ ? std::max(usual, std::uint32_t(coarser_->samplesPerPixel())) : usual;
 }
 
-/// Whether the first picture of an edit must be shown with fewer samples than it should have.
+/// Returns whether the first image of an edit must be shown now, with fewer samples than planned.
 bool Session::Loop::late() const {
     return coarse() && !coarser_ && frameSeconds_ >= ladder_.secondsForSamples(pixels());
 }
 
-/// How many of `wanted` iterations to order at once. The first one of a first picture tells how many are in time.
+/// Returns how many of `wanted` iterations to request at once. The first iteration of a first image shows how many are
+/// in time.
 std::uint32_t Session::Loop::launch(std::uint32_t wanted) const {
     const bool hurries = coarse() && !coarser_;
     if (hurries && done_ == 0)
@@ -93,21 +100,23 @@ std::uint32_t Session::Loop::launch(std::uint32_t wanted) const {
     return std::uint32_t(std::clamp(speed * seconds, 1.0, double(left)));
 }
 
-/// The pixels to order a sample of at once: all where that does not take long, or cannot be had in parts.
+/// Returns the number of pixels to sample at once: all if the device and schedule do not allow pieces, else as many as
+/// take kPieceSeconds.
 double Session::Loop::piecePixels() const {
     const bool inPieces = place_.info().hostMemory && scene_.schedule.kind == Schedule::Kind::pd;
     return inPieces ? ladder_.speed() * kPieceSeconds : pixels();
 }
 
-/// What the next frame gives samples to: the region, as long as it is not as good as is wanted, once there is a picture
-/// around it.
+/// Returns the part of the image that the next frame samples: the region while it is not within the target, once there
+/// is an image around it; else the whole image.
 Tile Session::Loop::nextPart() {
     const bool inParts = !first_ && !coarse() && scene_.schedule.kind == Schedule::Kind::pd;
     return inParts && region_.isFirst(commands.stop().levels) ? *region_.tile(place_.size())
                                                               : wholeImage(place_.size());
 }
 
-/// All its passes are over the same part.
+/// Begins a frame, whose passes all sample the same part. If its display is to be timed, sends all images in flight
+/// first.
 Result<void> Session::Loop::beginFrame(const FrameBudget& pace) {
     sweep_.choose(nextPart());
     wholeFrame_ = isWhole(sweep_.part()) && isEven();
@@ -151,7 +160,7 @@ Result<void> Session::Loop::takeSnapshots() {
         const std::uint64_t judged = smoothedView_.judgedSamples();
         for (const RenderCommands::SnapshotRequest& order : commands.takeSnapshotRequests(place_.revision()))
             order.look(view);
-        fresh_ = fresh_ || smoothedView_.judgedSamples() != judged;  // what the screen says is to be said anew
+        fresh_ = fresh_ || smoothedView_.judgedSamples() != judged;  // the screen must show the new judgement
     });
 }
 

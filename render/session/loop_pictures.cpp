@@ -1,4 +1,4 @@
-/// What the render thread shows of a film, and when.
+/// How the render thread makes images of a film, and when it shows them.
 
 #include <algorithm>
 #include <utility>
@@ -8,13 +8,15 @@
 
 namespace pdr {
 
-/// Orders a picture, and sends the ones that are due: this one at once where it is the first or coarse, or nothing
-/// goes on behind. `adds`: it shows new iterations. None where denoising was broken off, since something newer is
-/// waiting; for another display the film stays, and the next step shows on it what was denoised before.
+/// Requests an image, and sends the images that are due. The requested image itself is sent at once if it is the first
+/// one or coarse, is timed, or shows no new iterations. `adds`: it shows new iterations. Sends nothing if denoising was
+/// interrupted because a newer request is waiting; if that is only another display, the film stays, and the next step
+/// shows the previously denoised image on it.
 Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool adds) {
     const Display asked = commands.display();
     const Display display = smoothedView_.better({asked.exposure, smooths(asked), isSurveyDue(asked)});
-    const bool within = step.render && !adds;  // a frame that goes on
+    // Make the image
+    const bool within = step.render && !adds;  // the current frame continues
     const bool atOnce = fresh_ || coarse() || measuring_ || !adds;
     const double start = clock_();
     const std::stop_token& stop = step.redisplay || !givesWay() ? step.stop : step.detour;
@@ -33,6 +35,7 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
         broken_ = first_;
         return {};
     }
+    // Account for the time
     first_ = fresh_ = broken_ = false;
     coarser_.reset();
     const std::uint32_t n = within ? 0 : std::exchange(done_, 0);
@@ -44,6 +47,7 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
         ladder_.addGuidedDisplay(pixels(), displaySeconds);
     else if (adds && place_.film()->maxInFlight() == 1)
         ladder_.addDisplay(pixels(), displaySeconds);
+    // Update errors, error map and region, then send
     for (DisplayedPicture& picture : *pictures)
         remember(picture);
     if (Result<void> mapped = mapErrors(asked, step.stop); !mapped)
@@ -54,8 +58,8 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
     return measuring_ && adds ? measureDisplay(display, n, frameSeconds + displaySeconds) : Result<void>();
 }
 
-/// Whether there is a guide for the film's pictures: of the device's making, once for all of them. Asked for again only
-/// where it was broken off.
+/// Returns whether there is a guide for the film's images. The device makes it once for all of them; it is requested
+/// again only if making it was interrupted.
 bool Session::Loop::findGuide(const std::stop_token& stop) {
     const int finer = ResolutionLadder::finer(divider_);
     if (!guideSought_ && finer > 1) {
@@ -65,8 +69,8 @@ bool Session::Loop::findGuide(const std::stop_token& stop) {
     return guide_ != nullptr;
 }
 
-/// The ones that are due when this one has been ordered: by now, or once others are made behind it. A denoised one that
-/// was broken off is not among them.
+/// Requests an image and returns the images that are due: all, or, if not `atOnce`, all except those that may stay in
+/// flight. An interrupted denoised image is not among them.
 Result<std::vector<Session::Loop::DisplayedPicture>> Session::Loop::made(const Display& asked, const Display& display,
                                                                          bool atOnce, const std::stop_token& stop) {
     Accumulator& film = *place_.film();
@@ -81,7 +85,8 @@ Result<std::vector<Session::Loop::DisplayedPicture>> Session::Loop::made(const D
     return due;
 }
 
-/// A coarse film has none that wait. `adds`: it holds more than when it was drawn last.
+/// Draws the film on its guide and returns that image; a coarse film has no images in flight. `adds`: the film holds
+/// more samples than when it was last drawn.
 Result<std::vector<Session::Loop::DisplayedPicture>> Session::Loop::madeOnGuide(const Display& asked, bool adds) {
     if (adds || !guided_) {
         Result<std::shared_ptr<const Film>> film = place_.film()->film();
@@ -94,7 +99,7 @@ Result<std::vector<Session::Loop::DisplayedPicture>> Session::Loop::madeOnGuide(
     return pictures;
 }
 
-/// Of a frame of n iterations. Where work goes on behind, only the sum of both tells something.
+/// Records the times of a frame of n iterations. If work runs asynchronously, only the sum of both is meaningful.
 void Session::Loop::addTimes(std::uint32_t n, double iterationSeconds, double displaySeconds) {
     if (!isWhole(sweep_.part())) {
         aheadSeconds_ += iterationSeconds + displaySeconds;
@@ -111,7 +116,7 @@ void Session::Loop::addTimes(std::uint32_t n, double iterationSeconds, double di
     }
 }
 
-/// On another display.
+/// Shows the coarser film on another display.
 Result<void> Session::Loop::showCoarser(const RenderCommands::Iteration& step) {
     const Display asked = commands.display(), display{asked.exposure, smooths(asked)};
     const bool guided = display.smoothed && coarserGuided_;
@@ -138,8 +143,9 @@ Result<std::vector<Session::Loop::DisplayedPicture>> Session::Loop::takeAllBut(s
     return pictures;
 }
 
-/// Where work goes on behind, what a call takes says nothing. So a frame was made with nothing beside it, in
-/// `frameSeconds`; now its display alone once more, and what is left are its n iterations.
+/// Times the display of a frame alone. If work runs asynchronously, the duration of a call says nothing, so the frame
+/// was made with nothing else in flight, in `frameSeconds`. Now only its display is repeated; the remaining time
+/// is that of its n iterations.
 Result<void> Session::Loop::measureDisplay(const Display& display, std::uint32_t n, double frameSeconds) {
     const double start = clock_();
     if (Result<void> ordered = place_.film()->resolve(display); !ordered)
@@ -161,6 +167,7 @@ void Session::Loop::send(std::vector<DisplayedPicture> pictures, std::uint32_t n
 
 std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uint32_t n) {
     auto frame = std::make_shared<Frame>();
+    // Describe the scene
     frame->revision = place_.revision();
     frame->camera = scene_.camera;
     frame->lookName = scene_.lookName;
@@ -168,9 +175,11 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     frame->notShown = scene_.mask ? scene_.mask->hidden() : Text();
     frame->clip = scene_.clip;
     frame->estimator = scene_.estimator;
+    // State the progress
     frame->coarse = coarse();
     frame->stop = commands.stop();
     frame->reached = commands.holdsAt(progress());
+    // Add the image and its quality
     frame->size = picture.size;
     frame->display = picture.display;
     frame->rgba = std::move(picture.picture.rgba);
@@ -183,6 +192,7 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     frame->bias = biasFacts(scene_, frame->status, place_.info().name);
     frame->bias.measured = knownBias(frame->display.exposure);
     frame->bias.isSmoothed = frame->smoothed;
+    // Add times and forecasts
     frame->seconds = seconds_;
     if (!coarse()) {
         const ErrorOf of = shown(frame->status, frame->smoothed, frame->display.exposure).of;
@@ -193,7 +203,7 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     frame->errorMap = errorMap_.map();
     frame->iterationsPerSecond = meter_.iterationsPerSecond();
     frame->iterations = n;
-    if (scene_.schedule.kind == Schedule::Kind::pd)  // else iterations hold their own display
+    if (scene_.schedule.kind == Schedule::Kind::pd)  // in other schedules iterations include their own display
         frame->efficiency = meter_.efficiency();
     frame->device = place_.info().name;
     frame->schedule = scene_.schedule;

@@ -9,7 +9,7 @@ namespace pdr {
 
 namespace {
 
-/// A region that no light was seen in by then does not keep the rest waiting.
+/// Samples per pixel after which a region without any light no longer keeps the rest waiting.
 constexpr std::uint64_t kSamplesInTheDark = 256;
 
 }  // namespace

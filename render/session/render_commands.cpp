@@ -7,7 +7,7 @@ namespace pdr {
 
 namespace {
 
-/// Takes the looks out that `wanted` holds for.
+/// Removes and returns the snapshot requests for which `wanted` is true.
 template <class Wanted>
 std::vector<RenderCommands::SnapshotRequest> taken(std::vector<RenderCommands::SnapshotRequest>& looks,
                                                    Wanted&& wanted) {
@@ -21,7 +21,7 @@ std::vector<RenderCommands::SnapshotRequest> taken(std::vector<RenderCommands::S
 
 }  // namespace
 
-/// A hand that comes to rest where it is submits the same scene: its film goes on.
+/// When a drag ends without a change, the same revision is submitted again: its film continues.
 void RenderCommands::submit(Scene scene, bool moving) {
     const std::lock_guard lock(mutex_);
     if (newest_ != scene.revision) {
@@ -77,7 +77,7 @@ std::optional<Region> RenderCommands::region() {
     return region_;
 }
 
-// The running step is not cancelled: its samples are to go along.
+// The running step is not cancelled, so that the new device gets its samples, too.
 void RenderCommands::setDevice(DeviceOpener open) {
     const std::lock_guard lock(mutex_);
     device_ = std::move(open);
@@ -147,7 +147,7 @@ void RenderCommands::breakOff() {
     detour_.request_stop();
 }
 
-/// Whether somebody wants something, now.
+/// Returns whether a request is waiting that can be handled now.
 bool RenderCommands::asked(const LoopState& state) const {
     const bool look = std::any_of(looks_.begin(), looks_.end(), [&](const SnapshotRequest& look) {
         return !state.film || state.canSnapshot || look.revision != state.revision;
@@ -166,6 +166,7 @@ bool RenderCommands::renders(const LoopState& state) const {
 
 std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& state, std::stop_token stop) {
     std::unique_lock lock(mutex_);
+    // Wait for a request or for work
     if (state.lingers)
         changed_.wait_for(lock, stop, kStill, [&] { return asked(state); });
     const auto busy = [&] {
@@ -174,6 +175,7 @@ std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& s
     changed_.wait(lock, stop, [&] { return busy() || watch_ || state.unmeasured; });
     if (stop.stop_requested())
         return std::nullopt;
+    // Take all waiting requests
     running_ = std::stop_source();
     detour_ = std::stop_source();
     Iteration step;
@@ -192,7 +194,8 @@ std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& s
     return step;
 }
 
-/// Scenes are submitted before they are looked at: what is neither there nor in this step will not come.
+/// Removes and returns the snapshot requests that can never be answered. A scene is submitted before its snapshot is
+/// requested, so a scene that is neither current nor in this step will not come.
 std::vector<RenderCommands::SnapshotRequest> RenderCommands::takeUnanswerable(const LoopState& state,
                                                                               const Iteration& step) {
     const bool stays = !step.clear && (state.film || (state.scene && step.device));

@@ -1,5 +1,5 @@
 #pragma once
-/// What others ask of the render thread: a mailbox with one slot for each kind of command, where the newest wins.
+/// Requests to the render thread: a mailbox with one slot for each kind of command, where the newest wins.
 
 #include <chrono>
 #include <condition_variable>
@@ -21,82 +21,85 @@ class RenderCommands {
     };
 
     struct SnapshotRequest {
-        std::uint64_t revision;  ///< of the scene that is to be looked at
+        std::uint64_t revision;  ///< revision of the scene to look at
         SnapshotObserver look;
     };
 
-    /// How far the full picture is that was shown last.
+    /// Progress of the full image that was shown last.
     struct Progress {
-        std::optional<double> displayError;  ///< of its region where that is more; none: there is no such picture
+        std::optional<double> displayError;  ///< the larger of its error and its region's [levels]; none: no such image
         double seconds = 0;
-        std::uint64_t samples = 0;  ///< per pixel
+        std::uint64_t samples = 0;  ///< samples of every pixel
     };
 
-    /// Where the render thread stands.
+    /// State of the render thread.
     struct LoopState {
-        bool scene = false;          ///< there is one
-        bool film = false;           ///< there is one of it
-        std::uint64_t revision = 0;  ///< of the scene
-        bool owed = false;           ///< its first full picture is still to come, or an iteration is half made; that
-                                     ///< much is made even while paused
-        bool lingers = false;        ///< what comes next may be in vain, or in the way: a hand that moves soon moves on
+        bool scene = false;          ///< the thread has a scene
+        bool film = false;           ///< the scene has a film
+        std::uint64_t revision = 0;  ///< revision of the scene; 0 without one
+        /// The first full image is still to come, or an iteration is incomplete; both are completed even while paused.
+        bool owed = false;
+        /// The next work may be wasted or in the way, because a user who has just moved soon moves on: wait kStill
+        /// first.
+        bool lingers = false;
         Progress progress;
-        bool unshown = false;      ///< the film holds what has not been shown
-        bool unjudged = false;     ///< what is said of its smoothed picture is of fewer samples
-        bool canSnapshot = false;  ///< it can be looked at
-        bool unmeasured = false;   ///< what effects cost is to be measured, and can be now
+        bool unshown = false;      ///< the film holds samples that have not been shown
+        bool unjudged = false;     ///< its denoised image was judged with fewer samples
+        bool canSnapshot = false;  ///< a snapshot can be taken
+        bool unmeasured = false;   ///< costs of effects are still to be measured, and can be now
     };
 
-    /// What the render thread does next, in the order in which it does it.
+    /// Next step of the render thread; members are in the order of execution.
     struct Iteration {
         bool clear = false;                         ///< forget the scene
-        std::vector<SnapshotRequest> unanswerable;  ///< looks at what is not there and will not come
-        DeviceOpener device;                        ///< go on there; empty: as before
-        std::optional<EffectsWatch> watch;          ///< who looks at what effects cost; none: as before
+        std::vector<SnapshotRequest> unanswerable;  ///< snapshot requests that can never be answered
+        DeviceOpener device;                        ///< opens the device to continue on; empty: no change
+        std::optional<EffectsWatch> watch;          ///< observer of the costs of effects; none: no change
         std::optional<SceneOrder> order;
-        bool idle = false;       ///< the picture can stay as it is
-        bool render = false;     ///< more iterations, if there is a film
-        bool redisplay = false;  ///< the display is another one: first show what is there
+        bool idle = false;       ///< the image can stay as it is
+        bool render = false;     ///< take more iterations, if there is a film
+        bool redisplay = false;  ///< the display changed: first show the existing image
         FrameBudget pace;
-        std::stop_token stop;    ///< of this step
-        std::stop_token detour;  ///< of what is no part of its picture: another display ends that, too
+        std::stop_token stop;    ///< stops this step
+        std::stop_token detour;  ///< stops work that is no part of its image; another display does so, too
     };
 
     void submit(Scene scene, bool moving);
     void setDisplay(const Display& display);
-    /// What is there is shown again, with a map.
+    /// Sets whether an error map is requested, and shows the current image again.
     void setErrorMap(bool wanted);
-    /// What is there is shown again, with how good that part is.
+    /// Sets the region, and shows the current image again with the region's status.
     void setRegion(const std::optional<Region>& region);
     void setPace(const FrameBudget& pace);
     void setDevice(DeviceOpener open);
     void setPaused(bool paused);
-    /// What is there is shown again, with whether it is as good as is wanted now.
+    /// Sets the stop rule, and shows the current image again with whether it meets the rule.
     void setStop(const StopRule& rule);
-    /// Also beyond that, until there is another scene or another rule.
+    /// Continues beyond the stop rule, until another scene or another rule is set.
     void goOn();
     void clear();
     void requestSnapshot(std::uint64_t revision, SnapshotObserver look);
     void watchEffects(EffectsWatch watch);
     StopRule stop();
-    /// Whether a picture that is so far is left as it is.
+    /// Returns whether rendering stops at that progress.
     bool holdsAt(const Progress& progress);
-    /// Whether one is wanted.
+    /// Returns whether an error map is requested.
     bool errorMap();
     std::optional<Region> region();
-    /// The newest: what a step shows at its end is not what was wanted at its beginning.
+    /// Returns the newest display. It may change between the beginning and the end of a step.
     Display display();
     /// Cancels the running step.
     void cancel();
 
-    /// Waits until there is something to do; nothing after a stop request.
+    /// Waits until there is something to do. Returns nothing after a stop request.
     std::optional<Iteration> next(const LoopState& state, std::stop_token stop);
-    /// Whether somebody wants to look at the scene of `revision`, and all who do.
+    /// Returns whether snapshots of the scene of `revision` are requested; takeSnapshotRequests() removes and returns
+    /// them.
     bool snapshotRequested(std::uint64_t revision);
     std::vector<SnapshotRequest> takeSnapshotRequests(std::uint64_t revision);
 
   private:
-    /// How long a hand may stand still before it counts as one that rests.
+    /// How long the pointer may stand still before it counts as resting.
     static constexpr auto kStill = std::chrono::milliseconds(100);
 
     bool asked(const LoopState& state) const;
@@ -105,7 +108,7 @@ class RenderCommands {
     std::vector<SnapshotRequest> takeUnanswerable(const LoopState& state, const Iteration& step);
     void breakOff();
 
-    std::mutex mutex_;  ///< of all that follows
+    std::mutex mutex_;  ///< guards all members below
     std::condition_variable_any changed_;
     std::optional<SceneOrder> scene_;
     std::optional<std::uint64_t> newest_;  ///< revision of the scene that was submitted last
@@ -118,7 +121,7 @@ class RenderCommands {
     FrameBudget pace_;
     bool paused_ = false;
     StopRule stop_;
-    bool beyond_ = false;  ///< it does not count for this scene
+    bool beyond_ = false;  ///< the stop rule does not count for this scene
     bool clear_ = false;
     std::vector<SnapshotRequest> looks_;
     std::stop_source running_, detour_;  ///< see Iteration

@@ -7,8 +7,8 @@ namespace pdr {
 
 namespace {
 
-constexpr double kGuess = 5e6;  ///< samples a second
-constexpr double kLeast = 0.4;  ///< of a frame's time goes into pixels, whatever else takes time
+constexpr double kGuess = 5e6;  ///< samples per second
+constexpr double kLeast = 0.4;  ///< least fraction of a frame's time for pixels, whatever else takes time
 
 }  // namespace
 
@@ -21,12 +21,12 @@ double ResolutionLadder::speed() const {
     return speed_.empty() ? kGuess : speed_.median();
 }
 
-/// Their samples and their display.
+/// Returns the time for the samples and the display of all pixels [s].
 double ResolutionLadder::secondsForPixels() const {
     return std::max(kFrameSeconds - beginning_.median(), kLeast * kFrameSeconds);
 }
 
-/// A pixel, as coarse pictures were shown lately.
+/// Returns the recent time to show one pixel of a coarse film [s].
 double ResolutionLadder::secondsToShowCoarse() const {
     return guidedSeconds_.empty() ? displaySeconds_.median() : guidedSeconds_.median();
 }

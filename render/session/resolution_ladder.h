@@ -1,9 +1,9 @@
 #pragma once
-/// How coarse the first picture of an edit must be to come in time, and the steps from there to the full film.
-///   divider   so many pixels of the full film become one, along each side; 1: the film itself
-///   samples   of pixels, all together
-/// A picture gives way to a finer one only when that has as many samples in each of its pixels: then the finer one is
-/// nowhere noisier, nor darker, as a picture of too few samples is behind a bent tone curve.
+/// Chooses how coarse the first image of an edit must be to come in time, and the steps from there to the full film.
+///   divider   pixels of the full film, along each side, that become one pixel; 1: the film itself
+///   samples   total over all pixels
+/// An image is replaced by a finer one only when that has as many samples in each of its pixels. The finer one is then
+/// nowhere noisier, nor darker, as an image of too few samples is behind a curved tone curve.
 
 #include <cstdint>
 
@@ -14,32 +14,34 @@ namespace pdr {
 
 class ResolutionLadder {
   public:
-    /// From the edit to the end of its picture's making; as much again may pass until it is on the screen.
+    /// Time from the edit to the end of making its image; as much again may pass until it is on the screen.
     static constexpr double kFrameSeconds = 0.05;
-    /// Of each pixel of a first picture: fewer, calmer pixels are easier to follow.
+    /// Samples per pixel of a first image: fewer pixels with less noise are easier to follow.
     static constexpr std::uint32_t kSamples = 4;
     static constexpr int kCoarsest = 24;
-    /// A coarse film's picture is drawn on a guide so many times as fine (denoise/guided.h), where the device has one:
-    /// finer than the full film it need not be.
+    /// Ratio, along each side, of a guide's pixels to those of the coarse film whose image is drawn on it
+    /// (denoise/guided.h), if the device has one. A guide need not be finer than the full film.
     static constexpr int kGuide = 4;
     static constexpr int finer(int divider) { return divider < kGuide ? divider : kGuide; }
 
-    /// A scene took `seconds` before its first sample.
+    /// Records that a scene took `seconds` before its first sample.
     void addBeginning(double seconds) { beginning_.add(seconds); }
-    /// That many samples took `seconds`, and their display where that cannot be told apart. 0 seconds say nothing.
+    /// Records that so many samples took `seconds`, including their display if that cannot be separated. 0 seconds are
+    /// ignored.
     void addFrame(double samples, double seconds);
-    /// To show that many pixels took `seconds`, smoothing included.
+    /// Records that showing so many pixels took `seconds`, denoising included.
     void addDisplay(double pixels, double seconds) { displaySeconds_.add(seconds / pixels); }
-    /// To show so many of a coarse film on a guide took `seconds`, the guide included.
+    /// Records that showing so many pixels of a coarse film on a guide took `seconds`, the guide included.
     void addGuidedDisplay(double pixels, double seconds) { guidedSeconds_.add(seconds / pixels); }
 
-    /// Samples a second, lately; a guess before the first frame.
+    /// Returns the recent samples per second; a guess before the first frame.
     double speed() const;
-    /// What is left of a frame's time for its samples, in a coarse film of that many pixels.
+    /// Returns the part of a frame's time that is left for samples in a coarse film of that many pixels [s].
     double secondsForSamples(double pixels) const;
-    /// The first divider for a full film of `size` pixels.
+    /// Returns the first divider for a full film of `size` pixels.
     int first(ivec2 size) const;
-    /// The next finer one: half as coarse. Together such steps cost a third of the full film's first picture.
+    /// Returns the next finer divider, half of this one. All such steps together cost a third of the full film's first
+    /// image.
     static int next(int divider) { return divider > 1 ? divider / 2 : 1; }
 
   private:
@@ -48,10 +50,10 @@ class ResolutionLadder {
     double secondsToShowCoarse() const;
 
     Recent beginning_{kRecent}, speed_{kRecent};
-    Recent displaySeconds_{kRecent}, guidedSeconds_{kRecent};  ///< of a film's pixel
+    Recent displaySeconds_{kRecent}, guidedSeconds_{kRecent};  ///< per pixel of a film
 };
 
-/// The film of that divider: at least 1 x 1, and no larger than so many parts of the full one.
+/// Returns the size of the film with that divider: at least 1 x 1, and no larger than the full film over the divider.
 ivec2 dividedFilm(ivec2 size, int divider);
 
 }  // namespace pdr

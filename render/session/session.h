@@ -1,6 +1,6 @@
 #pragma once
-/// The render loop on its own thread: newest Scene in, frames out. A device that fails costs seconds of samples at
-/// most: the picture goes on on another.
+/// The render session: a render thread that takes the newest Scene and delivers frames. If a device fails, at most a
+/// few seconds of samples are lost, and rendering continues on another device.
 
 #include <cstdint>
 #include <functional>
@@ -29,122 +29,125 @@ namespace pdr {
 struct EffectLedger;
 struct Scene;
 
-/// One displayed picture, or a word to the user.
+/// One displayed image, or an error or notice for the user.
 struct Frame {
-    std::uint64_t revision = 0;  ///< of the Scene that it shows
-    // Of that Scene, so that nothing else is written beside the picture:
+    std::uint64_t revision = 0;  ///< revision of the scene that the frame belongs to
+    // Copied from that scene, so that the text beside the image always matches it:
     Camera camera;
     std::string lookName;
     bool maskAwaited = false;
-    Text notShown;  ///< what its mask hides, in sentences
+    Text notShown;  ///< what the scene's mask hides, in sentences; empty without a mask
     Clip clip;
     Estimator estimator = Estimator::unbiased;
-    bool coarse = false;             ///< a first picture, or one during interaction; better ones follow when it ends
-    ivec2 size{0};                   ///< pixels; fewer than scene.film where it is coarse: stretch it
-    Display display;                 ///< that it was made for, as it was asked for
-    std::vector<std::uint8_t> rgba;  ///< 4 bytes a pixel, row by row from the top; empty with an error or a notice
+    bool coarse = false;             ///< first image of an edit or image during interaction; finer ones follow at rest
+    ivec2 size{0};                   ///< pixels; fewer than Scene::film if coarse: stretch the image
+    Display display;                 ///< requested display that the image was made for
+    std::vector<std::uint8_t> rgba;  ///< 4 bytes per pixel, row by row from the top; empty with an error or a notice
     FilmStatus status;
-    bool smoothed = false;                       ///< `rgba` is; the status is still that of the film
-    std::optional<SmoothedError> smoothedError;  ///< none: not known yet
-    std::vector<denoise::LostLine> lostLines;    ///< that are missing in it; empty: none is known to be, or not yet
-    BiasFacts bias;                              ///< all but its size on the screen and the smoothed error
-    double seconds = 0;                          ///< spent on this revision
-    std::vector<QualityStep> steps;              ///< when they were and will be reached; see ErrorHistory::steps()
-    double iterationsPerSecond = 0;              ///< lately
-    std::uint32_t iterations = 0;                ///< n, the iterations from one frame to the next
-    double efficiency = 0;  ///< lately: the part of the time that went into iterations, (0, 1]; 0 = not known
-    std::string device;     ///< its name: "cpu"
+    bool smoothed = false;                       ///< `rgba` is denoised; the status is still that of the film
+    std::optional<SmoothedError> smoothedError;  ///< error of the denoised image; none if not known yet
+    std::vector<denoise::LostLine> lostLines;  ///< known to be missing in the denoised image; empty: none, or not known
+    BiasFacts bias;                            ///< complete except for `picture`, `view` and `smoothed`
+    double seconds = 0;                        ///< rendering time of the film [s]
+    std::vector<QualityStep> steps;  ///< with the times when they were or will be reached; see ErrorHistory::steps()
+    double iterationsPerSecond = 0;  ///< median of recent frames
+    std::uint32_t iterations = 0;    ///< n, the iterations per displayed frame
+    double efficiency = 0;           ///< fraction of recent time spent on iterations, (0, 1]; 0: not known
+    std::string device;              ///< its name: "cpu"
     Schedule schedule;
-    StopRule stop;                    ///< when rendering holds
-    bool reached = false;             ///< it does, until more is asked for
-    Text error;                       ///< for the user, when rendering failed and holds
-    Text notice;                      ///< for the user, when it goes on, but not as was asked: whole sentences
-    std::vector<ErrorPoint> history;  ///< see ErrorHistory::points()
-    /// Of the film, of no more samples than it has; null: not wanted, or coarse.
+    StopRule stop;                    ///< rule that decides when rendering stops
+    bool reached = false;             ///< the rule is met: rendering stops until more is requested
+    Text error;                       ///< message for the user if rendering failed and stopped; else empty
+    Text notice;                      ///< sentences for the user if rendering continues, but not as requested
+    std::vector<ErrorPoint> history;  ///< error over time; see ErrorHistory::points()
+    /// Error map of the image, from at most as many samples as the film has; null if not requested or coarse.
     std::shared_ptr<const LevelErrorMap> errorMap;
-    std::optional<RegionStatus> region;  ///< none: it was not asked for, or nothing is known of it yet
+    std::optional<RegionStatus> region;  ///< status of the region; none if no region is set or nothing is known yet
 };
 
-/// How good the image of a frame is.
+/// Returns how good the image of a frame is.
 inline ShownStatus shownOf(const Frame& frame) {
     return shownStatus(frame.status, frame.smoothed, frame.smoothedError);
 }
 
-/// Called on the render thread; must return soon.
+/// Receives each frame. Called on the render thread; must return soon.
 using FrameSink = std::function<void(std::shared_ptr<const Frame>)>;
 
-/// All that is known about a picture.
+/// Everything known about the current image.
 struct FilmView {
     const Film& film;
-    const Scene& scene;         ///< that it shows
-    double seconds;             ///< spent
+    const Scene& scene;         ///< scene that the film shows
+    double seconds;             ///< rendering time spent on the film
     const std::string& device;  ///< its name: "cpu"
-    MeasuredBiases bias;        ///< of ways that only measuring tells it of
-    StopRule stop;              ///< as in Frame
-    /// What is known of the denoised image, and stated on the screen; who judges it anew changes that, too. Null: none
-    /// is shown.
+    MeasuredBiases bias;        ///< biases that are known only by measurement
+    StopRule stop;              ///< see Frame::stop
+    /// State of the denoised image that the screen shows; null if none is shown. A caller that judges the image anew
+    /// also changes what the screen states.
     SmoothedView* denoised = nullptr;
 };
 
-/// Called on the render thread: with the film, or with the reason why there is none.
+/// Receives the film, or the reason why there is none. Called on the render thread.
 using SnapshotObserver = std::function<void(const Result<FilmView>&)>;
 
-/// Opens a device; called on the render thread, so it may take its time.
+/// Opens a device. Called on the render thread, so it may take its time.
 using DeviceOpener = std::function<Result<std::unique_ptr<Device>>()>;
 
-/// Called on the render thread with what is known by now of what effects cost; must return soon.
+/// Receives the current cost table of the effects. Called on the render thread; must return soon.
 using EffectsObserver = std::function<void(std::shared_ptr<const EffectLedger>)>;
 
-/// Who looks at what effects cost, and where that is measured: apart from the picture. Nobody: both are empty.
+/// Observer of the costs of effects, and the device on which they are measured apart from the image. Both are empty if
+/// nobody observes.
 struct EffectsWatch {
-    DeviceOpener device;  ///< called twice: for pictures with an effect and without
+    DeviceOpener device;  ///< called twice: for images with an effect and for images without it
     EffectsObserver look;
 };
 
-/// Seconds since some moment; called on the render thread.
+/// Returns the seconds since a fixed moment. Called on the render thread.
 using SessionClock = std::function<double()>;
-/// That of the wall, which never goes back.
+/// Returns the seconds of the monotonic system clock.
 double steadySeconds();
 
 class Session {
   public:
-    /// `fallback` is opened when the device in use fails or refuses a scene; none: that is then an error. `clock` tells
-    /// what things take.
+    /// Takes over `device`. `fallback` opens a replacement if the device in use fails or refuses a scene; without
+    /// it, that is an error. `clock` measures how long things take.
     Session(std::unique_ptr<Device> device, FrameSink sink, DeviceOpener fallback = {},
             SessionClock clock = steadySeconds);
-    ~Session();  ///< stops within one launch
+    ~Session();  ///< stops rendering within one launch
 
-    /// Renders `scene` from now on; a running launch for an older one is cancelled. The first frame comes soon and
-    /// coarse, unless the device makes a full one as soon; finer ones follow as soon as they are no worse. `moving`:
-    /// the user still drags, so they follow only where he holds still; submit again with false when it rests.
+    /// Renders `scene` from now on; a running launch for an older scene is cancelled. The first frame comes soon and is
+    /// coarse, unless the device can render a full one equally soon. Finer frames follow as soon as they are no worse.
+    /// `moving`: the user still drags, so finer frames follow only while the pointer stands still. Submit the scene
+    /// again with false when the drag ends.
     void submit(Scene scene, bool moving);
-    /// Shows what is there with other display settings, without a restart.
+    /// Shows the current film with other display settings; rendering does not restart.
     void setDisplay(const Display& display);
-    /// Whether full pictures come with a map of their error. What is there gets one at once.
+    /// Sets whether full images come with an error map. The current image gets one at once.
     void setErrorMap(bool wanted);
-    /// The part of the pictures that gets its samples first, until it is within the target; none: all of it. It stays
-    /// where it is when the scene changes.
+    /// Sets the part of the image that gets its samples first, until it is within the target; none: the whole image.
+    /// The region stays where it is when the scene changes.
     void setRegion(const std::optional<Region>& region);
-    /// How many iterations a displayed frame gets.
+    /// Sets how many iterations a displayed frame gets.
     void setPace(const FrameBudget& pace);
-    /// n, the iterations per displayed frame, by hand; [1, 10000].
+    /// Sets n, a fixed number of iterations per displayed frame, [1, 10000].
     void setIterationsPerFrame(int n);
-    /// The picture goes on on another device, from the samples that it has. One that cannot be opened or refuses the
-    /// scene changes nothing; a notice says why.
+    /// Continues on another device, from the samples taken so far. If the device cannot be opened or refuses the scene,
+    /// nothing changes and a notice says why.
     void setDevice(DeviceOpener open);
-    /// Holds or goes on.
+    /// Pauses or resumes rendering.
     void setPaused(bool paused);
-    /// When it holds by itself: within kFinestStep at first.
+    /// Sets when rendering stops by itself; initially within kFinestStep.
     void setStop(const StopRule& rule);
-    /// Goes on beyond that, until there is another scene or another rule.
+    /// Continues beyond the stop rule, until another scene or another rule is set.
     void goOn();
-    /// Shows nothing: scene, film and what the device keeps of them are given back soon.
+    /// Shows nothing. The scene, the film and what the device keeps of them are freed soon.
     void clear();
     /// Calls `look` once, between two launches, as soon as the scene of `revision` has samples and interaction has
-    /// ended. Errors: another scene has taken its place, it was closed, or it could not be rendered.
+    /// ended. Errors: another scene replaced it, it was closed, or it could not be rendered.
     void requestSnapshot(std::uint64_t revision, SnapshotObserver look);
-    /// Measures what the effects of the scene cost while somebody looks: a launch now and then where the picture is at
-    /// rest, in a twentieth of the time, and in all of it where rendering holds. Another scene comes first.
+    /// Measures what the effects of the scene cost while there is an observer. While the image is at rest, this is an
+    /// occasional launch, in a twentieth of the time; while rendering is stopped, it is all of the time. Another scene
+    /// takes precedence.
     void watchEffects(EffectsWatch watch);
 
   private:

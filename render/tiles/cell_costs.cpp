@@ -9,9 +9,9 @@
 namespace pdr {
 namespace {
 
-/// Learning rate: a busy machine makes cells look expensive.
+/// Learning rate: below 1, since a busy machine makes cells look expensive.
 constexpr double kBelieved = 0.7;
-/// Limit on the ratio to the mean: an empty cell may have tissue in the next picture.
+/// Limit on the ratio to the mean: an empty cell may have tissue in the next image.
 constexpr double kMostContrast = 16;
 
 }  // namespace
@@ -57,6 +57,7 @@ void CellCosts::learn(const std::vector<TimedLease>& leases) {
         double cost = 0, seconds = 0;
     };
     const auto isSense = [](const TimedLease& lease) { return lease.seconds > 0 && lease.samples > 0; };
+    // Measure the speed of each worker over all of its leases
     std::map<WorkerId, Total> workers;
     for (const TimedLease& lease : leases) {
         if (!isSense(lease))
@@ -65,6 +66,7 @@ void CellCosts::learn(const std::vector<TimedLease>& leases) {
         total.cost += ofSample(lease.tile) * lease.samples;
         total.seconds += lease.seconds;
     }
+    // Attribute the excess time of each lease to its cells
     std::vector<double> surprise(density_.size()), samples(density_.size());
     for (const TimedLease& lease : leases) {
         if (!isSense(lease))
@@ -80,6 +82,7 @@ void CellCosts::learn(const std::vector<TimedLease>& leases) {
             }
         isKnown_ = true;
     }
+    // Update the cost of each cell
     for (std::size_t i = 0; i < density_.size(); ++i)
         if (samples[i] > 0)
             density_[i] = std::clamp(density_[i] * std::exp(kBelieved * surprise[i] / samples[i]), 1 / kMostContrast,

@@ -1,5 +1,5 @@
 #pragma once
-/// Relative rendering cost of each cell of a picture, learned from the times of leases: background costs a sixth of
+/// Relative rendering cost of each cell of an image, learned from the times of leases: background costs a sixth of
 /// tissue.
 ///   cost   pixels times samples, weighted by the cost of the cell relative to the mean of the area
 
@@ -21,21 +21,21 @@ struct TimedLease {
 
 class CellCosts {
   public:
-    /// Of an empty area: all pixels cost the same.
+    /// Makes costs for an empty area: all pixels cost the same.
     CellCosts() = default;
     explicit CellCosts(const Tile& area);
-    /// The same costs, stretched over another area: the picture has changed its size.
+    /// Returns these costs stretched over another area, for an image that has changed its size.
     CellCosts stretchedOver(const Tile& area) const;
 
     const Tile& area() const { return area_; }
-    /// Costs were learned.
+    /// Whether costs have been learned.
     bool isKnown() const { return isKnown_; }
-    /// Cost of one sample of each pixel. `tile`: whole cells of the area.
+    /// Returns the cost of one sample of each pixel of `tile`, which consists of whole cells of the area.
     double ofSample(const Tile& tile) const;
 
-    /// Learns from the leases of one order. All leases of a worker together give its speed; the excess time of one
+    /// Learns from the leases of one request. All leases of a worker together give its speed; the excess time of one
     /// lease is attributed to its cells (multiplicative algebraic reconstruction, Gordon, Bender & Herman 1970: later
-    /// orders are tiled differently, which separates the cells).
+    /// requests are tiled differently, which separates the cells).
     void learn(const std::vector<TimedLease>& leases);
 
   private:
@@ -47,7 +47,7 @@ class CellCosts {
 
     Tile area_;
     int columns_ = 0, rows_ = 0;
-    std::vector<double> density_;  ///< of a pixel of each cell, row by row; mean over the area: 1
+    std::vector<double> density_;  ///< cost of a pixel of each cell, row by row; mean over the area: 1
     std::vector<double> before_;   ///< summed-area table: cost of all cells above and left, (columns + 1) x (rows + 1)
     bool isKnown_ = false;
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// The unit of work: samples of a tile, for whoever renders them, and the result.
+/// The unit of work: a lease requests samples of a tile from a device or worker, and a result returns them.
 
 #include <cstdint>
 #include <vector>
@@ -8,44 +8,46 @@
 
 namespace pdr {
 
-/// Whoever renders: this program's own device, or a worker.
+/// Identifies what renders: this program's own device, or a worker.
 using WorkerId = std::uint32_t;
 inline constexpr WorkerId kOwnDevice = 0;
 
-/// A part of an order that is rendered at a time.
+/// A part of a request that is rendered at a time.
 struct Portion {
     std::uint64_t number = 0;
     Tile tile;
-    SampleRange samples;  ///< in one block
+    SampleRange samples;  ///< samples of one block
 };
 
+/// A portion as it is given to a renderer, with the sums that it continues.
 struct Lease {
     std::uint64_t number = 0;  ///< unique
     std::uint64_t scene = 0;   ///< number of the published scene
     Tile tile;
-    SampleRange samples;            ///< in one block
+    SampleRange samples;            ///< samples of one block
     std::vector<PixelSums> before;  ///< sums of the block's earlier samples, row by row; empty: there are none
 };
 
+/// The rendered samples of a lease.
 struct LeaseResult {
     std::uint64_t number = 0;
     Tile tile;
     SampleRange samples;
-    std::vector<PixelSums> sums;  ///< of the block, from its start to samples.end(), row by row
-    Health health;                ///< of the lease's samples
-    double seconds = 0;           ///< spent on them
+    std::vector<PixelSums> sums;  ///< sums of the block, from its start to samples.end(), row by row
+    Health health;                ///< faults of the lease's samples
+    double seconds = 0;           ///< time spent on the lease's samples
 };
 
-/// From the start of the block to the end of `samples`: what a film's merge() takes.
+/// Returns the range from the start of the block to the end of `samples`, as Film::merge() takes it.
 inline SampleRange fromBlockStart(SampleRange samples) {
     const std::uint64_t start = samples.first - samples.first % kSamplesPerBlock;
     return {start, std::uint32_t(samples.end() - start)};
 }
 
-/// Limit on the pixels of a lease, and so on the memory and the message of its result.
+/// Limit on the pixels of a lease, which bounds the memory and the message of its result.
 inline constexpr int kMostLeasePixels = 512 * 512;
 
-/// Work: samples times pixels.
+/// Returns the work: samples times pixels.
 inline double workOf(const Tile& tile, SampleRange samples) {
     return double(tile.width) * tile.height * samples.count;
 }

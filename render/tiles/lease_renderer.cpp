@@ -50,6 +50,7 @@ void LeaseRenderer::run(const std::stop_token& ended) {
     std::unique_lock lock(mutex_);
     while (changed_.wait(lock, ended, [this] { return isNew_ || !leases_.empty(); })) {
         isBusy_ = true;
+        // Load the newest scene, or render the oldest lease
         if (std::exchange(isNew_, false)) {
             const std::shared_ptr<const Scene> scene = std::exchange(next_, nullptr);
             const std::uint64_t number = number_;
@@ -70,7 +71,7 @@ void LeaseRenderer::run(const std::stop_token& ended) {
         changed_.notify_all();
     }
     lock.unlock();
-    (void)device_->unload();  // nobody is left to be told
+    (void)device_->unload();  // an error can no longer be reported
 }
 
 void LeaseRenderer::takeScene(std::uint64_t number, const std::shared_ptr<const Scene>& scene) {

@@ -1,5 +1,5 @@
 #pragma once
-/// The render thread of a node: scenes and leases in, results out. Thread-safe.
+/// The render thread of a node, which takes scenes and leases and returns results. Thread-safe.
 
 #include <condition_variable>
 #include <deque>
@@ -17,12 +17,12 @@
 
 namespace pdr {
 
-/// That scene is loaded, or could not be.
+/// The answer to a scene: it is loaded, or it could not be.
 struct SceneTaken {
     std::uint64_t scene = 0;
-    std::optional<Error> error;
+    std::optional<Error> error;  ///< why it could not be loaded; none: it is loaded
 };
-/// A lease that failed, and why.
+/// The answer to a lease that failed, with the reason.
 struct LeaseLost {
     std::uint64_t lease = 0;
     Error error;
@@ -31,13 +31,14 @@ using LeaseAnswer = std::variant<SceneTaken, LeaseResult, LeaseLost>;
 
 class LeaseRenderer {
   public:
-    /// Called on the render thread.
+    /// Receives answers; called on the render thread.
     using Answered = std::function<void(LeaseAnswer)>;
 
     LeaseRenderer(std::unique_ptr<Device> device, Answered answered);
 
-    /// Loads a scene, which must have passed its check(); leases of earlier scenes are dropped.
+    /// Loads a scene, which must have passed its check(), and drops leases of earlier scenes.
     void setScene(std::uint64_t number, std::shared_ptr<const Scene> scene);
+    /// Queues a lease. A lease of another scene gets no answer.
     void add(Lease lease);
     /// Drops all leases: they get no answer.
     void drop();
@@ -48,7 +49,7 @@ class LeaseRenderer {
     void run(const std::stop_token& ended);
     void takeScene(std::uint64_t number, const std::shared_ptr<const Scene>& scene);
     void take(Lease lease, const std::stop_token& stop);
-    /// Needs the lock.
+    /// Drops all leases; needs the lock.
     void dropLeases();
 
     std::unique_ptr<Device> device_;
@@ -56,12 +57,12 @@ class LeaseRenderer {
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     std::deque<Lease> leases_;
-    std::shared_ptr<const Scene> next_;  ///< to be loaded
-    std::uint64_t number_ = 0;           ///< of the newest scene
+    std::shared_ptr<const Scene> next_;  ///< scene to load
+    std::uint64_t number_ = 0;           ///< number of the newest scene
     bool isNew_ = false;                 ///< next_ is not loaded yet
     bool isBusy_ = false;
     std::stop_source current_;  ///< stops the lease that is being rendered
-    std::jthread thread_;       ///< last: it uses all of these
+    std::jthread thread_;       ///< last member: it uses all others
 };
 
 }  // namespace pdr

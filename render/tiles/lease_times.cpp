@@ -12,7 +12,8 @@ void LeaseTimes::add(double work, double seconds) {
     workSeconds_ = kKept * workSeconds_ + work * seconds;
 }
 
-/// Leases of equal size determine no line: then all of the time is attributed to samples.
+/// Returns the slope of the fitted line. Leases of equal size determine no line: then all of the time is attributed to
+/// samples.
 double LeaseTimes::secondsPerWork() const {
     if (work_ <= 0)
         return 0;

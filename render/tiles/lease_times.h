@@ -1,16 +1,17 @@
 #pragma once
-/// Time of leases as overhead plus a time for each sample: a straight line fitted to the latest ones.
+/// Models the time of a lease as an overhead plus a time for each sample: a straight line fitted to the latest leases.
 ///   work   pixels times samples
 
 namespace pdr {
 
 class LeaseTimes {
   public:
-    /// A result arrived `seconds` after its lease was given out or after the previous result, whichever is later.
+    /// Adds a result that arrived `seconds` after its lease was given out or after the previous result, whichever is
+    /// later.
     void add(double work, double seconds);
 
-    double secondsPerWork() const;  ///< 0: unknown
-    double secondsBefore() const;   ///< the overhead; 0: unknown or none
+    double secondsPerWork() const;  ///< time of one sample of one pixel; 0: unknown
+    double secondsBefore() const;   ///< overhead of a lease; 0: unknown or none
 
   private:
     static constexpr double kKept = 0.98;  ///< weight of the past, per result

@@ -12,7 +12,7 @@ namespace {
 
 constexpr SampleRange kSamples{56, 8};  // the end of a block
 
-/// Tissue from integer arithmetic: independent of any library.
+/// Makes tissue by integer arithmetic, which is independent of any library.
 std::shared_ptr<const Volume> referenceVolume() {
     constexpr ivec3 kSize{28, 26, 24};
     Voxels voxels;
@@ -63,7 +63,7 @@ void append(std::vector<std::byte>& bytes, const Number& number) {
     bytes.insert(bytes.end(), begin, begin + sizeof number);
 }
 
-/// Member by member: padding is undefined.
+/// Appends sums member by member, since padding is undefined.
 void append(std::vector<std::byte>& bytes, const PixelSums& sums) {
     append(bytes, sums.sum);
     append(bytes, sums.sumOfSquares);

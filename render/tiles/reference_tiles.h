@@ -1,6 +1,6 @@
 #pragma once
-/// Small reference pictures of all models. Devices that agree on all of their bits agree on those of every exactly
-/// filtered picture, and may fill one film together.
+/// Small reference images of all models. Devices that agree on all bits of these agree on the bits of every exactly
+/// filtered image, and may fill one film together.
 
 #include <cstddef>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace pdr {
 
-/// The pictures' sums, as bytes. Unloads the scene that `device` held. Errors: the device's.
+/// Renders the reference images and returns their sums as bytes. Unloads the scene of `device`. Errors: the device's.
 Result<std::vector<std::byte>> referenceTiles(Device& device);
 
 }  // namespace pdr

@@ -17,7 +17,7 @@ bool sameFault(const FaultCount& a, const FaultCount& b) {
     return a.count == b.count && (a.count == 0 || (a.sample == b.sample && a.pixel == b.pixel));
 }
 
-/// Whether the whole may have these faults in one of its parts.
+/// Whether a result with the faults `whole` may have a part with the faults `part`.
 bool contains(const Health& whole, const Health& part) {
     for (int i = 0; i < kFaults; ++i)
         if (part.faults[i].count > whole.faults[i].count)

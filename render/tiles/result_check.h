@@ -1,5 +1,6 @@
 #pragma once
-/// What a worker's result is checked for, beside the bits of its sums: what it says of faults.
+/// Checks the results of workers: whether they answer the lease and report plausible faults, and whether an audit
+/// confirms them.
 
 #include <string>
 
@@ -7,14 +8,16 @@
 
 namespace pdr {
 
-/// Why `result` cannot be that of `portion`; empty: it can. A sample has each fault once at most, and the first one
-/// lies in the portion. `imageWidth`: pixels.
+/// Returns why `result` cannot be that of `portion`; empty: it can. A sample has each fault once at most, and the first
+/// one lies in the portion. `imageWidth`: pixels.
 std::string whatIsImpossible(const LeaseResult& result, const Portion& portion, int imageWidth);
 
 /// Whether `truth`, the own device's result for the audit's samples, is what the worker claimed: the sums to the last
-/// bit, and the faults. An audit of a part finds faults that were hidden, but none that were added outside of it.
+/// bit, and the faults. An audit of a part detects faults that were hidden, but not faults that were added outside of
+/// the part.
 bool confirms(const LeaseResult& truth, const Audit& audit);
 
+/// Whether both report the same faults.
 bool sameHealth(const Health& a, const Health& b);
 
 }  // namespace pdr

@@ -12,7 +12,8 @@ class SharedDevice final : public Device {
   public:
     SharedDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool, Purpose purpose)
         : own_(std::move(own)), pool_(std::move(pool)), purpose_(purpose) {}
-    /// Does not withdraw what another device has published since: both exist while a film moves to another device.
+    /// Withdraws this device's scene, but not one that another device has published since: both devices exist while a
+    /// film moves to another device.
     ~SharedDevice() override { pool_->withdraw(scene_); }
 
     using Device::film;
@@ -22,7 +23,7 @@ class SharedDevice final : public Device {
     Result<void> upload(const Scene& scene) override {
         if (Result<void> uploaded = own_->upload(scene); !uploaded)
             return uploaded;
-        isShared_ = scene.filtering == Filtering::exact;  // texture units differ in their bits
+        isShared_ = scene.filtering == Filtering::exact;  // results of texture units differ in their bits
         scene_ = pool_->publish(purpose_, isShared_ ? std::make_shared<const Scene>(scene) : nullptr);
         return {};
     }
@@ -32,7 +33,7 @@ class SharedDevice final : public Device {
     }
     Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
                                               const Schedule& schedule) override {
-        if (!isShared_ || schedule.kind == Schedule::Kind::kroes)  // whose iterations are filtered, each as a whole
+        if (!isShared_ || schedule.kind == Schedule::Kind::kroes)  // filters each iteration as a whole image
             return own_->film(area, revision, schedule);
         return std::unique_ptr<Accumulator>(std::make_unique<SharedAccumulator>(*own_, *pool_, scene_, area, revision));
     }
@@ -51,7 +52,7 @@ class SharedDevice final : public Device {
     bool isShared_ = false;
 };
 
-/// All samples of a film that can no longer be trusted.
+/// Returns all samples of a film, to be rendered again because they can no longer be trusted.
 std::vector<TileGoal> allOf(const TileProgress& progress) {
     std::vector<TileGoal> goals;
     for (const EvenTile& even : progress.evenTiles(progress.area()))

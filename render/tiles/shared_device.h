@@ -1,6 +1,6 @@
 #pragma once
 /// A device whose films are filled by a device of its own and by the workers of a pool. The film is the same to the
-/// last bit, whoever renders which samples.
+/// last bit, no matter who renders which samples.
 
 #include <memory>
 #include <set>
@@ -13,13 +13,13 @@
 
 namespace pdr {
 
-/// `pool` may serve one such device of each purpose at a time.
+/// Makes such a device. `pool` may serve one of each purpose at a time.
 std::unique_ptr<Device> shareDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool,
                                     Purpose purpose = Purpose::viewport);
 
 class SharedAccumulator final : public HostAccumulator {
   public:
-    /// `own` and `scene`, the number of the published scene, must outlive it.
+    /// `own`, `pool` and `scene`, the number of the published scene, must outlive it.
     SharedAccumulator(Device& own, WorkerPool& pool, const std::uint64_t& scene, const Tile& area,
                       std::uint64_t revision)
         : HostAccumulator(area, revision), own_(own), pool_(pool), scene_(scene) {}
@@ -32,11 +32,14 @@ class SharedAccumulator final : public HostAccumulator {
 
   private:
     std::vector<TileGoal> goalsOf(const Tile& region, std::uint32_t n) const;
-    /// Whether it holds what nobody should believe; then it is emptied.
+    /// Empties the film if results of an untrusted node are merged into it. Returns whether it did.
     bool throwLiesAway();
     Result<void> take(const std::vector<TileGoal>& goals, const std::stop_token& stop);
+    /// Renders all goals on the own device.
     Result<void> alone(const std::vector<TileGoal>& goals, const std::stop_token& stop);
+    /// Renders all goals on the own device and the workers, if the pool serves this scene.
     Result<void> together(const std::vector<TileGoal>& goals, const std::stop_token& stop);
+    /// Renders the own device's leases and audits until the request is done.
     Result<void> takePart(const std::stop_token& stop);
 
     Device& own_;

@@ -1,6 +1,6 @@
 #pragma once
-/// One order of samples for a film, rendered by several workers. Results are merged in the sequence in which a single
-/// device would have taken the samples, so that the film is the same to the last bit. Not thread-safe: see
+/// One request of samples for a film, rendered by several workers. Results are merged in the sequence in which a single
+/// device would have rendered the samples, so that the film is the same to the last bit. Not thread-safe: see
 /// worker_pool.h.
 
 #include <deque>
@@ -15,13 +15,13 @@
 
 namespace pdr {
 
-/// A result, or a part of one, that the own device is to render again.
+/// A result, or a part of one, that the own device renders again and compares.
 struct Audit {
     WorkerId worker = kOwnDevice;
-    std::string key;      ///< the worker's
-    LeaseResult claimed;  ///< of a part: with the faults of the whole
+    std::string key;      ///< key of the worker
+    LeaseResult claimed;  ///< what the worker sent; for a part, with the faults of the whole
     Lease lease;
-    bool isWithheld = false;  ///< the result is merged after the audit only
+    bool isWithheld = false;  ///< the result is merged only after the audit
 };
 
 class SharedOrder {
@@ -34,20 +34,21 @@ class SharedOrder {
     TileScheduler& scheduler() { return scheduler_; }
     const TileScheduler& scheduler() const { return scheduler_; }
     std::uint64_t scene() const { return scene_; }
-    /// All samples are merged, and no audit is left.
+    /// Whether all samples are merged and no audit is left.
     bool isDone() const { return scheduler_.isDone() && audits_.empty(); }
 
-    /// The portion with the sums that it continues.
+    /// Returns the lease of a portion, with the sums that it continues.
     Lease leaseOf(const Portion& portion) const;
-    /// Merges the result of a portion, or keeps it until the blocks before it are merged. Error: the film refuses the
+    /// Merges the result of a portion, or stores it until the blocks before it are merged. Error: the film refuses the
     /// sums.
     Result<void> take(LeaseResult result);
 
-    /// Keeps the result until it has been audited.
+    /// Stores the result until it has been audited.
     void withhold(const WorkerStatus& worker, const Portion& portion, LeaseResult result);
     /// Queues an audit of a part of a result that is about to be merged. With kMostAudits in the queue it does nothing:
     /// the own device could not keep up.
     void auditPart(const WorkerStatus& worker, const Portion& portion, const LeaseResult& result, const Tile& part);
+    /// Takes the oldest audit out of the queue; none: the queue is empty.
     std::optional<Audit> nextAudit();
 
     static constexpr std::size_t kMostAudits = 64;

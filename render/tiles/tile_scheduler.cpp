@@ -21,7 +21,7 @@ bool join(Tile& a, const Tile& b) {
     return false;
 }
 
-/// Grows a side of a tile by whole cells, up to `most`, while it is not too much.
+/// Grows a side of a tile by whole cells, up to `most`, as long as isTooMuch() is false.
 void grow(int& side, int most, const std::function<bool()>& isTooMuch) {
     while (side < most) {
         const int before = side;
@@ -54,6 +54,7 @@ std::optional<Portion> TileScheduler::take(WorkerId worker, const Ability& abili
 std::optional<Portion> TileScheduler::cut(WorkerId worker, const Ability& ability, double now) {
     if (open_.empty())
         return std::nullopt;
+    // Cut a tile from the first open goal and put the rest back
     const TileGoal from = open_.front();
     const SampleRange samples =
         samplesInBlock(from.next, std::uint32_t(std::min<std::uint64_t>(from.goal - from.next, kSamplesPerBlock)));
@@ -74,8 +75,8 @@ std::optional<Portion> TileScheduler::cut(WorkerId worker, const Ability& abilit
     return portion;
 }
 
-/// The top rows of cells, or where one row is too much, a part of it: up to that cost and the pixel limit of a lease,
-/// and at least one cell.
+/// Returns the top rows of cells or, if one row is too much, the left part of it: up to that cost and the pixel
+/// limit of a lease, but at least one cell.
 Tile TileScheduler::part(const Tile& tile, double cost) const {
     const auto isTooMuch = [&](const Tile& some) {
         return some.width * some.height > kMostLeasePixels || costs_.ofSample(some) > cost;
@@ -169,7 +170,7 @@ void TileScheduler::drop(Held& held, WorkerId worker) {
         std::erase_if(held.copies, [&](const Copy& copy) { return copy.worker == worker; });
 }
 
-/// Reopens portions without a holder; only their own block where the next one is available already.
+/// Reopens portions that no worker has any more; only their own block if the next one is available already.
 void TileScheduler::removeFreed() {
     for (const Held& held : held_)
         if (held.copies.empty())

@@ -1,6 +1,6 @@
 #pragma once
-/// Divides one order of samples among workers: a pure state machine without threads, clocks or sockets. Portions are
-/// cut when workers ask for them, sized by cost. What is late is given to a second worker as well (hedging), and the
+/// Divides one request of samples among workers: a pure state machine without threads, clocks or sockets. Portions are
+/// cut when workers ask for them, sized by cost. A late portion is given to a second worker as well (hedging), and the
 /// first result counts.
 ///   now    monotonic seconds, from the same clock in all calls
 ///   cost   pixels times samples, weighted by the cost of the cells (cell_costs.h)
@@ -17,59 +17,61 @@
 
 namespace pdr {
 
-/// Whole cells with equally many samples, and how many they are to get.
+/// A tile of whole cells with equally many samples, and the samples that it is to get.
 struct TileGoal {
     Tile tile;
     std::uint64_t next = 0, goal = 0;  ///< half-open range of sample indices
 };
 
-/// How much a worker asks for, and its speed.
+/// Cost that a worker asks for, and its speed.
 struct Ability {
-    double cost = 0;       ///< about so much
+    double cost = 0;       ///< approximate cost of the next portion
     double perSecond = 0;  ///< expected speed; > 0
 };
 
 class TileScheduler {
   public:
-    /// `firstNumber`: that of the first portion; they are consecutive.
+    /// `firstNumber`: number of the first portion; numbers are consecutive.
     TileScheduler(const std::vector<TileGoal>& goals, Split split, std::uint64_t firstNumber,
                   CellCosts costs = CellCosts());
 
-    /// Its next portion; none: nothing is left for it now.
+    /// Returns the next portion of `worker`; none: nothing is left for it now.
     std::optional<Portion> take(WorkerId worker, const Ability& ability, double now);
-    /// The portion of that number, if `worker` holds it.
+    /// Returns the portion of that number if `worker` has it and no result of it has arrived.
     std::optional<Portion> heldBy(WorkerId worker, std::uint64_t number) const;
-    /// Its result has arrived and is being audited: it is not hedged meanwhile.
+    /// Records that the result of a portion has arrived and is being audited: the portion is not hedged meanwhile.
     void arrived(std::uint64_t number);
-    /// Its result is accepted; the samples after it become available.
+    /// Records that the result of a portion is accepted; the samples after it become available.
     void finish(std::uint64_t number);
-    /// `worker` will not deliver it.
+    /// Takes back a portion that `worker` will not deliver.
     void giveBack(WorkerId worker, std::uint64_t number);
-    /// `worker` will not deliver anything.
+    /// Takes back all portions of `worker`, which will not deliver anything.
     void giveBackAll(WorkerId worker);
-    /// What a suspect worker holds is hedged at once.
+    /// Marks a worker as suspect or not. Portions of a suspect worker are hedged at once.
     void setSuspect(WorkerId worker, bool suspect);
-    /// Takes overdue portions back; returns the workers that held them.
+    /// Takes overdue portions back; returns the workers that had them.
     std::vector<WorkerId> expire(double now);
 
     bool isDone() const { return open_.empty() && held_.empty(); }
     double costOf(const Portion& portion) const { return costs_.ofSample(portion.tile) * portion.samples.count; }
-    /// Cost of all that no worker holds yet.
+    /// Returns the cost of all samples that no worker has been given yet.
     double openCost() const;
     std::uint64_t nextNumber() const { return number_; }
 
-    /// A portion is hedged after three times its expected time plus this.
+    /// A portion is hedged after three times its expected time plus this time.
     static constexpr double kHedgeSeconds = 0.05;
-    /// By the own device, which is idle then and has no latency, after its expected time plus this.
+    /// The own device, which is idle then and has no latency, hedges a portion after its expected time plus this time.
     static constexpr double kOwnHedgeSeconds = 0.005;
-    /// A portion is taken back after four times its expected time plus this.
+    /// A portion is taken back after four times its expected time plus this time.
     static constexpr double kExpirySeconds = 3;
 
   private:
+    /// A portion as one worker has it.
     struct Copy {
         WorkerId worker;
         double since, expectedSeconds;
     };
+    /// A portion that workers have.
     struct Held {
         Portion portion;
         std::uint64_t goal;
@@ -86,7 +88,7 @@ class TileScheduler {
     double costHeldBy(WorkerId worker) const;
     Copy copyFor(WorkerId worker, const Portion& portion, const Ability& ability, double now) const;
     std::vector<Held>::iterator find(std::uint64_t number);
-    /// Removes `worker`'s copy.
+    /// Removes `worker`'s copy, unless the result has arrived.
     void drop(Held& held, WorkerId worker);
     void removeFreed();
 

@@ -8,7 +8,8 @@
 
 namespace pdr {
 
-/// With the scene that `device` holds. After a stop request the result is invalid. Errors: the device's.
+/// Renders a lease with the scene that is on `device`. After a stop request the result is invalid. Errors: the
+/// device's.
 Result<LeaseResult> traceLease(Device& device, Lease lease, const std::stop_token& stop);
 
 }  // namespace pdr

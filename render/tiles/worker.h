@@ -16,11 +16,11 @@ namespace pdr {
 /// Cost per second, an exponentially weighted average over results.
 class WorkerSpeed {
   public:
-    /// A result of that cost arrived `seconds` after its lease was given out or after the previous result, whichever is
-    /// later.
+    /// Adds a result of that cost that arrived `seconds` after its lease was given out or after the previous result,
+    /// whichever is later.
     void add(double cost, double seconds);
     bool isKnown() const { return cost_ > 0; }
-    double perSecond() const { return isKnown() ? cost_ / seconds_ : 0; }
+    double perSecond() const { return isKnown() ? cost_ / seconds_ : 0; }  ///< 0: unknown
 
   private:
     static constexpr double kKept = 0.8;              ///< weight of the past, per result
@@ -29,22 +29,24 @@ class WorkerSpeed {
     double cost_ = 0, seconds_ = 0;
 };
 
-/// Audits: the own device renders results again and compares them bit by bit; the first kFirst whole, later an
-/// unpredictable part of some. A worker whose every result is wrong is found at the first one; one that falsifies one
-/// cell in 100 results is found within 34,500 results with a probability of 99.9 %.
+/// Decides which results of a worker are audited: the own device renders them again and compares them bit by bit, the
+/// first kFirst results whole, later an unpredictable part of some. A worker whose every result is wrong is detected at
+/// the first one; a worker that falsifies one cell in 100 results is detected within 34,500 results with a
+/// probability of 99.9 %.
 class Trust {
   public:
     explicit Trust(std::uint64_t seed) : random_(seed) {}
 
-    /// Each result is audited as a whole before it is merged.
+    /// Whether each result is audited as a whole before it is merged.
     bool isOnProbation() const { return passed_ < kFirst; }
-    /// After probation: the part of the next result to audit, in whole cells, or none. Each cell is audited with
+    /// Draws the part of the next result to audit after probation, in whole cells, or none. Each cell is audited with
     /// probability 1 / kOneIn.
     std::optional<Tile> partToAudit(const Tile& tile);
+    /// Counts an audit that found no difference.
     void passed() { ++passed_; }
 
-    static constexpr std::uint64_t kFirst = 64;  ///< results on probation
-    static constexpr int kOneIn = 50;            ///< cells of later results
+    static constexpr std::uint64_t kFirst = 64;  ///< number of results on probation
+    static constexpr int kOneIn = 50;            ///< one of so many cells of later results is audited
 
   private:
     std::uint64_t passed_ = 0;
@@ -52,27 +54,27 @@ class Trust {
 };
 
 enum class WorkerState {
-    waiting,     ///< for the scene
+    waiting,     ///< has no scene yet, or cannot load it
     ready,       ///< has a scene
     suspect,     ///< silent for some time
-    paused,      ///< by the user
+    paused,      ///< paused by the user
     draining,    ///< finishes its leases, takes no new ones
     quarantined  ///< has sent a wrong result
 };
 
-/// What is shown of a worker.
+/// Status of a worker, for display.
 struct WorkerStatus {
     WorkerId id = kOwnDevice;
     std::string key, name;
     WorkerState state = WorkerState::waiting;
-    Text reason;                ///< for the quarantine, or why it has no scene
-    double workPerSecond = 0;   ///< for pixels of average cost; 0: not known yet
-    double work = 0;            ///< of all merged results
-    double busySeconds = 0;     ///< time on samples, as it reports
-    std::uint64_t results = 0;  ///< merged
-    std::uint64_t audited = 0;  ///< of them, audited and found right
-    std::uint64_t late = 0;     ///< results that came too late to be of use
-    std::uint64_t overdue = 0;  ///< portions that were taken back from it
+    Text reason;                ///< reason for the quarantine, or why the worker has no scene; empty: none
+    double workPerSecond = 0;   ///< speed for pixels of average cost; 0: not known yet
+    double work = 0;            ///< work of all merged results
+    double busySeconds = 0;     ///< time spent on samples, as the worker reports it
+    std::uint64_t results = 0;  ///< number of merged results
+    std::uint64_t audited = 0;  ///< number of audits that found no difference
+    std::uint64_t late = 0;     ///< number of results that arrived too late to be used
+    std::uint64_t overdue = 0;  ///< number of portions that were taken back from the worker
 };
 
 struct Worker {
@@ -85,17 +87,18 @@ struct Worker {
     WorkerStatus status;
     WorkerSpeed speed;
     Trust trust;
-    std::uint64_t scene = 0;  ///< that it has loaded; 0: none
+    std::uint64_t scene = 0;  ///< number of the scene that it has loaded; 0: none
     bool isSuspect = false, isPaused = false, isDraining = false;
-    double lastResult = 0;  ///< seconds
-    int inFlight = 0;       ///< leases that it has not answered, also of orders that have ended without it
+    double lastResult = 0;  ///< time of its last result, or of its first lease after idling [s]
+    int inFlight = 0;       ///< leases that it has not answered, also of requests that have ended without it
 
     bool takesWork(std::uint64_t wantedScene) const {
         return scene == wantedScene && wantedScene != 0 && !isSuspect && !isPaused && !isDraining && !isQuarantined();
     }
-    /// A result of it was merged.
+    /// Counts a merged result.
     void count(const Portion& portion);
     bool isQuarantined() const { return status.state == WorkerState::quarantined; }
+    /// Derives status.state from the flags, except in quarantine, which is permanent.
     void updateState();
 };
 

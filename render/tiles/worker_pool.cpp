@@ -9,8 +9,8 @@
 namespace pdr {
 namespace {
 
-/// Part of its fair share of the remaining work that a worker gets at a time: portions shrink towards the end, and all
-/// workers finish together (guided self-scheduling, Polychronopoulos & Kuck 1987).
+/// Fraction of its fair share of the remaining work that a worker gets at a time: portions shrink towards the end, and
+/// all workers finish together (guided self-scheduling, Polychronopoulos & Kuck 1987).
 constexpr double kShare = 0.4;
 /// Cost of the first portion of a worker of unknown speed: some cells.
 constexpr double kFirstCost = 16 * kFilmCell * kFilmCell;
@@ -132,7 +132,7 @@ Ability WorkerPool::abilityOf(const WorkerSpeed& speed, bool isOnProbation) cons
         if (worker.takesWork(wanted().number))
             all += worker.speed.perSecond();
     const double mine = speed.perSecond();
-    if (mine <= 0)  // the own device's speed, for the expected time
+    if (mine <= 0)  // unknown: expect the own device's speed
         return {kFirstCost, std::max(ownSpeed_.perSecond(), kFirstCost)};
     const double fair = order_->scheduler().openCost() * mine / std::max(all, mine) * kShare;
     const double longest = isOnProbation ? kProbationSeconds : costs_.isKnown() ? kLongestSeconds : kUnknownSeconds;

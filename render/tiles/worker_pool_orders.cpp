@@ -1,4 +1,4 @@
-/// WorkerPool: the side of the device that wants a picture.
+/// The part of WorkerPool that the device which renders an image calls.
 
 #include <algorithm>
 #include <chrono>

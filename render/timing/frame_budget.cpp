@@ -9,7 +9,7 @@ namespace pdr {
 
 namespace {
 
-/// From a measured frame to the next: of few iterations little is learned.
+/// Largest growth of n from a measured frame to the next, because few iterations tell little.
 constexpr std::uint32_t kGrowth = 4;
 
 }  // namespace

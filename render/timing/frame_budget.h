@@ -1,5 +1,6 @@
 #pragma once
-/// How many iterations a displayed frame gets: by hand, or as many as make the display cheap without making it slow.
+/// How many iterations a displayed frame gets: a fixed number, or as many as make the display cheap without making it
+/// slow.
 
 #include <cstdint>
 
@@ -9,40 +10,40 @@ namespace pdr {
 
 struct FrameBudget {
     bool automatic = false;
-    int iterations = 1;           ///< by hand; [1, 10000]
-    double framesPerSecond = 10;  ///< automatic: at least so many where the device can; [0.1, 60]
-    double efficiency = 0.98;     ///< automatic: the part of the time that should go into iterations; (0, 1)
+    int iterations = 1;           ///< if not automatic; [1, 10000]
+    double framesPerSecond = 10;  ///< if automatic: least frame rate, where the device can; [0.1, 60]
+    double efficiency = 0.98;     ///< if automatic: fraction of the time that should go into iterations; (0, 1)
 
-    /// With every number in its range.
+    /// Returns a copy with every number in its range.
     FrameBudget clamped() const;
     bool operator==(const FrameBudget&) const = default;
 };
 
-/// What one displayed frame costs on a device, from recent frames. Medians: a frame that another program delayed does
-/// not count.
+/// Measures what a displayed frame costs on a device, from recent frames. It uses medians, so that a frame delayed by
+/// another program does not count.
 class FrameTimer {
   public:
     void clear() { *this = {}; }
-    /// A frame of n iterations that took that long, and its display, one after the other; seconds.
+    /// Adds a frame of n iterations, with the times that its iterations and its display took, one after the other [s].
     void addFrame(std::uint32_t n, double iterationSeconds, double displaySeconds);
-    /// A frame of n iterations came `seconds` after the one before, whatever went on at the same time.
+    /// Adds a frame of n iterations that came `seconds` after the one before, whatever else ran at the same time.
     void addPeriod(std::uint32_t n, double seconds);
 
-    /// Whether there are as many measured frames as medians are taken of.
+    /// Returns whether as many frames have been measured as the medians are taken of.
     bool settled() const;
-    /// n for the next frame; 1 as long as nothing is known.
+    /// Returns n for the next frame; if automatic, 1 while nothing is known.
     std::uint32_t iterations(const FrameBudget& pace) const;
-    /// The part of the time that goes into iterations, (0, 1]; 0 as long as nothing is known.
+    /// Returns the fraction of the time that goes into iterations, (0, 1]; 0 while nothing is known.
     double efficiency() const;
     double iterationsPerSecond() const { return rates_.median(); }
 
   private:
     static constexpr std::size_t kFrames = 9;
 
-    Recent iterationSeconds_{kFrames};  ///< Tp, of one iteration
-    Recent displaySeconds_{kFrames};    ///< Tt + Tc, of one tone map and copy
+    Recent iterationSeconds_{kFrames};  ///< T_p, of one iteration
+    Recent displaySeconds_{kFrames};    ///< T_t + T_c, of one tone mapping and copy
     std::uint32_t lastMeasured_ = 0;    ///< n of the last frame whose times are known
-    Recent rates_{kFrames};             ///< iterations per second, all in all
+    Recent rates_{kFrames};             ///< iterations per second, display included
 };
 
 }  // namespace pdr

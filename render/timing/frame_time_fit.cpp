@@ -52,12 +52,14 @@ Result<FrameTimeFit> FrameTimeFit::of(const std::vector<TimedFrame>& frames) {
     FrameTimeFit fit;
     fit.launchIsKnown_ = launchesDiffer(frames);
     const unsigned used = fit.launchIsKnown_ ? kAll : kWithoutLaunch;
+    // Set up one equation per frame
     std::vector<Equation> equations;
     equations.reserve(frames.size());
     for (const TimedFrame& frame : frames)
         equations.push_back({factors(frame.work), frame.seconds, 1 / frame.seconds});
+    // Fit with and without the bounds, and improve the weights
     for (int round = 0; round < kReweightings; ++round) {
-        // Relative to what is expected, not to what came: else whatever came out short would weigh more.
+        // Weight by the expected time, not by the measured one: otherwise frames that came out short would weigh more
         for (std::size_t i = 0; round > 0 && i < frames.size(); ++i)
             equations[i].weight = 1 / frameSeconds(fit.model_, frames[i].work);
         const std::optional<Solution> bounded = nonNegativeLeastSquares(equations, used);
@@ -68,6 +70,7 @@ Result<FrameTimeFit> FrameTimeFit::of(const std::vector<TimedFrame>& frames) {
         fit.model_ = modelOf(*bounded);
         fit.free_ = *free;
     }
+    // Estimate the scatter from the residuals
     const int freedom = int(frames.size()) - std::popcount(used);
     fit.scatter_ = std::sqrt(fit.free_.squares / freedom);
     fit.quantile_ = studentT(kOutside, freedom);
@@ -84,7 +87,7 @@ ConfidenceInterval FrameTimeFit::interval(const Factors& factors, double more) c
             variance += factors[i] * free_.covariance[i][j] * factors[j];
     }
     const double half = quantile_ * std::sqrt(scatter_ * scatter_ * variance + more);
-    // About both, or an unknown that the bounds hold at 0 would seem to be known exactly.
+    // Cover both solutions: otherwise an unknown held at 0 by the bounds would seem to be known exactly
     return {std::max(0.0, std::min(middle, value) - half), std::max(middle, value) + half};
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-/// How many iterations one displayed frame should hold. After Perez Monte et al., "Estimation of Volume Rendering
+/// How many iterations one displayed frame should have. After Perez Monte et al., "Estimation of Volume Rendering
 /// Efficiency with GPU in a Parallel Distributed Environment", eqs 1 and 2.
-///   iterationSeconds  T_p, of one iteration             otherSeconds  T_t + T_c, of a frame beside its iterations
+///   iterationSeconds  T_p, time of one iteration       otherSeconds  T_t + T_c, time of a frame beside its iterations
 
 #include <algorithm>
 #include <cmath>
@@ -11,15 +11,16 @@ namespace pdr {
 
 inline constexpr std::uint32_t kMostIterationsPerFrame = 10000;
 
-/// `wanted` as a number of iterations, [1, kMostIterationsPerFrame]; 1 where it is not a number.
+/// Returns `wanted` as a number of iterations, [1, kMostIterationsPerFrame]; 1 if it is not a number.
 inline std::uint32_t allowedIterations(double wanted) {
     if (!(wanted > 1))
         return 1;
     return std::uint32_t(std::min(wanted, double(kMostIterationsPerFrame)));
 }
 
-/// The fewest iterations with which a frame spends `efficiency` in [0, 1) of its time on iterations: eq. 1 solved for
-/// n, n >= E / (1 - E) (T_t + T_c) / T_p. The most that are allowed where iterations take no time.
+/// Returns the fewest iterations with which a frame spends the fraction `efficiency`, [0, 1), of its time on
+/// iterations: eq. 1 solved for n, n >= E / (1 - E) (T_t + T_c) / T_p. Returns the most that are allowed if iterations
+/// take no time.
 inline std::uint32_t iterationsForEfficiency(double efficiency, double iterationSeconds, double otherSeconds) {
     if (!(otherSeconds > 0) || !(efficiency > 0))
         return 1;
@@ -29,8 +30,8 @@ inline std::uint32_t iterationsForEfficiency(double efficiency, double iteration
     return allowedIterations(std::ceil(exact * (1 - 1e-12)));  // 0.9 / 0.1 is a little more than 9
 }
 
-/// The most iterations with which frames still come `framesPerSecond` times a second (> 0), eq. 2; 1 where not even one
-/// fits in.
+/// Returns the most iterations with which frames still come `framesPerSecond` times a second (> 0), eq. 2; 1 if not
+/// even one fits in.
 inline std::uint32_t iterationsForFrameRate(double framesPerSecond, double iterationSeconds, double otherSeconds) {
     const double left = 1 / framesPerSecond - otherSeconds;
     if (!(left > 0))
@@ -40,11 +41,11 @@ inline std::uint32_t iterationsForFrameRate(double framesPerSecond, double itera
     return allowedIterations(std::floor(left / iterationSeconds * (1 + 1e-12)));
 }
 
-/// Of frames that come too late anyway, as smoothed ones may: the part of the time that goes into iterations at least.
+/// Least fraction of the time that goes into iterations in frames that come too late anyway, as denoised ones may.
 inline constexpr double kLateEfficiency = 0.8;
 
-/// As many as `targetEfficiency` asks for, but no more than leave `framesPerSecond`; where not even one leaves that, as
-/// many as kLateEfficiency asks for.
+/// Returns as many iterations as `targetEfficiency` requires, but no more than `framesPerSecond` allows. If not even
+/// one is fast enough for that rate, returns as many as kLateEfficiency requires.
 inline std::uint32_t iterationsPerFrame(double targetEfficiency, double framesPerSecond, double iterationSeconds,
                                         double otherSeconds) {
     if (iterationSeconds > 0 && iterationSeconds + otherSeconds > 1 / framesPerSecond)

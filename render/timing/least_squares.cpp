@@ -10,7 +10,7 @@ namespace {
 using Row = std::array<double, kMostUnknowns>;
 using Matrix = std::array<Row, kMostUnknowns>;
 
-constexpr double kSmallestPivot = 1e-12;  ///< of columns of length 1: below it one is a sum of others
+constexpr double kSmallestPivot = 1e-12;  ///< for columns of length 1: below it a column depends on the others
 
 /// Inverts the symmetric leading part of `matrix` by Gauss-Jordan; false where it is singular.
 bool invert(Matrix& matrix, int size) {
@@ -33,7 +33,7 @@ bool invert(Matrix& matrix, int size) {
     return true;
 }
 
-/// Lengths of the weighted columns: unknowns differ by many powers of ten.
+/// Returns the lengths of the weighted columns, for scaling: unknowns differ by many powers of ten.
 Row columnLengths(const std::vector<Equation>& equations) {
     Row lengths{};
     for (const Equation& equation : equations)
@@ -57,11 +57,13 @@ double squaresOf(const std::vector<Equation>& equations, const Row& unknowns) {
 
 std::optional<Solution> leastSquares(const std::vector<Equation>& equations, unsigned used) {
     const Row lengths = columnLengths(equations);
+    // Choose the columns of the used unknowns
     std::array<int, kMostUnknowns> column{};
     int size = 0;
     for (int k = 0; k < kMostUnknowns; ++k)
         if (used >> k & 1)
             column[size++] = k;
+    // Build the normal equations of the scaled columns
     Matrix normal{};
     Row right{};
     for (const Equation& equation : equations)
@@ -73,6 +75,7 @@ std::optional<Solution> leastSquares(const std::vector<Equation>& equations, uns
         }
     if (!invert(normal, size))
         return std::nullopt;
+    // Undo the scaling
     Solution solution;
     for (int i = 0; i < size; ++i)
         for (int j = 0; j < size; ++j) {

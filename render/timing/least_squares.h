@@ -17,17 +17,19 @@ struct Equation {
 };
 
 struct Solution {
-    std::array<double, kMostUnknowns> unknowns{};  ///< 0 for those that are not used
+    std::array<double, kMostUnknowns> unknowns{};  ///< 0 for unknowns that are not used
     double squares = 0;                            ///< weighted sum of the squared residuals
-    /// The unknowns' covariance where the weighted residuals have a variance of 1.
+    /// Covariance of the unknowns if the weighted residuals have a variance of 1.
     std::array<std::array<double, kMostUnknowns>, kMostUnknowns> covariance{};
 };
 
-/// The unknowns whose bit is set in `used`; the others are 0. Nothing where the equations do not fix them.
+/// Solves for the unknowns whose bit is set in `used`; the others are 0. Returns nothing if the equations do not
+/// determine them.
 std::optional<Solution> leastSquares(const std::vector<Equation>& equations, unsigned used);
 
-/// The best with all unknowns >= 0: of all subsets of `used` the one with the least squares among those whose solution
-/// is nowhere negative. (What is best under such bounds is best without bounds among the unknowns that are not 0.)
+/// Returns the best solution with all unknowns >= 0: of all subsets of `used`, the one with the least squares among
+/// those whose solution is nowhere negative. (The best solution under such bounds is the best without bounds in the
+/// unknowns that are not 0.)
 std::optional<Solution> nonNegativeLeastSquares(const std::vector<Equation>& equations, unsigned used);
 
 }  // namespace pdr

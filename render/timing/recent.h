@@ -1,5 +1,5 @@
 #pragma once
-/// The last few of many measurements, and their median: one that another program disturbed does not count.
+/// The last few of many measurements, and their median, in which a single disturbed measurement does not count.
 
 #include <algorithm>
 #include <cstddef>
@@ -10,7 +10,7 @@ namespace pdr {
 
 class Recent {
   public:
-    /// `most` of them, at least 1.
+    /// Keeps the last `most` values, at least 1.
     explicit Recent(std::size_t most) : most_(most) {}
 
     void add(double value) {
@@ -19,9 +19,9 @@ class Recent {
             values_.pop_front();
     }
     bool empty() const { return values_.empty(); }
-    /// Whether there are as many as the median is taken of.
+    /// Returns whether there are as many values as the median is taken of.
     bool full() const { return values_.size() == most_; }
-    /// 0 of nothing.
+    /// Returns the median, the upper one of an even number of values; 0 without values.
     double median() const {
         if (values_.empty())
             return 0;

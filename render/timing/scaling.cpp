@@ -14,12 +14,12 @@ double resultSeconds(const Link& link, double bytes) {
     return bytes / link.bytesPerSecond + link.messageSeconds;
 }
 
-/// Asked for, computed, sent, taken in.
+/// Returns the time to request a piece of work, send its result and take it in; computing it is not included.
 double roundTrip(const Link& link, double bytes) {
     return 2 * link.latency + resultSeconds(link, bytes);
 }
 
-/// What a frame costs that comes whole from one node.
+/// Returns the work of a frame that one node renders whole, with that many iterations.
 FrameWork wholeFrame(const ScalingFacts& facts, double iterations) {
     FrameWork work = facts.work;
     work.iterations = std::uint32_t(iterations);
@@ -28,16 +28,17 @@ FrameWork wholeFrame(const ScalingFacts& facts, double iterations) {
 
 /// A frame in pieces that go through the star, and the node that ends last.
 struct StarFrame {
-    double working;  ///< seconds of that node, in all its pieces
-    double pieces;   ///< of that node
-    double crowd;    ///< results of others that come together with its own, and before it
+    double working;  ///< seconds of the last node, in all its pieces
+    double pieces;   ///< pieces of the last node
+    double crowd;    ///< results of other nodes that come together with its own, and before it
     double first;    ///< seconds of the piece that ends first
-    double results;  ///< of the frame
-    double bytes;    ///< of a result
+    double results;  ///< results per frame
+    double bytes;    ///< bytes per result
 };
 
-/// T = T_c + working + (pieces - 1) (2 l + s), and a crowd's results once. A frame's results come while the next is
-/// made: FPS = 1 / max(T, all results s). Latency: T and the ways there and back; or the first result, then the link.
+/// Returns the frames of a star. T = T_c + working + (pieces - 1) (2 l + s), and a crowd's results once. A frame's
+/// results come while the next one is rendered: FPS = 1 / max(T, all results s). Latency: T and the ways there and
+/// back; or the first result, then the time of the link for all results.
 ScaledFrames throughStar(const ScalingFacts& facts, const StarFrame& frame) {
     const double taking = resultSeconds(facts.link, frame.bytes), crowd = frame.crowd * taking;
     const double alone =
@@ -51,8 +52,8 @@ ScaledFrames throughStar(const ScalingFacts& facts, const StarFrame& frame) {
     return frames;
 }
 
-/// Perez Monte et al., eq. 2, for m nodes with k tiles each, with a floor for every launch and the last node's
-/// overhang: working = k lambda_b (ceil(n / b) T0 + (n alpha + beta) R / (k m))
+/// Sort-first: Perez Monte et al., eq. 2, for m nodes with k tiles each, with a time T0 for every launch and the last
+/// node's overhang: working = k lambda_b (ceil(n / b) T0 + (n alpha + beta) R / (k m))
 ScaledFrames sortFirst(const ScalingFacts& facts, double nodes) {
     const TileCut cut = tileCut(facts, nodes);
     const TileCosts costs = facts.tiles.diluted(cut.workSeconds / cut.tileSeconds());
@@ -68,9 +69,9 @@ ScaledFrames sortFirst(const ScalingFacts& facts, double nodes) {
     return frames;
 }
 
-/// Blocks of samples of the whole picture, each sent as sums, which are made one picture in the end: with B blocks
-/// working = ceil(B / m) (T0 launches of a block + 64 alpha R), less where the last wave is the rest of the samples
-/// alone; and beta R of the one who shows
+/// Sample-first: blocks of samples of the whole image, each sent as sums, which are combined into one image in the end.
+/// With B blocks, working = ceil(B / m) (T0 launches of a block + 64 alpha R), less if the last wave is only the
+/// rest of the samples; plus beta R of the coordinator.
 ScaledFrames sampleFirst(const ScalingFacts& facts, double nodes) {
     const double blocks = std::ceil(double(facts.work.iterations) / kSamplesPerBlock), busy = std::min(nodes, blocks);
     FrameTimeModel sampling = facts.node;
@@ -93,9 +94,9 @@ ScaledFrames sampleFirst(const ScalingFacts& facts, double nodes) {
     return frames;
 }
 
-/// The sums of all nodes are added up by recursive halving and gathered (Thakur, Rabenseifner & Gropp, "Optimization
-/// of Collective Communication Operations in MPICH", 2005, reduce): 2 (m - 1) / m of a picture's sums a node and
-/// 2 log2(m) messages one after the other; before the next frame.
+/// Sample-first in a tree: the sums of all nodes are added up by recursive halving and gathered (Thakur, Rabenseifner &
+/// Gropp, "Optimization of Collective Communication Operations in MPICH", 2005, reduce), before the next frame:
+/// 2 (m - 1) / m of an image's sums per node and 2 log2(m) messages one after the other.
 ScaledFrames sampleFirstInTree(const ScalingFacts& facts, double nodes) {
     const double blocks = std::ceil(double(facts.work.iterations) / kSamplesPerBlock), busy = std::min(nodes, blocks);
     const double own = std::min(std::ceil(blocks / busy) * kSamplesPerBlock, double(facts.work.iterations));
@@ -111,25 +112,26 @@ ScaledFrames sampleFirstInTree(const ScalingFacts& facts, double nodes) {
     return frames;
 }
 
-/// FPS = m / (T + 2 l + s) until the link has enough, 1 / s; latency of a frame alone, whatever m is.
+/// Alternate frames: FPS = m / (T + 2 l + s) until the link is saturated, 1 / s. Until then the latency is that of a
+/// frame alone, whatever m is.
 ScaledFrames alternateFrames(const ScalingFacts& facts, double nodes) {
     const double bytes = facts.work.pixels * facts.pixelBytes;
     const double cycle = frameSeconds(facts.node, facts.work) + roundTrip(facts.link, bytes);
     const double most = 1 / resultSeconds(facts.link, bytes);
     ScaledFrames frames{.busy = nodes};
     frames.framesPerSecond = std::min(nodes / cycle, most);
-    // Where the link has enough, frames wait for it: as many are on their way as there are nodes (Little's law).
+    // If the link is saturated, frames wait for it: as many are on their way as there are nodes (Little's law)
     frames.latency = std::max(cycle, nodes / most);
     frames.bytes = bytes;
     frames.messages = 2;
     return frames;
 }
 
-/// Free flights forget where they began, so each node finds the first event in its own brick, which covers R / m^(2/3)
-/// pixels; the nearest one counts, is told to all, and each answers with its brick's transmittance. 28 bytes of a
-/// sample of a pixel in all: (t, id, weight), the place, the transmittance. Composited by binary swap (Ma, Painter,
-/// Hansen & Krogh, "Parallel volume rendering using binary-swap compositing", 1994), twice: log2(m) messages each a
-/// launch.
+/// Sort-last: free flights have no memory of where they began, so each node finds the first event in its own brick,
+/// which covers R / m^(2/3) pixels. The nearest event counts and is sent to all nodes, and each answers with its
+/// brick's transmittance: 28 bytes per sample of a pixel in all, for (t, id, weight), the position and the
+/// transmittance. They are composited by binary swap (Ma, Painter, Hansen & Krogh, "Parallel volume rendering using
+/// binary-swap compositing", 1994), twice: log2(m) messages each per launch.
 ScaledFrames sortLast(const ScalingFacts& facts, double nodes) {
     constexpr double kBytes = 28;
     const double samples = facts.work.iterations * facts.work.pixels, launches = facts.work.launches();

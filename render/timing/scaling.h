@@ -1,14 +1,8 @@
 #pragma once
-/// What many nodes make of one node's times: frame rate, latency, efficiency and bytes of ways to share frames out.
-/// Molnar et al., "A Sorting Classification of Parallel Rendering", 1994, has the names; the times of a node are those
-/// of efficiency.h. Times in seconds. All nodes are alike, and nothing fails.
-///
-/// A star: every result goes over one link to the one who shows the picture and who hands out work; a node that has
-/// ended a tile gets the next one for its result. From eight tiles a node on (sixteen where tiles deviate from their mean
-/// by more than it), the formulas are within 5 % of that played event by event (tests/bench/star_simulation_test.cpp),
-/// but where nodes and link are about as slow: there each waits for the other in turn.
-///   l  latency of a message, one way    W  bytes per second of the link    o  what a message costs who shows
-///   k  tiles of a node                  s = bytes of a result / W + o      t  time of a tile or other piece
+/// Predicts what many nodes make of one node's times: frame rate, latency, efficiency and bytes for several ways to
+/// distribute frames. The ways are named after Molnar et al., "A Sorting Classification of Parallel Rendering", 1994;
+/// the times of a node are those of efficiency.h. Times are in seconds. All nodes are equal, and nothing fails.
+/// scaled() describes the model.
 
 #include <cstdint>
 
@@ -18,59 +12,68 @@
 namespace pdr {
 
 enum class Distribution {
-    sortFirst,          ///< tiles: a node has pixels of its own
-    sampleFirst,        ///< a node has samples of its own of every pixel, in whole blocks of kSamplesPerBlock
-    sampleFirstInTree,  ///< the same, with sums added up among the nodes on the way
-    alternateFrames,    ///< a node has frames of its own
-    sortLast,           ///< a node has a brick of the volume of its own
+    sortFirst,          ///< tiles: each node renders its own pixels
+    sampleFirst,        ///< each node renders its own samples of every pixel, in whole blocks of kSamplesPerBlock
+    sampleFirstInTree,  ///< as sampleFirst, but nodes add up the sums on the way
+    alternateFrames,    ///< each node renders its own frames
+    sortLast,           ///< each node renders its own brick of the volume
 };
 inline constexpr int kDistributions = 5;
 
 struct Link {
-    double latency = 100e-6;        ///< l
-    double bytesPerSecond = 125e6;  ///< W; 1 Gbit/s
-    double messageSeconds = 20e-6;  ///< o
+    double latency = 100e-6;        ///< l, latency of a message, one way
+    double bytesPerSecond = 125e6;  ///< W, of the link; 1 Gbit/s
+    double messageSeconds = 20e-6;  ///< o, cost of a message for the coordinator
 };
 
 struct ScalingFacts {
-    FrameTimeModel node;  ///< of one node alone, fitted
-    FrameWork work;       ///< a frame
+    FrameTimeModel node;  ///< fitted times of one node alone
+    FrameWork work;       ///< work of a frame
     TileCosts tiles;
-    double tilesPerNode = 8;       ///< wanted; >= 1
-    double leastTilePixels = 256;  ///< no tile is smaller, so that nodes beyond pixels / this have nothing to do; >= 1
+    double tilesPerNode = 8;       ///< requested; >= 1
+    double leastTilePixels = 256;  ///< least size of a tile: nodes beyond pixels / this have nothing to do; >= 1
     Link link;
-    double pixelBytes = 4;  ///< of a pixel that is finished: 8 bits a channel
-    double sumBytes = 16;   ///< of a pixel to which others add: floats
+    double pixelBytes = 4;  ///< bytes of a finished pixel: 8 bits per channel
+    double sumBytes = 16;   ///< bytes of a pixel's sums, to which others add: floats
 };
 
 struct ScaledFrames {
     double nodes = 1;
-    double busy = 1;  ///< of them, those that have work
+    double busy = 1;  ///< nodes that have work
     double framesPerSecond = 0;
-    double latency = 0;     ///< from the order of a frame to the whole of it
-    double efficiency = 0;  ///< part of all nodes' time in which samples are taken at full speed: n alpha R FPS / nodes
-    double paper = 0;       ///< what Perez Monte et al., eq. 5, has for it with many nodes: 1 - FPS T_c
-    double bytes = 0;       ///< of a frame, over all links
-    double messages = 0;    ///< of a frame, both ways
+    double latency = 0;     ///< from the request of a frame to its completion
+    double efficiency = 0;  ///< fraction of all nodes' time with samples at full speed: n alpha R FPS / nodes
+    double paper = 0;       ///< efficiency of many nodes by Perez Monte et al., eq. 5: 1 - FPS T_c
+    double bytes = 0;       ///< per frame, over all links
+    double messages = 0;    ///< per frame, both ways
 };
 
+/// Returns the figures of `nodes` nodes that share frames out in the way `how`. The network is a star: every result
+/// goes over one link to the coordinator, which shows the image and hands out work. A node that has ended a tile gets
+/// the next one for its result. From eight tiles per node on (sixteen if tiles deviate from their mean by more than
+/// it), the formulas are within 5 % of an event-by-event simulation (tests/bench/star_simulation_test.cpp), except
+/// where nodes and link are about equally slow: there each waits for the other in turn.
+///   l  latency of a message, one way    W  bytes per second of the link    o  cost of a message for the coordinator
+///   k  tiles per node                   s = bytes of a result / W + o      t  time of a tile or other piece
 ScaledFrames scaled(const ScalingFacts& facts, Distribution how, double nodes);
 
-/// How sort-first cuts a frame for so many nodes.
+/// How sort-first cuts a frame for a number of nodes.
 struct TileCut {
-    double nodes;         ///< that have work
-    double tilesPerNode;  ///< whole
-    double pixels;        ///< of a tile
-    double floorSeconds;  ///< of a tile: ceil(n / b) T0
-    double workSeconds;   ///< of a tile: (n alpha + beta) pixels, the mean
+    double nodes;         ///< nodes that have work
+    double tilesPerNode;  ///< a whole number
+    double pixels;        ///< per tile
+    double floorSeconds;  ///< per tile: ceil(n / b) T0
+    double workSeconds;   ///< mean per tile: (n alpha + beta) pixels
 
     double tileSeconds() const { return floorSeconds + workSeconds; }
 };
 TileCut tileCut(const ScalingFacts& facts, double nodes);
 
-/// A tile of so many pixels takes as long to launch as to sample: T0 ceil(n / b) / (n alpha). Infinite without samples.
+/// Returns the pixels of a tile that takes as long to launch as to sample: T0 ceil(n / b) / (n alpha). Infinite without
+/// samples.
 double floorPixels(const FrameTimeModel& node, const FrameWork& work);
-/// From how many nodes on sort-first's tiles are smaller than that; infinite where no tile ever is.
+/// Returns the number of nodes from which on sort-first's tiles are smaller than floorPixels(); infinite if no tile
+/// ever is.
 double floorNodes(const ScalingFacts& facts);
 
 }  // namespace pdr

@@ -9,7 +9,7 @@ namespace pdr {
 
 namespace {
 
-/// "0.8 ms", "120 ms", "12 s": two digits that count.
+/// Returns a time with two significant digits: "0.8 ms", "120 ms", "12 s".
 Text shortTime(double seconds) {
     const bool large = seconds >= 1;
     const double value = large ? seconds : 1e3 * seconds;
@@ -34,6 +34,7 @@ SplitChoice chooseSplit(const SplitFacts& facts) {
     SplitChoice choice;
     choice.workSeconds = inBlock / nodes;
     choice.startSeconds = facts.launchSeconds + 2 * facts.latencySeconds;
+    // Predict the time by tiles, then by samples
     const double byTiles =
         blocks * choice.startSeconds + double(facts.samples) * facts.sampleSeconds * facts.pixels / nodes;
     choice.tilesSeconds = choice.samplesSeconds = std::max(byTiles, link);
@@ -43,6 +44,7 @@ SplitChoice chooseSplit(const SplitFacts& facts) {
         return tilesSince(choice, phrase("samples are shared out in blocks of 64, and fewer than two are ordered"));
     const double bySamples = std::ceil(blocks / nodes) * (choice.startSeconds + inBlock);
     choice.samplesSeconds = std::max(bySamples, link);
+    // Choose, with the reason
     const Text work = shortTime(choice.workSeconds), start = shortTime(choice.startSeconds);
     if (choice.workSeconds >= choice.startSeconds)
         return tilesSince(

@@ -10,20 +10,22 @@ namespace pdr {
 
 namespace {
 
-/// The expected greatest of `count` standard normal numbers. Blom, Statistical Estimates and Transformed
+/// Returns the expected maximum of `count` standard normal numbers. Blom, Statistical Estimates and Transformed
 /// Beta-Variables, 1958: the quantile (count - 3/8) / (count + 1/4).
 double greatestOfNormals(double count) {
     return count > 1 ? normalZ(1.25 / (count + 0.25)) : 0;
 }
 
-/// Every node works through as many tiles as the others: greatest of sums that are nearly normal.
+/// Returns the overhang if every node processes equally many tiles: the expected maximum of sums that are nearly
+/// normal.
 double overhangOfSums(const TileCosts& costs, double nodes, double tilesPerNode) {
     return greatestOfNormals(nodes) * costs.deviation() * std::sqrt(tilesPerNode);
 }
 
-/// When no tile is left, every node is somewhere in its last one: what remains of it is spread as the residual life of
-/// a renewal process, G(x) = integral of 1 - F over [0, x] (Feller, An Introduction to Probability Theory, vol. 2,
-/// XI.4). The greatest of `nodes` such rests over their mean; exact for the steps of F, between which G is straight.
+/// Returns the overhang if tiles end at any time. When no tile is left, every node is somewhere in its last one. The
+/// rest of that tile is distributed as the residual life of a renewal process, G(x) = integral of 1 - F over [0, x]
+/// (Feller, An Introduction to Probability Theory, vol. 2, XI.4). The result is the expected maximum of `nodes` such
+/// rests minus their mean; it is exact for the steps of F, between which G is linear.
 double overhangOfRests(const TileCosts& costs, double nodes) {
     const std::vector<double>& sorted = costs.sorted();
     const double count = double(sorted.size());
@@ -41,7 +43,7 @@ double overhangOfRests(const TileCosts& costs, double nodes) {
     return greatest - mean;
 }
 
-/// The expected cost of the longest of `tiles` that are drawn from the histogram.
+/// Returns the expected cost of the longest of `tiles` tiles that are drawn from the histogram.
 double longestOf(const TileCosts& costs, double tiles) {
     const double count = double(costs.sorted().size());
     double longest = 0, before = 0;
@@ -83,7 +85,7 @@ double TileCosts::deviation() const {
 double overhang(const TileCosts& costs, double nodes, double tilesPerNode) {
     if (!(nodes > 1))
         return 0;
-    // No picture ends before its longest tile; where every node has one, all wait for that alone.
+    // No image ends before its longest tile; if every node has one tile, all wait for the longest
     const double longest = longestOf(costs, nodes * tilesPerNode) - tilesPerNode;
     const double last = std::min(overhangOfSums(costs, nodes, tilesPerNode), overhangOfRests(costs, nodes));
     return tilesPerNode > 1 ? std::max(last, longest) : longest;

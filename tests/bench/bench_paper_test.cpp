@@ -31,7 +31,7 @@ double truth(const Plan& plan, ivec2 size, WayPlace way) {
     return frameSeconds(kTruth, work) + (way == kK0 ? kKroesOther : 0);
 }
 
-/// As if measured: three runs of each cell, off by a relative normal error.
+/// Returns a report as if measured: three runs of each cell, off by a relative normal error.
 Report madeUp(double error, unsigned seed = 1) {
     Report report;
     report.setup = {"2026-01-01 00:00 UTC", "1.2.3",    "a processor", 8,

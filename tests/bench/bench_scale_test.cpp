@@ -163,7 +163,7 @@ class BenchScaleTest : public QObject {
         QVERIFY(all[1].foretold > 19 && all[1].foretold < 20.1);
     }
 
-    /// Of 10 s of one node 1 s goes into 1000 pieces; two nodes have 600 each.
+    /// One node spends 1 s of 10 s on 1000 pieces of work; two nodes have 600 each.
     void piecesOfWorkCostTime() {
         const auto runs = measuredRunsFrom(
             R"({"format": "pdrender-scale-runs", "formatVersion": 1, "width": 480, "height": 270, "clock": "processor",

@@ -24,7 +24,7 @@ class DeviceLoadTest : public QObject {
         return load.stop().value_or(-1);
     }
     static void wait() { std::this_thread::sleep_for(milliseconds(80)); }
-    /// As long as it takes to get 80 ms of a processor that others want too.
+    /// Computes until the thread has had 80 ms of a processor that others use too.
     static void compute() {
         for (const double start = pdr::processorSeconds(); pdr::processorSeconds() - start < 0.08;) {
         }

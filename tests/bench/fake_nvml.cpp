@@ -7,7 +7,7 @@
 extern "C" {
 
 std::atomic<std::chrono::steady_clock::time_point> fakeNvmlBusySince{};
-std::atomic<int> fakeNvmlSettledAnswers = 0;  ///< how often it said 60 %
+std::atomic<int> fakeNvmlSettledAnswers = 0;  ///< number of answers of 60 %
 
 struct FakeUtilization {
     unsigned gpu, memory;

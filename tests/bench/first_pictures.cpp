@@ -1,9 +1,10 @@
-/// How good the picture is soon after an edit, in the real window: what was shown after 0.1, 1 and 10 seconds, smoothed
-/// and raw, against a picture of many samples of another seed.
+/// Measures how good the image is soon after an edit, in the real window: the image after 0.1, 1 and 10 seconds,
+/// denoised and raw, against an image of many samples of another seed.
 ///   first_pictures FOLDER [-o SHEET.jpg] [--reference N] [--threads N] [--look NAME]
-/// FOLDER holds a CT. The edit is a view from the front. Prints a line for each picture: samples and pixels it has, how
-/// many of 255 levels 95 % of the tissue are off, once stretched to the view as the window does, and what the window
-/// says of it. With -o they are drawn on one sheet: raw above, smoothed below, the reference on the right.
+/// FOLDER holds a CT. The edit is a view from the front. Prints a line for each image: its samples and pixels, the
+/// levels of 255 within which 95 % of the tissue are once the image is stretched to the view as the window does,
+/// and the error that the window states. With -o the images are drawn on one sheet: raw above, denoised below, the
+/// reference on the right.
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -37,7 +38,7 @@ QImage imageOf(const std::vector<std::uint8_t>& rgba, ivec2 size) {
         .convertToFormat(QImage::Format_RGB32);
 }
 
-/// As the window stretches it.
+/// Returns the image stretched to the view, as the window does.
 QImage stretched(const QImage& image, QSize view) {
     if (image.size() == view)
         return image;
@@ -84,7 +85,7 @@ std::array<Shown, kSeconds.size()> shownAfterEdit(Desktop& desktop) {
     return shown;
 }
 
-/// What was on the screen, and below it how right it was and what was said of it.
+/// An image that was on the screen, with a text below it: its true error, and the stated one.
 struct Trial {
     QString text;
     QImage image;

@@ -1,7 +1,7 @@
-/// How soon the small pictures of the looks are there, beside a session that renders with all it has.
+/// Measures how soon the small images of the looks are there, beside a session that renders at full load.
 ///   gallery FOLDER
-/// FOLDER holds a CT. Prints the seconds from the first scene of the volume to each picture, and the processor time of
-/// the whole program until the last.
+/// FOLDER holds a CT. Prints the seconds from the first scene of the volume to each image, and the processor
+/// time of the whole program until the last.
 
 #include <QApplication>
 #include <QElapsedTimer>

@@ -1,11 +1,11 @@
-/// How long a picture takes to follow the hand, in the real window: from the event to the end of the painting of the
-/// first picture that knows of it.
+/// Measures how long an image takes to follow an interaction, in the real window: from the event to the end of the
+/// painting of the first image that shows it.
 ///   interaction FOLDER [--seconds S] [--threads N]
-/// FOLDER holds a CT. Each gesture takes S seconds (default 10), with events as a mouse tells them, 125 a second: a
-/// drag that turns, one of the brightness, one of a node of the tissue's opacity. Then single edits, views and looks,
-/// one after a rest of a second. Prints a line each: events that were answered, milliseconds (median, 99 in 100, most),
-/// pictures a second, the median of their widths, and the processor time of the whole program to the time of the clock;
-/// and below it for how long single events kept the window busy, by the clock and by its own processor time.
+/// FOLDER holds a CT. Each gesture takes S seconds (default 10), with events as a mouse sends them, 125 a second: a
+/// drag that rotates, one of the brightness, one of a node of the tissue's opacity. Then single edits, views and looks,
+/// each after a rest of a second. Prints a line each: events that were answered, milliseconds (median, 99 in 100,
+/// most), images a second, the median of their widths, and the ratio of the processor time of the whole program to wall
+/// time; and below it how long single events kept the window busy, in wall time and in its own processor time.
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -39,7 +39,7 @@ double at(std::vector<double> values, double share) {
     return values[std::min(std::size_t(share * double(values.size())), values.size() - 1)];
 }
 
-/// What the hand has done and no picture has shown yet.
+/// An edit that no image has shown yet.
 struct Unanswered {
     double atMs;
     std::uint64_t revision;
@@ -54,7 +54,7 @@ class Stopwatch {
                          [this](const std::shared_ptr<const Frame>& frame) { painted(*frame); });
     }
 
-    /// Does `edit`, and times its picture.
+    /// Makes an edit, and times its image.
     void time(const std::function<void()>& edit) {
         const double start = nowMs();
         edit();
@@ -62,7 +62,7 @@ class Stopwatch {
         unanswered_.push_back({start, document.scene().revision, document.display()});
     }
 
-    /// For `seconds`: `edit` of 0, 1, 2, ..., every `ms`.
+    /// Calls `edit` with 0, 1, 2, ... every `ms` milliseconds, for `seconds`.
     void repeat(double seconds, int ms, const std::function<void(int)>& edit) {
         const double end = nowMs() + 1e3 * seconds;
         for (int i = 0; nowMs() < end; ++i) {

@@ -1,10 +1,10 @@
-/// How much render nodes bring, as programs on this machine, each pinned to a core of its own.
+/// Measures the speedup by render nodes, as programs on this machine, each pinned to a core of its own.
 ///   node_speed [--size WxH] [--samples N] [--rounds N] [--nodes N] [--model NAME]
-/// Each round renders the same frame of N samples (default 100, at 1920x1080) by the own device with one thread and
-/// with as many as there are nodes, by one node, and by all nodes (default 2); nodes take everything, and the own
-/// device audits. All ways alternate, so that a busy machine is busy for all. Prints a line each: seconds of each
-/// round, iterations a second (median); then ratios of the medians: one node against one thread (what the protocol
-/// costs), all nodes against one, and all threads against one, which is what this machine could bring at most.
+/// Each round renders the same frame of N samples (default 100, at 1920x1080) by the local device with one thread and
+/// with as many as there are nodes, by one node, and by all nodes (default 2); nodes take everything, and the local
+/// device audits. All ways alternate, so that load on the machine affects all. Prints a line each: seconds of each
+/// round, iterations a second (median); then ratios of the medians: one node against one thread (the cost of the
+/// protocol), all nodes against one, and all threads against one, which is the most that this machine could reach.
 
 #include <sched.h>
 
@@ -34,7 +34,7 @@ Scene speedScene(ivec2 size, Model model) {
     return scene;
 }
 
-/// All threads of it, and so those that they start.
+/// Pins all threads of a process, and so those that they start.
 void pin(qint64 process, int core) {
     cpu_set_t set;
     CPU_ZERO(&set);

@@ -1,9 +1,9 @@
-/// What it takes to open a series in the real window: seconds by the clock and of the processors, and memory, from the
-/// folder to each step on the way.
+/// Measures what it takes to open a series in the real window: wall time, processor time and memory, from the folder to
+/// each step on the way.
 ///   opening FOLDER [--until S] [--threads N]
-/// FOLDER holds a CT. Prints a line when headers are read, voxels are in memory, the first image stands (small pixels),
-/// the first full image, each mask of a part and each image of the gallery; after S seconds (default 10) the window is
-/// closed, and the last line says how long the program took to let go of everything.
+/// FOLDER holds a CT. Prints a line when headers are read, voxels are in memory, the first image stands (small
+/// pixels), the first full image, each mask of a part and each image of the gallery; after S seconds (default 10) the
+/// window is closed, and the last line says how long the program took to free everything.
 
 #include <QApplication>
 #include <QCommandLineParser>

@@ -50,10 +50,10 @@ constexpr double kPromise = 0.05;
 
 }  // namespace
 
-/// What the formulas of render/timing/scaling.h promise: within 5 % of the same played event by event, from eight tiles
+/// Tests the formulas of render/timing/scaling.h: they are within 5 % of a simulation event by event, from eight tiles
 /// a node on (sixteen where tiles deviate from their mean by more than it), where eight nodes or more keep the link
 /// busy for less than half of the time, or would for twice as long. (Where both are as slow, nodes and link wait for
-/// each other in turn, which the formulas do not know.)
+/// each other in turn, which the formulas do not model.)
 class StarSimulationTest : public QObject {
     Q_OBJECT
 

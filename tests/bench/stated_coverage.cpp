@@ -1,18 +1,19 @@
-/// Whether every figure that is stated of an image's error covers what it says, over seeds, looks, volumes and samples.
-/// The truth of an image is the mean of the images of all other seeds at the most samples, with which it shares no
-/// number.
+/// Measures whether every figure that is stated about an image's error covers what it claims, over seeds, looks,
+/// volumes and samples. The truth of an image is the mean of the images of all other seeds at the most samples, with
+/// which it shares no number.
 ///   stated_coverage RESULTS.csv NAME=FOLDER... [--looks A,B,...] [--seeds N] [--size N] [--threads N]
 /// FOLDER holds a CT, or is a scene file; looks are those that are shipped, by name. RESULTS.csv gets a line for each
-/// volume, look and number of samples as soon as it is known; what it holds already is not made again. Columns in per
-/// cent, empty where nothing is stated; 95 is what each of them is to be, but for those of `bound`:
-///   sentence            of the tissue, within what is stated for 95 % of it
-///   denoised, at_most   of the tissue in the denoised image, within what is stated of that, and of its upper end
-///   strip               of the images, that reach 0.6 of the error between the samples that were foretold
-///   map, denoised_map   of the tissue, pixels within what the error map says of each of them, of either image
-///   error, bound        of the tissue's channels, within 1.96 times error.* and bound.* of an OpenEXR file
-/// and beside them: unknown, the tissue of which map and file say nothing; unmet, the tissue that no sample has met,
-/// and unmet_stated, what is said of that in the mean; ratio, the root mean square error over the stated relativeError;
-/// seconds, of all seeds.
+/// volume, look and number of samples as soon as it is known; what it holds already is not computed again. Columns in
+/// per cent, empty where nothing is stated; 95 is the target of each of them, except for `bound`:
+///   sentence            share of the tissue within the margin stated for 95 % of it
+///   denoised, at_most   share of the tissue in the denoised image within its stated margin, and within the upper
+///                       end of that
+///   strip               share of the images that reach 0.6 of the error within the predicted range of samples
+///   map, denoised_map   share of the tissue's pixels within the margins of the error map, of either image
+///   error, bound        share of the tissue's channels within 1.96 times error.* and bound.* of an OpenEXR file
+/// and beside them: unknown, the tissue for which map and file state nothing; unmet, the tissue that no sample has met,
+/// and unmet_stated, the mean of what is stated for that; ratio, the root mean square error over the stated
+/// relativeError; seconds, of all seeds.
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -37,7 +38,7 @@ struct Plan {
     int seeds, size, threads;
 };
 
-/// Those named in a list, all by an empty one.
+/// Returns the looks named in a list, all for an empty list.
 std::vector<NamedLook> chosen(const std::vector<NamedLook>& looks, const std::string& names) {
     std::vector<NamedLook> found;
     std::istringstream list(names);
@@ -53,7 +54,7 @@ struct Series {
     std::optional<bool> foretold;
 };
 
-/// Until 0.6 of the error at 64 samples is reached, and all images are there.
+/// Renders until 0.6 of the error at 64 samples is reached, and all images are there.
 Series grown(Device& device, const Scene& scene, double exposure) {
     const auto film = startFilm(device, scene);
     Series series;

@@ -1,5 +1,5 @@
 #pragma once
-/// What an image states of its error, and how much of the truth that covers.
+/// Computes what an image states about its error, and how much of the truth that covers.
 
 #include <algorithm>
 #include <array>
@@ -22,13 +22,13 @@ namespace pdr::test {
 
 constexpr double kSigmas = 1.96;
 
-/// An image, row by row, and all that is stated of it.
+/// An image, row by row, and all that is stated about it.
 struct StatedImage {
     FilmStatus status;
     std::optional<SmoothedError> denoisedError;
     std::vector<dvec3> light, denoised;
-    std::vector<dvec3> error, bound;      ///< of an OpenEXR file
-    std::vector<float> map, denoisedMap;  ///< levels; infinite: not known, or more than a map tells
+    std::vector<dvec3> error, bound;      ///< as in an OpenEXR file
+    std::vector<float> map, denoisedMap;  ///< levels; infinite: not known, or beyond the map's range
     std::vector<bool> tissue;
 };
 
@@ -36,7 +36,7 @@ inline dvec3 at(const denoise::Colours& planes, int x, int y) {
     return {planes[0].row(y)[x], planes[1].row(y)[x], planes[2].row(y)[x]};
 }
 
-/// As it is painted.
+/// Returns the levels of a map as it is painted.
 inline std::vector<float> shownLevels(const LevelErrorMap& map) {
     std::vector<float> shown;
     for (const std::uint8_t bin : map.bins)
@@ -79,7 +79,7 @@ class Truth {
             tissue_[i] = tissue_[i] || image.tissue[i];
         }
     }
-    /// Of all other images than this, which was added.
+    /// The mean of all images that were added but one.
     struct Known {
         std::vector<dvec3> light;
         const std::vector<bool>& tissue;
@@ -97,7 +97,7 @@ class Truth {
     std::vector<bool> tissue_;
 };
 
-/// Of the samples at which the error is 0.6 of what it was.
+/// The prediction of the samples at which the error is 0.6 of what it was.
 class Forecast {
   public:
     void look(const FilmStatus& now, std::uint64_t from) {
@@ -110,7 +110,8 @@ class Forecast {
             needed_ = double(now.samplesPerPixel);
         last_ = double(now.samplesPerPixel);
     }
-    /// Nothing: none was made. What has not come by the end is true as long as it was foretold for later.
+    /// Returns whether the prediction came true; nothing if none was made. A prediction that is still open at the end
+    /// is true if it reaches beyond the end.
     std::optional<bool> cameTrue() const {
         if (target_ <= 0)
             return std::nullopt;
@@ -124,7 +125,7 @@ class Forecast {
     std::optional<double> needed_;
 };
 
-/// How many of those that were asked.
+/// The share of cases that hold.
 struct Share {
     double held = 0, all = 0;
 
@@ -142,7 +143,7 @@ struct Share {
 constexpr const char* kFigureNames =
     "sentence,denoised,at_most,strip,map,denoised_map,error,bound,unknown,unmet,unmet_stated,ratio,images_denoised";
 
-/// Over the images of one scene and number of samples.
+/// The figures over the images of one scene and number of samples.
 struct Figures {
     Share sentence, denoised, atMost, strip, map, denoisedMap, error, bound, unknown, unmet, unmetStated, judged;
     double squares = 0, statedSquares = 0;
@@ -169,7 +170,7 @@ struct Figures {
             statedSquares += image.status.relativeError * image.status.relativeError;
         }
     }
-    /// As kFigureNames says.
+    /// Returns the figures as text, in the order of kFigureNames.
     std::string text() const {
         std::ostringstream out;
         for (const Share* share : {&sentence, &denoised, &atMost, &strip, &map, &denoisedMap, &error, &bound, &unknown,

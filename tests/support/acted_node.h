@@ -1,5 +1,5 @@
 #pragma once
-/// A node that introduces itself as every other does, and then does what a test says.
+/// A node that introduces itself like any other and then does what a test says.
 
 #include "app/coordinator/reference_bits.h"
 #include "app/remote/dial.h"
@@ -10,7 +10,7 @@ namespace pdr::test {
 
 class ActedNode {
   public:
-    /// Waits at a free port of this machine.
+    /// Waits for a coordinator at a free port of this machine.
     explicit ActedNode(const wire::Hello& hello = helloOfThisMachine()) : hello_(hello), listener_(kNode) {
         if (!listener_.listen({"127.0.0.1", 0}))
             qFatal("no port is free");
@@ -35,16 +35,16 @@ class ActedNode {
         return hello;
     }
 
-    /// Where it waits.
+    /// Port at which it waits.
     quint16 port() const { return listener_.address().port; }
     bool say(wire::Message message) { return channel_->send(std::move(message)); }
     void leave() { channel_->close("it goes"); }
     bool isWelcome() const { return channel_ && channel_->isAdmitted(); }
     bool isOver() const { return isOver_; }
-    int connections() const { return connections_; }  ///< so far
-    /// What has been said and is not sent.
+    int connections() const { return connections_; }  ///< number of connections so far
+    /// Returns the bytes of messages that are queued and not sent yet.
     qint64 waits() const { return channel_->queuedBytes(); }
-    /// All of a kind that came.
+    /// Returns all messages of a kind that have arrived.
     template <class Kind>
     std::vector<Kind> heard() const {
         std::vector<Kind> all;

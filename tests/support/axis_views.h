@@ -1,5 +1,5 @@
 #pragma once
-/// The sides of a patient, and the views along his axes.
+/// The sides of a patient, and views along the patient's axes.
 
 #include <array>
 #include <vector>
@@ -10,12 +10,12 @@ namespace pdr::test {
 
 struct Side {
     char letter;
-    dvec3 way;  ///< LPS
+    dvec3 way;  ///< direction, LPS
 };
 inline constexpr std::array<Side, 6> kSides{
     {{'L', {1, 0, 0}}, {'R', {-1, 0, 0}}, {'P', {0, 1, 0}}, {'A', {0, -1, 0}}, {'H', {0, 0, 1}}, {'F', {0, 0, -1}}}};
 
-/// The 24 ways to look along an axis, upright along another, from 600 mm away: through `fovDegrees` in perspective,
+/// Returns the 24 views along an axis, upright along another axis, from 600 mm away: `fovDegrees` wide in perspective,
 /// `heightMm` high in parallel projection.
 inline std::vector<Camera> axisViews(Camera::Type type, double fovDegrees, double heightMm) {
     std::vector<Camera> cameras;

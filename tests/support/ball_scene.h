@@ -1,5 +1,5 @@
 #pragma once
-/// A ball of 12 voxels' radius in air, as a raw file, and a scene that shows it, in a folder of their own.
+/// A ball with a radius of 12 voxels in air, as a raw file, and a scene file that shows it, in a temporary folder.
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -43,7 +43,7 @@ class BallScene {
             qFatal("the test cannot write its files");
     }
 
-    /// Runs the command line.
+    /// Runs pdrender-cli.
     static ProgramRun run(const QStringList& arguments) { return runProgram("pdrender-cli", arguments); }
 
   private:

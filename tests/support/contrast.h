@@ -1,5 +1,5 @@
 #pragma once
-/// How well one colour stands out from another: WCAG 2.2, relative luminance and contrast ratio, [1, 21].
+/// Contrast of two colours by WCAG 2.2: relative luminance and contrast ratio, [1, 21].
 
 #include <QColor>
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace pdr::test {
 
-/// Of an sRGB value, both in [0, 1].
+/// Returns the linear light of an sRGB value, both in [0, 1].
 inline double linearLight(double value) {
     return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }

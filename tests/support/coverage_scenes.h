@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes whose light is easy to find and hard to find: what is stated of a picture's error is held against them.
+/// Scenes whose light is easy or hard to find, on which tests verify the stated error of an image.
 
 #include "render/scene/named_look.h"
 #include "tests/support/tissue_scene.h"
@@ -35,7 +35,7 @@ inline Scene manyBounces() {
     return scene;
 }
 
-/// One of them, made anew.
+/// Function that makes one of these scenes.
 using MakeScene = Scene (*)();
 
 }  // namespace pdr::test

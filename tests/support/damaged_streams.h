@@ -1,5 +1,5 @@
 #pragma once
-/// Compressed CT slices, and damage to their pixel data: what a bad sector, a lost packet or a cosmic ray leaves.
+/// Compressed CT slices, and damage to their pixel data as a bad sector, a lost packet or a cosmic ray causes it.
 
 #include <dcmtk/config/osconfig.h>
 
@@ -25,7 +25,7 @@
 
 namespace pdr::test {
 
-/// A noisy disc of tissue with bone in air, 12 bits unsigned: what compresses as a CT does.
+/// Makes a noisy disc of tissue with bone in air, 12 bits unsigned, which compresses like a CT slice.
 inline SliceFile tissueSlice(ivec2 size, unsigned seed) {
     SliceFile slice{.size = size, .isSigned = false, .bitsStored = 12};
     std::mt19937 random(seed);
@@ -59,7 +59,7 @@ inline std::unique_ptr<DcmRepresentationParameter> parametersOf(E_TransferSyntax
     }
 }
 
-/// False where the toolkit has no encoder for `coding`.
+/// Writes a compressed slice. False: the toolkit has no encoder for `coding`, or the file cannot be written.
 inline bool writeCompressedSlice(const std::filesystem::path& file, const SliceFile& slice, E_TransferSyntax coding) {
     dicom::prepareToolkit();
     static const bool once = [] {
@@ -87,7 +87,7 @@ inline void writeBytes(const std::filesystem::path& file, const std::string& byt
     std::ofstream(file, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
 }
 
-/// Where the fragments of the compressed picture lie in a file: behind the offset table, before the last delimiter.
+/// Range of the fragments of the compressed image in a file: behind the offset table, before the last delimiter.
 struct StreamRange {
     std::size_t first = 0, last = 0;
 };
@@ -117,7 +117,7 @@ inline std::string withBitFlips(std::string file, StreamRange range, int count, 
 
 enum class Outcome { refused, unchanged, silent };
 
-/// What the import makes of a damaged file, beside what the sound one holds.
+/// Returns what the import makes of a damaged file, compared with `sound`, the HU of the sound file.
 inline Outcome outcomeOf(const std::filesystem::path& file, const std::vector<std::int16_t>& sound) {
     const auto slice = dicom::decodeSlice({file, 0}, dicom::Padding::keep);
     if (!slice)

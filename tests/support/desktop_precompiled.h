@@ -1,6 +1,6 @@
 #pragma once
-/// What tests of the desktop include beside that, which takes most of the time to parse.
+/// Precompiled header for tests of the desktop: adds the desktop, which takes most of the time to parse.
 
 #include "tests/support/precompiled.h"
-// In this order: TBB has names of its own that Qt takes for keywords.
+// Must come after TBB, which has names that Qt defines as keywords.
 #include "tests/support/desktop_trial.h"

@@ -1,5 +1,5 @@
 #pragma once
-/// The desktop in a test: with settings of its own, and the frames that it has shown.
+/// The desktop in a test, with settings of its own and a record of the frames that it has shown.
 
 #include <QImage>
 #include <QLabel>
@@ -20,7 +20,7 @@ struct Trial {
         : desktop(*bundledLooks(), std::move(device), folder.filePath("settings.ini"), 1) {
         QObject::connect(&desktop.parts().bridge, &RenderBridge::frameReady,
                          [this](const std::shared_ptr<const Frame>& frame) { frames.push_back(frame); });
-        desktop.parts().bridge.setTarget(kFinestStep);  // goes on as long as a test looks
+        desktop.parts().bridge.setTarget(kFinestStep);  // keeps rendering as long as a test runs
         desktop.window().resize(900, 500);
         desktop.window().show();
     }
@@ -30,14 +30,14 @@ struct Trial {
         QTRY_VERIFY_WITH_TIMEOUT(!frames.empty() && !frames.back()->coarse, test::kPatience);
     }
 
-    /// Waits for a full picture of the document's newest scene.
+    /// Waits for a full image of the document's newest scene.
     void waitForNewest() {
         const Document& document = desktop.parts().document;
         QTRY_VERIFY_WITH_TIMEOUT(frames.back()->revision == document.scene().revision && !frames.back()->coarse,
                                  test::kPatience);
     }
 
-    /// All that the foot of the window says, tool tips included; empty where it says nothing of a picture.
+    /// Returns all texts of the status bar with their tool tips; empty if it shows nothing about an image.
     QString said() {
         QStringList words;
         for (const QLabel* label : desktop.window().foot().findChildren<QLabel*>())
@@ -46,8 +46,8 @@ struct Trial {
         return words.join('\n');
     }
 
-    /// After a pause: the samples that the film holds, once they are on the screen. A film is saved between two
-    /// launches, so none is on its way any more.
+    /// Returns the samples per pixel of the film after a pause, once they are on the screen. A film is saved between
+    /// two launches, so that no samples are in flight.
     std::uint64_t heldSamples() {
         const QString file = folder.filePath("held.png");
         QSignalSpy saved(&desktop.parts().bridge, &RenderBridge::saved);

@@ -1,5 +1,5 @@
 #pragma once
-/// Texts of the tree, for tests that hold documents against it.
+/// Reads texts of the source tree, for tests that compare documents with it.
 
 #include <QFile>
 #include <QRegularExpression>
@@ -7,13 +7,13 @@
 
 namespace pdr::test {
 
-/// The text of a file; empty where it cannot be read.
+/// Returns the text of a file; empty if it cannot be read.
 inline QString contents(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-/// What the first group of `pattern` catches in `text`, match by match; ^ and $ are ends of lines.
+/// Returns what the first group of `pattern` captures in `text`, match by match; ^ and $ match at ends of lines.
 inline QStringList caught(const QString& pattern, const QString& text) {
     QStringList found;
     const QRegularExpression expression(pattern, QRegularExpression::MultilineOption);

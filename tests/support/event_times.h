@@ -1,5 +1,5 @@
 #pragma once
-/// How long the window's thread is busy with single events.
+/// Measures how long the window's thread is busy with single events.
 
 #include <QApplication>
 #include <QThread>
@@ -12,12 +12,12 @@
 namespace pdr::test {
 
 struct EventTime {
-    double processorMs;  ///< of the window's thread alone: what other programs do does not count
+    double processorMs;  ///< time of the window's thread alone, without other programs
     double wallMs;
     std::string what;  ///< the receiver's class and the event's number
 };
 
-/// Times each event that the window's thread is given; what an event sends in turn belongs to it.
+/// Times each event that the window's thread receives; events that it sends in turn belong to it.
 class TimedApplication : public QApplication {
   public:
     using QApplication::QApplication;
@@ -25,7 +25,7 @@ class TimedApplication : public QApplication {
     std::vector<EventTime> times;
 
     bool notify(QObject* receiver, QEvent* event) override {
-        if (QThread::currentThread() != thread() || depth_ > 0)  // other threads have events of their own
+        if (QThread::currentThread() != thread() || depth_ > 0)  // events of other threads do not count
             return QApplication::notify(receiver, event);
         const std::string what =
             std::string(receiver->metaObject()->className()) + " " + std::to_string(int(event->type()));
@@ -39,7 +39,7 @@ class TimedApplication : public QApplication {
         return taken;
     }
 
-    /// The `share` of them takes no longer than that.
+    /// Returns the time that a fraction `share` of the events does not exceed.
     double at(double share, double EventTime::*time) const {
         std::vector<double> sorted;
         for (const EventTime& one : times)
@@ -48,7 +48,7 @@ class TimedApplication : public QApplication {
         return sorted.empty() ? 0 : sorted[std::min(std::size_t(share * double(sorted.size())), sorted.size() - 1)];
     }
 
-    /// The longest ones, one a line.
+    /// Lists the longest events, one per line.
     std::string longest(std::size_t count) const {
         std::vector<EventTime> sorted = times;
         std::ranges::sort(sorted, std::ranges::greater(), &EventTime::processorMs);

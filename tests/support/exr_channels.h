@@ -1,5 +1,5 @@
 #pragma once
-/// What an OpenEXR file holds, without the library that wrote it.
+/// Reads the channels of an OpenEXR file, independently of the code that wrote it.
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -12,11 +12,11 @@
 
 namespace pdr::test {
 
-/// R, G, B of the means, of their standard errors and of what these are at most.
+/// Channels R, G, B of the means, of their standard errors and of upper bounds on these.
 inline const std::vector<std::string> kExrChannels{"R",       "G",       "B",       "error.R", "error.G",
                                                    "error.B", "bound.R", "bound.G", "bound.B"};
 
-/// All of kExrChannels, pixel by pixel, row by row from the top; nothing where one is missing.
+/// Returns all of kExrChannels, pixel by pixel, row by row from the top; empty if one is missing.
 inline std::vector<float> exrValues(const std::filesystem::path& path) {
     Imf::InputFile file(path.c_str());
     const Imath::Box2i box = file.header().dataWindow();

@@ -1,6 +1,6 @@
 #pragma once
-/// The CPU in the role of a GPU: lost when a test says so, too small for a volume, slow, or with work that goes on
-/// behind the caller's back.
+/// A CPU device in the role of a GPU: lost when a test says so, too small for a volume, slow, or with work that
+/// continues after a call has returned.
 
 #include <algorithm>
 #include <atomic>
@@ -18,25 +18,25 @@
 
 namespace pdr::test {
 
-/// What goes wrong, and how long things take. A test may change it while a device renders.
+/// Failures and durations of a FailingDevice. A test may change them while the device renders.
 struct Mishaps {
     static constexpr int kNever = 1 << 30;
-    // Calls that go well before one fails; after it every call fails, as of a GPU that is gone.
+    // Calls that succeed before one fails; after it every call fails, as with a GPU that is gone.
     std::atomic<int> uploads = kNever, films = kNever, accumulates = kNever, resolves = kNever, readbacks = kNever;
     std::atomic<bool> tooSmall = false;  ///< uploads are refused, and nothing else
 
-    std::atomic<double> iterationSeconds = 0;  ///< what an iteration of a whole picture takes, at least
-    std::atomic<double> displaySeconds = 0;    ///< what a picture takes from resolve() to readback(), at least
+    std::atomic<double> iterationSeconds = 0;  ///< minimum time of an iteration of a whole image
+    std::atomic<double> displaySeconds = 0;    ///< minimum time of an image from resolve() to readback()
     int maxInFlight = 1;                       ///< > 1: accumulate() and resolve() return at once, and readback() waits
-    std::shared_ptr<FakeClock> clock;          ///< that all this passes on; null: the wall's
-    std::atomic<double> goneAt = 1e300;        ///< on that clock
+    std::shared_ptr<FakeClock> clock;          ///< clock that these durations advance; null: the wall clock
+    std::atomic<double> goneAt = 1e300;        ///< time on that clock at which the device is lost
 
     std::atomic<bool> gone = false;
     std::atomic<bool> brokenOff = false;  ///< the last accumulate() was asked to stop
-    std::atomic<int> filmsRead = 0;       ///< calls of Accumulator::film()
+    std::atomic<int> filmsRead = 0;       ///< number of calls of Accumulator::film()
 
-    /// Called first by each verb, with its name: "upload", "film", "guide", "resume", "accumulate", "resolve",
-    /// "readback", "read". It may throw. Set before the device is handed over.
+    /// Function that each call invokes first, with its name: "upload", "film", "guide", "resume", "accumulate",
+    /// "resolve", "readback", "read". It may throw. Set it before the device is passed on.
     std::function<void(const std::string&)> before = [](const std::string&) {};
 
     Result<void> call(std::atomic<int>& left) {
@@ -45,7 +45,7 @@ struct Mishaps {
         return gone ? Error{"the device is lost", "", "Look after its cables.", ErrorKind::deviceLost} : Result<void>();
     }
     double now() const { return clock ? clock->seconds() : steadySeconds(); }
-    /// Until `moment`; on the wall's clock no longer than a stop is asked for.
+    /// Waits until `moment`; on the wall clock only until a stop is requested.
     void wait(double moment, const std::stop_token& stop) {
         if (clock)
             return clock->advanceTo(moment);
@@ -117,7 +117,7 @@ class FailingAccumulator final : public Accumulator {
     Result<void> restart(const Tile& area, std::uint64_t revision) override {
         mishaps_->before("film");
         pictures_.clear();
-        busyUntil_ = 0;  // what was ordered of the last scene is dropped
+        busyUntil_ = 0;  // work for the last scene is dropped
         return film_->restart(area, revision);
     }
 
@@ -130,8 +130,8 @@ class FailingAccumulator final : public Accumulator {
 
     std::unique_ptr<Accumulator> film_;
     std::shared_ptr<Mishaps> mishaps_;
-    double busyUntil_ = 0;                             ///< when all that was ordered is done
-    std::deque<std::pair<double, Picture>> pictures_;  ///< and when they arrive
+    double busyUntil_ = 0;                             ///< time at which all requested work is done
+    std::deque<std::pair<double, Picture>> pictures_;  ///< images, each with the time at which it arrives
 };
 
 class FailingDevice final : public Device {

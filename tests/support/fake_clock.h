@@ -1,5 +1,6 @@
 #pragma once
-/// Time that passes only where work is said to take some: what a test measures is the same on a busy machine.
+/// A clock that advances only when a test says that work takes time, so that measurements are the same on a busy
+/// machine.
 
 #include <atomic>
 #include <memory>
@@ -11,7 +12,7 @@ namespace pdr::test {
 class FakeClock {
   public:
     double seconds() const { return seconds_; }
-    /// Never back.
+    /// Advances to that time, never back.
     void advanceTo(double seconds) {
         double now = seconds_;
         while (now < seconds && !seconds_.compare_exchange_weak(now, seconds)) {

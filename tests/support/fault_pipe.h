@@ -1,5 +1,5 @@
 #pragma once
-/// What a bad network does to the bytes of one connection in one direction.
+/// Applies the faults of a bad network to the bytes of one connection in one direction.
 
 #include <QElapsedTimer>
 #include <QTcpSocket>
@@ -12,18 +12,18 @@
 
 namespace pdr::test {
 
-/// Bytes are counted from the connection's first, in this direction, from 0: what a fault meets does not depend on how
-/// the system cuts the stream into pieces.
+/// Faults of one direction. Bytes are counted from 0 from the connection's first byte in this direction, so that a
+/// fault does not depend on how the system cuts the stream into pieces.
 struct NetworkFault {
     std::chrono::milliseconds delay{0};
-    qint64 bytesPerSecond = 0;         ///< 0: as fast as it goes
-    qint64 mostPiece = 0;              ///< pieces of 1 to so many bytes, as the seed says; 0: as they come
+    qint64 bytesPerSecond = 0;         ///< 0: unlimited
+    qint64 mostPiece = 0;              ///< largest piece; the seed determines the sizes; 0: pieces as they arrive
     bool stall = false;                ///< nothing passes and nothing is taken, as long as this is set
     bool blackHole = false;            ///< everything is taken and nothing passes
     std::optional<qint64> corrupt;     ///< the lowest bit of this byte is flipped
-    std::optional<qint64> duplicate;   ///< this byte and up to 63 behind it come twice
-    std::optional<qint64> resetAfter;  ///< so many bytes both sides get a reset
-    std::optional<qint64> endAfter;    ///< so many bytes this direction ends; the other goes on
+    std::optional<qint64> duplicate;   ///< this byte and up to 63 bytes behind it are sent twice
+    std::optional<qint64> resetAfter;  ///< after so many bytes both sides get a reset
+    std::optional<qint64> endAfter;    ///< after so many bytes this direction ends; the other continues
 };
 
 class FaultPipe : public QObject {
@@ -33,13 +33,13 @@ class FaultPipe : public QObject {
               std::function<void()> reset);
 
     void set(const NetworkFault& fault);
-    /// This direction ends, behind what is on its way.
+    /// Ends this direction, after the bytes that are in flight.
     void end();
     qint64 passed() const { return passed_; }
 
   private:
     struct Piece {
-        qint64 due;  ///< clock_'s milliseconds
+        qint64 due;  ///< time on clock_ [ms]
         QByteArray bytes;
     };
     void work();
@@ -57,7 +57,7 @@ class FaultPipe : public QObject {
     QTimer later_;
     std::deque<Piece> pieces_;
     qint64 taken_ = 0, passed_ = 0, queued_ = 0;
-    double lineFree_ = 0;  ///< clock_'s milliseconds at which a line of that rate is free
+    double lineFree_ = 0;  ///< time on clock_ at which a line of that rate is free [ms]
     bool ended_ = false, over_ = false;
 };
 

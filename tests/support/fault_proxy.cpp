@@ -27,7 +27,7 @@ struct FaultProxy::Link {
           toClient(&server, client.get(), faults[1], 2 * seed + 1, [this] { reset(); }) {
         for (QTcpSocket* socket : {client.get(), &server})
             socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
-        // Who dialled a server that is not there is told so.
+        // A client of a server that is not there gets a reset.
         QObject::connect(&server, &QTcpSocket::errorOccurred, client.get(), [this] {
             if (server.error() == QAbstractSocket::ConnectionRefusedError)
                 reset();
@@ -45,7 +45,7 @@ struct FaultProxy::Link {
     FaultPipe toServer, toClient;
 };
 
-/// What lives on the thread.
+/// The server and its links, which live on the proxy's thread.
 class FaultProxy::Relay : public QTcpServer {
   public:
     Relay(quint16 server, std::uint64_t seed) : seed_(seed) {

@@ -1,6 +1,6 @@
 #pragma once
-/// A bad network between two programs of one machine: they connect to its port instead of the server's. Works on a
-/// thread of its own, below TLS. What it does to bytes depends on the seed alone, not on when they come.
+/// A bad network between two programs of one machine: clients connect to its port instead of the server's. Works on a
+/// thread of its own, below TLS. Its effect on the bytes depends on the seed alone, not on when they arrive.
 
 #include <QThread>
 #include <memory>
@@ -13,20 +13,20 @@ enum class Direction { toServer, toClient };
 
 class FaultProxy {
   public:
-    /// Between its own port() and `server`, both at 127.0.0.1.
+    /// Relays between its own port() and the port `server`, both at 127.0.0.1.
     explicit FaultProxy(quint16 server, std::uint64_t seed = 1);
     ~FaultProxy();
 
     quint16 port() const { return port_; }
-    /// For connections that there are, and those to come.
+    /// Sets the faults of existing and future connections.
     void set(Direction direction, const NetworkFault& fault);
-    /// All connections are reset.
+    /// Resets all connections.
     void reset();
-    /// That direction of all connections ends, the other goes on.
+    /// Ends that direction of all connections; the other continues.
     void end(Direction direction);
-    /// Connections that there were.
+    /// Returns the number of connections so far.
     int connections() const;
-    /// Bytes that were delivered in that direction.
+    /// Returns the number of bytes that were delivered in that direction.
     qint64 passed(Direction direction) const;
 
   private:

@@ -1,5 +1,5 @@
 #pragma once
-/// A GPU of the CPU's whose calls fail when a test wants them to.
+/// A GPU emulated on the CPU whose calls fail when a test says so.
 
 #include <memory>
 #include <string>
@@ -9,19 +9,19 @@
 
 namespace pdr::test {
 
-/// What is to fail, and what was called. The test holds it together with the FaultyGpu.
+/// The call that is to fail, and a count of calls. The test shares it with the FaultyGpu.
 struct FaultPlan {
     enum class Call { any, allocate, pinned, texture, copy, clear, launch, event, await };
     static constexpr int kNever = -1;
 
-    Call call = Call::any;  ///< this kind of call ...
-    int fails = kNever;     ///< ... fails when it is made for this time; from 0
-    bool lost = false;      ///< from then on every call fails, for good: the device is gone
-    int calls = 0;          ///< of that kind, so far
-    bool failed = false;    ///< it came to it
+    Call call = Call::any;  ///< kind of the call that fails
+    int fails = kNever;     ///< index of the call of that kind that fails, from 0
+    bool lost = false;      ///< after the failure every call fails: the device is gone
+    int calls = 0;          ///< number of calls of that kind so far
+    bool failed = false;    ///< the failure has happened
 };
 
-/// Errors: "it failed on purpose", where "faulty".
+/// Fails as its plan says. Errors: "it failed on purpose", where "faulty".
 class FaultyGpu : public HostGpu {
   public:
     explicit FaultyGpu(std::shared_ptr<FaultPlan> plan = std::make_shared<FaultPlan>(), std::size_t totalBytes = 0,
@@ -30,7 +30,7 @@ class FaultyGpu : public HostGpu {
 
     std::string name() const { return "faulty"; }
 
-    /// One that is lost does not say.
+    /// Returns the GPU's memory; nothing once the device is lost.
     GpuMemory memory() const { return plan_->lost && plan_->failed ? GpuMemory{} : HostGpu::memory(); }
 
     void* allocate(std::size_t bytes) {

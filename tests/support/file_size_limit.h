@@ -1,5 +1,5 @@
 #pragma once
-/// A disk that is full, or nearly.
+/// Simulates a disk that is full, or nearly full.
 
 #include <sys/resource.h>
 
@@ -7,7 +7,7 @@
 
 namespace pdr::test {
 
-/// As long as it lives, no file can be written that is longer.
+/// Limits the length of files that this program writes, as long as the object exists.
 class FileSizeLimit {
   public:
     explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

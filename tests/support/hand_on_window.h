@@ -1,5 +1,5 @@
 #pragma once
-/// A hand on the desktop's widgets, and what the renderer makes of what it did.
+/// Pointer interaction with the desktop's widgets, and a rendering of the resulting scene.
 
 #include <QTest>
 
@@ -9,7 +9,7 @@
 
 namespace pdr::app {
 
-/// Presses there, moves on in two steps, and lets go.
+/// Presses a button at `from`, moves to `to` in two steps, and releases the button.
 inline void drag(QWidget& widget, QPoint from, QPoint to, Qt::KeyboardModifiers keys = {},
                  Qt::MouseButton button = Qt::LeftButton) {
     QTest::mousePress(&widget, button, keys, from);
@@ -18,7 +18,7 @@ inline void drag(QWidget& widget, QPoint from, QPoint to, Qt::KeyboardModifiers 
     QTest::mouseRelease(&widget, button, keys, to);
 }
 
-/// A small picture of the document's scene.
+/// Renders a small image of the document's scene.
 inline Film rendered(const Document& document) {
     Scene scene = document.scene();
     scene.film = {48, 40};

@@ -1,5 +1,5 @@
 #pragma once
-/// Films whose error is known in closed form, and what a screen is told about them.
+/// Films whose error is known in closed form, and the status that a screen gets for them.
 
 #include <cmath>
 #include <vector>
@@ -14,7 +14,7 @@ inline std::size_t pixelsOf(const Film& film) {
     return std::size_t(film.size().x) * std::size_t(film.size().y);
 }
 
-/// Goes on to `count` samples: radiance value(pixel, sample) where seen(pixel) is kSeen...
+/// Continues a film to `count` samples of radiance value(pixel, sample); seen(pixel) returns kSeen... flags.
 template <class Value, class Seen>
 void grow(Film& film, std::uint64_t count, Value&& value, Seen&& seen) {
     const Tile whole = wholeImage(film.size());
@@ -31,8 +31,9 @@ void grow(Film& film, std::uint64_t count, Value&& value, Seen&& seen) {
     }
 }
 
-/// A film whose pixels hold n samples, n even: the mean of the even ones is mean + off, that of the odd ones mean -
-/// off, so that `off` is the draw of the error; `spread` is their standard deviation, without any chance.
+/// A pixel of a film with n samples, n even: the mean of the even samples is mean + off and the mean of the odd samples
+/// is mean - off, so that `off` is the draw of the error; `spread` is the standard deviation of the samples. Nothing is
+/// random.
 struct Known {
     double mean, off, spread = off;
     std::uint32_t seen = kSeenTissue | kSeenChance;
@@ -48,7 +49,7 @@ inline Film knownFilm(const std::vector<Known>& pixels, std::uint32_t n) {
     return Film(1, std::move(content));
 }
 
-/// The status that a screen is told, by the CPU and by a GPU's programs; they must agree.
+/// Returns the status that a screen gets, from the CPU and from a GPU's programs; an empty status if they disagree.
 inline FilmStatus shownStatus(const Film& film, float exposure) {
     const FilmStatus cpu = pictureOf(film, {exposure}).status;
     const auto device = makeEmulatedGpu();
@@ -65,13 +66,14 @@ inline FilmStatus shownStatus(const Film& film, float exposure) {
     return cpu;
 }
 
-/// The tone curve written down once more, unrounded.
+/// The tone curve, implemented a second time and unrounded.
 inline double curve(double radiance, double exposure) {
     const double light = -std::expm1(-std::max(radiance, 0.0) / exposure);
     return 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
 }
 
-/// The draw of a pixel's error with which the screen is `levels` off: downwards, where there are more of them.
+/// Returns the draw of a pixel's error with which the screen is `levels` off: downwards, where an error spans more
+/// levels.
 inline double drawFor(double levels, double mean, double exposure) {
     double low = 0, high = mean;
     for (int i = 0; i < 200; ++i) {

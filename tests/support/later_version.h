@@ -1,6 +1,6 @@
 #pragma once
-/// Makes programs of a later version out of those at both ends of a plain connection: every message gets a field that
-/// nobody here knows, and is followed by one of a type that nobody knows.
+/// A proxy that lets the programs at both ends of a plain connection appear as later versions: every message gets an
+/// unknown field and is followed by a message of an unknown type.
 
 #include <QTcpServer>
 #include <QTcpSocket>
@@ -14,7 +14,7 @@ namespace pdr::test {
 
 class LaterVersion {
   public:
-    /// Between its own port() and that of a server on this machine.
+    /// Relays between its own port() and the port of a server on this machine.
     explicit LaterVersion(quint16 server) {
         if (!listens_.listen(QHostAddress::LocalHost))
             qFatal("no port is free");
@@ -26,7 +26,7 @@ class LaterVersion {
         });
     }
     quint16 port() const { return listens_.serverPort(); }
-    /// Messages that went through, the fewer of both directions.
+    /// Returns the number of messages that were relayed: the smaller one of both directions.
     int messages() const { return std::min(toServer_.messages, toClient_.messages); }
 
   private:

@@ -1,5 +1,5 @@
 #pragma once
-/// Patients made from formulas, on tables and in clothes, and what a rule makes of them.
+/// Lying patients made from formulas, on tables and in clothes, and the mistakes of the rule that hides the table.
 
 #include <cmath>
 #include <functional>
@@ -13,13 +13,13 @@ namespace pdr::test {
 
 inline constexpr int kAirHu = -1000, kTissueHu = 40, kShellHu = 100, kFoamHu = -930;
 
-/// What a place belongs to.
+/// Matter at a place.
 enum class Matter { air, body, foreign, foam };
 
-/// Of a place [mm] from the middle of the grid: +x left, +y back, +z head.
+/// Returns the matter at a place, in mm from the middle of the grid: +x left, +y back, +z head.
 using Anatomy = std::function<Matter(dvec3 place)>;
 
-/// A cylinder along z.
+/// Whether a place lies in a cylinder along z.
 inline bool inTube(dvec3 place, dvec2 centre, double radius) {
     return std::hypot(place.x - centre.x, place.y - centre.y) < radius;
 }
@@ -37,7 +37,7 @@ inline Matter table(dvec3 p, double top) {
     return inside ? Matter::foam : Matter::foreign;
 }
 
-/// The first that is not air.
+/// Returns the first of both that is not air.
 inline Matter either(Matter one, Matter other) {
     return one == Matter::air ? other : one;
 }
@@ -47,10 +47,10 @@ inline const ivec3 kLyingSize{128, 96, 48};
 
 struct Lying {
     std::shared_ptr<const Volume> volume;
-    std::vector<Matter> truth;  ///< of each voxel
+    std::vector<Matter> truth;  ///< matter of each voxel
 };
 
-/// `noiseHu`: standard deviation.
+/// Makes the volume of a patient. `noiseHu`: standard deviation of the noise.
 inline Lying lying(const Anatomy& anatomy, ivec3 size = kLyingSize, dvec3 spacing = kLyingSpacingMm,
                    double noiseHu = 0) {
     Lying patient;
@@ -69,11 +69,11 @@ inline Lying lying(const Anatomy& anatomy, ivec3 size = kLyingSize, dvec3 spacin
     return patient;
 }
 
-/// What went wrong [voxels].
+/// Mistakes of the rule that hides the table [voxels].
 struct Mistakes {
-    std::int64_t lost = 0;     ///< of the body
-    std::int64_t kept = 0;     ///< of what is foreign
-    std::int64_t foreign = 0;  ///< in all
+    std::int64_t lost = 0;     ///< body that is hidden
+    std::int64_t kept = 0;     ///< foreign matter that is not hidden
+    std::int64_t foreign = 0;  ///< all foreign matter
 };
 
 inline Mistakes mistakesOf(const Lying& patient, const segment::HiddenTable& table) {
@@ -88,7 +88,7 @@ inline Mistakes mistakesOf(const Lying& patient, const segment::HiddenTable& tab
     return mistakes;
 }
 
-/// On a table `gap` mm below the back; below 0 it is pressed in.
+/// Makes a trunk on a table `gap` mm below the back; below 0 the back is pressed into the table.
 inline Lying onTable(double gap, double noiseHu = 0) {
     return lying([=](dvec3 p) { return either(trunk(p), table(p, 45 + gap)); }, kLyingSize, kLyingSpacingMm, noiseHu);
 }

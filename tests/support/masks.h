@@ -7,12 +7,13 @@
 
 namespace pdr::test {
 
-/// The same weight everywhere.
+/// Makes a mask with one weight everywhere.
 inline std::shared_ptr<const Mask> evenMask(const Volume& volume, int weight, ivec3 shift = ivec3(0)) {
     return maskOf({volume.size(), shift}, "", [weight](dvec3) { return std::int16_t(weight); });
 }
 
-/// A ball somewhere in the volume, of half its size, with an edge of some voxels; or all but that ball.
+/// Makes a random mask: a ball somewhere in the volume, about half its size, with an edge of some voxels; or all
+/// but that ball.
 inline std::shared_ptr<const Mask> anyMask(const Volume& volume, unsigned seed) {
     std::mt19937 random(seed + 77);
     std::uniform_real_distribution<double> unit(0, 1);

@@ -1,5 +1,5 @@
 #pragma once
-/// The mouse over a widget.
+/// Mouse events for a widget.
 
 #include <QCoreApplication>
 #include <QMouseEvent>
@@ -7,7 +7,7 @@
 
 namespace pdr::test {
 
-/// Moves to a place of `widget` with a button pressed: unlike QTest::mouseMove(), at once.
+/// Moves the mouse to a place of `widget` with a button pressed; immediately, unlike QTest::mouseMove().
 inline void dragOn(QWidget& widget, QPoint to, Qt::MouseButton button = Qt::LeftButton,
                    Qt::KeyboardModifiers keys = {}) {
     QMouseEvent event(QEvent::MouseMove, to, widget.mapToGlobal(to), Qt::NoButton, button, keys);

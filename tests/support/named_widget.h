@@ -1,11 +1,11 @@
 #pragma once
-/// Widgets by the names that a screen reader has for them.
+/// Finds widgets by the names that a screen reader reads.
 
 #include <QWidget>
 
 namespace pdr::test {
 
-/// The one of that kind in `within` whose accessible name is `name`; there must be one.
+/// Returns the widget of that kind in `within` whose accessible name is `name`; there must be one.
 template <class Widget>
 Widget& named(const QWidget& within, const QString& name) {
     for (Widget* widget : within.findChildren<Widget*>())

@@ -12,7 +12,7 @@
 
 namespace pdr::test {
 
-/// A node without a network: it asks the pool for leases from a thread of its own.
+/// A node without a network, which takes leases from the pool on a thread of its own.
 class NearbyWorker {
   public:
     enum class Nature {
@@ -21,11 +21,11 @@ class NearbyWorker {
         liesSeldom,
         silent,
         sendsOthers,
-        tellsFaults,    ///< that there were not
-        hidesFaults,    ///< that there were
-        hidesSeldom,    ///< the same, once it is trusted
-        tellsTooMany,   ///< more faults than samples, once it is trusted
-        tellsOfOthers,  ///< a fault of a pixel that it was not asked for, once it is trusted
+        tellsFaults,    ///< reports a fault that did not occur
+        hidesFaults,    ///< reports no faults
+        hidesSeldom,    ///< reports no faults, once it is trusted
+        tellsTooMany,   ///< reports more faults than samples, once it is trusted
+        tellsOfOthers,  ///< reports a fault of a sample that it was not asked for, once it is trusted
     };
 
     NearbyWorker(std::shared_ptr<WorkerPool> pool, const std::string& key, Nature nature = Nature::honest)
@@ -92,7 +92,7 @@ class NearbyWorker {
     Nature nature_;
     std::unique_ptr<Device> device_;
     int answers_ = 0;
-    int width_ = 0;  ///< of the image
+    int width_ = 0;  ///< width of the image
     std::jthread thread_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A render node as a program of its own, on this machine.
+/// Runs a render node as a program of its own, on this machine.
 
 #include <QProcess>
 #include <QRegularExpression>
@@ -14,8 +14,8 @@ namespace pdr::test {
 
 class NodeProcess {
   public:
-    /// Listens at a free port of this machine, with one thread, unless `options` say otherwise. `inChild` runs in its
-    /// process before the program does.
+    /// Starts a node that listens at a free port of this machine, with one thread, unless `options` say otherwise.
+    /// `inChild` runs in its process before the program does.
     explicit NodeProcess(const QStringList& options = {"--listen", "127.0.0.1:0"},
                          const std::function<void()>& inChild = {}) {
         process_.setProcessChannelMode(QProcess::MergedChannels);
@@ -37,13 +37,13 @@ class NodeProcess {
     QString address() const { return QString("localhost:%1").arg(port_); }
     void signal(int number) { ::kill(pid_t(process_.processId()), number); }
     qint64 id() const { return process_.processId(); }
-    /// Waits for its end: the exit code, or -1 after a signal.
+    /// Waits for the program's end. Returns the exit code, or -1 after a signal.
     int code() {
         if (process_.state() != QProcess::NotRunning && !process_.waitForFinished(kPatience))
             qFatal("a render node does not end");
         return process_.exitStatus() == QProcess::NormalExit ? process_.exitCode() : -1;
     }
-    /// All that it has said.
+    /// Returns all output so far.
     QByteArray log() {
         log_ += process_.readAllStandardOutput();
         return log_;

@@ -1,5 +1,5 @@
 #pragma once
-/// Rows of the panel of nodes, with a figure in every cell.
+/// Rows of the panel of render nodes, with a value in every cell.
 
 #include "ui/nodes/node_row.h"
 

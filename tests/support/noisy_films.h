@@ -1,5 +1,5 @@
 #pragma once
-/// Films of a known truth with noise like that of a renderer: skewed, and as strong as the light.
+/// Films with known means and noise like that of a renderer: skewed, and proportional to the radiance.
 
 #include <functional>
 
@@ -8,10 +8,10 @@
 
 namespace pdr::test {
 
-/// A grey picture: the radiance at (x, y).
+/// A grey image: returns the radiance at (x, y).
 using Truth = std::function<double(int x, int y)>;
 
-/// Evenly spread in [0, 1).
+/// Returns a number that is uniformly distributed in [0, 1).
 inline double chance(std::uint64_t seed, std::size_t pixel, std::uint64_t sample) {
     std::uint64_t bits = (seed * 0x9e3779b97f4a7c15u + pixel) * 0xbf58476d1ce4e5b9u + sample;
     for (const int shift : {30, 27, 31})
@@ -19,7 +19,8 @@ inline double chance(std::uint64_t seed, std::size_t pixel, std::uint64_t sample
     return double(bits >> 11) * 0x1p-53;
 }
 
-/// Exponentially distributed about the truth, with a standard deviation of `sigma` in [0, 1] times the truth.
+/// Makes a film whose samples are exponentially distributed about the truth, with a standard deviation of `sigma` in
+/// [0, 1] times the truth.
 inline Film noisyFilmOf(ivec2 size, const Truth& truth, std::uint64_t samples, double sigma = 1,
                         std::uint64_t seed = 1) {
     Film film(size, 1);
@@ -31,7 +32,7 @@ inline Film noisyFilmOf(ivec2 size, const Truth& truth, std::uint64_t samples, d
     return film;
 }
 
-/// What the smoothed view shows of a film, linear, row by row: its red, as good as any of a grey picture.
+/// Returns the denoised radiance of a grey film, linear, row by row: its red channel, which stands for all three.
 inline std::vector<double> smoothRadiance(const Film& film) {
     const NoisyFilm noisy = noisyFilm(film);
     const denoise::Colours colours = pdr::smoothRadiance(noisy);

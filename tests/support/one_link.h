@@ -1,5 +1,5 @@
 #pragma once
-/// A coordinator's end of one connection, in the thread of the test, which says when it looks for something to send.
+/// A coordinator's end of one connection, in the thread of the test, which decides when the link sends.
 
 #include "app/coordinator/node_link.h"
 #include "app/coordinator/reference_bits.h"
@@ -36,10 +36,10 @@ struct OneLink {
     nodes::Coordinator coordinator;
     remote::Listener listener{kCoordinator};
     std::unique_ptr<remote::Dial> dial;
-    remote::Channel* channel = nullptr;  ///< of the link
+    remote::Channel* channel = nullptr;  ///< channel of the link
     std::unique_ptr<nodes::NodeLink> link;
     bool hasJoined = false;
-    std::optional<QString> reason;  ///< why it is over
+    std::optional<QString> reason;  ///< why the connection is over; none: it is not over
 };
 
 }  // namespace pdr::test

@@ -1,5 +1,5 @@
 #pragma once
-/// A film of one pixel, fed by hand.
+/// A film of one pixel with given samples.
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace pdr::test {
 
 inline constexpr Tile kOnePixel{0, 0, 1, 1};
 
-/// After `count` samples value(i), n to an iteration.
+/// Makes a film with `count` samples value(i), n per iteration.
 template <class Value>
 Film filmOf(std::uint64_t count, Value&& value, std::uint32_t n = 64) {
     Film film(ivec2(1, 1), 0);

@@ -1,9 +1,9 @@
 #pragma once
+/// Time limit for tests that wait.
 
 namespace pdr::test {
 
-/// Milliseconds that a test waits for what must come: a machine that many share may take its time, and what hangs is
-/// ended all the same.
+/// Time that a test waits for an expected event [ms]: long enough for a busy machine, and a test that hangs still ends.
 inline constexpr int kPatience = 1'800'000;
 
 }  // namespace pdr::test

@@ -1,12 +1,12 @@
 #pragma once
-/// Whole pictures in one number, and the scene that most closed forms are about.
+/// Statistics of whole images, and the scene that most closed forms describe.
 
 #include "tests/support/scenes.h"
 #include "tests/support/statistics.h"
 
 namespace pdr::test {
 
-/// Mean over pixels of the red channel, and its standard error.
+/// Mean of the red channel over all pixels, and its standard error.
 struct ImageMean {
     double mean = 0, standardError = 0;
 };
@@ -32,7 +32,7 @@ inline bool sameBits(const Film& a, const Film& b) {
     return true;
 }
 
-/// A wide slab of depth tau seen straight on, one pixel that looks at its middle.
+/// Makes a wide slab of optical depth tau, seen straight on; the film shows 1 mm at its middle.
 inline Scene slab(double tau, dvec3 lightTravels, float albedo) {
     const double thickness = 10;
     Scene scene = plainScene(makeVolume({401, 401, 5}, {1, 1, thickness / 5}, [](int, int, int) { return 0; }),
@@ -48,7 +48,7 @@ inline Scene slab(double tau, dvec3 lightTravels, float albedo) {
     return scene;
 }
 
-/// Distance of an image's mean from `truth` in standard errors.
+/// Returns the distance of an image's mean from `truth` in standard errors.
 inline double z(const Film& film, double truth) {
     const ImageMean got = imageMean(film);
     return (got.mean - truth) / got.standardError;

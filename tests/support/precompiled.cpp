@@ -1,1 +1,1 @@
-// Nothing: a precompiled header is made for a program or library, and this is its source.
+// Empty: a precompiled header belongs to a program or library, and this is its source.

@@ -1,5 +1,5 @@
 #pragma once
-/// What nearly all tests include, for the compiler to parse once; tests include what they use all the same.
+/// Headers that nearly all tests include, for the compiler to parse once. Tests still include what they use.
 
 #include <tbb/parallel_for.h>
 

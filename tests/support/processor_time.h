@@ -1,5 +1,5 @@
 #pragma once
-/// What this program has spent on all processors: what other programs take does not count.
+/// Time that this program has spent on all processors, without other programs.
 
 #include <ctime>
 
@@ -7,7 +7,7 @@ namespace pdr::test {
 
 class ProcessorTime {
   public:
-    /// Since this value was made.
+    /// Processor time since this object was made.
     double seconds() const { return double(std::clock() - start_) / CLOCKS_PER_SEC; }
 
   private:

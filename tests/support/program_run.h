@@ -1,5 +1,5 @@
 #pragma once
-/// Runs a program of ours to its end.
+/// Runs a program of this project to its end.
 
 #include <QByteArray>
 #include <QProcess>
@@ -13,11 +13,11 @@
 namespace pdr::test {
 
 struct ProgramRun {
-    int code = -1;  ///< -1: ended by a signal
+    int code = -1;  ///< exit code; -1: ended by a signal
     QByteArray out, err;
 };
 
-/// `prepare` changes the process before it starts.
+/// Runs a program and returns its output. `prepare` changes the process before it starts.
 inline ProgramRun runProgram(const QString& program, const QStringList& arguments,
                              const std::function<void(QProcess&)>& prepare = {}) {
     QProcess process;

@@ -1,5 +1,5 @@
 #pragma once
-/// Bytes that nothing can be made of, and that no packing makes fewer.
+/// Random bytes, which have no meaning and cannot be compressed.
 
 #include <cstddef>
 #include <random>

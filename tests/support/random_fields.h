@@ -1,5 +1,5 @@
 #pragma once
-/// Draws the fields of described structs by lot, each from all of its range (render/scene/field.h).
+/// Sets the fields of described structs to random values, each from its whole range (render/scene/field.h).
 
 #include <cmath>
 #include <optional>
@@ -22,7 +22,7 @@ class RandomFields {
     explicit RandomFields(unsigned seed) : random_(seed) {}
 
     void operator()(const Field& field, double& value) { value = number(field.range); }
-    /// Not what single precision rounds to a limit that the range leaves out.
+    /// Draws again if single precision rounds a value to a limit that the range excludes.
     void operator()(const Field& field, float& value) {
         do
             value = float(number(field.range));
@@ -76,7 +76,7 @@ class RandomFields {
 
   private:
     bool chance() { return random_() % 2 == 0; }
-    /// Evenly, or evenly by magnitude, or a limit.
+    /// Draws a number: uniformly, or uniformly in its logarithm, or a limit of the range.
     double number(const Range& range) {
         const double u = std::uniform_real_distribution<double>()(random_);
         double value = range.lowest / 2 + (range.highest / 2 - range.lowest / 2) * u;

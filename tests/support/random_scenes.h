@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes drawn by lot, and whether two pictures are the same within their noise.
+/// Random scenes, and a test of whether two images are the same within their noise.
 
 #include <algorithm>
 #include <random>
@@ -9,20 +9,21 @@
 
 namespace pdr::test {
 
-/// A unit vector, uniform over all directions.
+/// Returns a random unit vector, uniform over all directions.
 inline dvec3 anyDirection(std::mt19937& random) {
     std::normal_distribution<double> normal;
     const double x = normal(random), y = normal(random), z = normal(random);
     return glm::normalize(dvec3(x, y, z));
 }
 
-/// Lone voxels of bone in air: what a bound that overlooks a voxel would lose.
+/// Makes single voxels of bone in air, which a bound that overlooks a voxel would lose.
 inline std::shared_ptr<const Volume> speckledVolume(ivec3 size, dvec3 spacing, unsigned seed) {
     std::mt19937 random(seed);
     return makeVolume(size, spacing, [&](int, int, int) { return random() % 400 ? -900 : 1900; });
 }
 
-/// Steps, bands and ramps over what these volumes hold; air is clear, bone never.
+/// Makes a random transfer function of steps, bands and ramps over the HU of these volumes; air is transparent, bone is
+/// not.
 inline TransferFunction anyFunction(std::mt19937& random) {
     std::uniform_real_distribution<float> unit(0, 1);
     TransferFunction function;
@@ -39,7 +40,7 @@ inline TransferFunction anyFunction(std::mt19937& random) {
     return function;
 }
 
-/// Rough or speckled tissue, seen and lit from anywhere, with or without each effect.
+/// Makes a random scene of rough or speckled tissue, seen and lit from anywhere, with or without each effect.
 inline Scene anyScene(unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -70,19 +71,19 @@ inline Scene anyScene(unsigned seed) {
     return scene;
 }
 
-/// How far two pictures with independent noise are from being of the same scene.
+/// Similarity of two images with independent noise.
 struct Likeness {
-    double p = 1;              ///< of chi-square over blocks of pixels
-    double relativeError = 0;  ///< of the difference of the means: a difference of about five of these would be seen
+    double p = 1;              ///< p-value of chi-square over blocks of pixels
+    double relativeError = 0;  ///< standard error of the difference of the means, which is detected from about five on
 };
 
-/// `partner(pixel)`: the pixel of `b` that shows what `pixel` of `a` shows. In luminance, and blocks of 4 x 4 pixels,
-/// so that means are normal enough where few samples of a pixel meet anything.
+/// Compares two images. `partner(pixel)`: the pixel of `b` that shows what `pixel` of `a` shows. Compares the luminance
+/// in blocks of 4 x 4 pixels, so that means are close to normal where few samples of a pixel hit anything.
 template <class Partner>
 Likeness likeness(const Film& a, const Film& b, Partner&& partner) {
     constexpr int kBlock = 4;
     const auto variance = [](const PixelEstimate& pixel) {
-        const double error = luminance(pixel.standardError);  // channels share their paths: at most this
+        const double error = luminance(pixel.standardError);  // upper bound: channels share their paths
         return error * error;
     };
     double square = 0, variances = 0, total = 0;

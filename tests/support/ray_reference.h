@@ -1,6 +1,6 @@
 #pragma once
-/// The models without scattering by brute force in double precision: what the quadrature is held against. Nothing is
-/// shared with it but the scene.
+/// Reference for the models without scattering, by brute force in double precision, with which tests compare the
+/// quadrature. It shares nothing with the quadrature but the scene.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace pdr::test {
 
-/// HU at `position` (index space), trilinear, borders clamped.
+/// Returns the HU at `position` (index space), trilinear, borders clamped.
 inline double huAt(const Volume& volume, dvec3 position) {
     const ivec3 size = volume.size();
     const dvec3 p = glm::clamp(position, dvec3(0), dvec3(size - 1));
@@ -28,13 +28,14 @@ inline double huAt(const Volume& volume, dvec3 position) {
     return sum;
 }
 
+/// Integrals along a ray.
 struct RayTruth {
-    double depth = 0;
+    double depth = 0;   ///< int sigma ds
     dvec3 emitted{0};   ///< int sigma c ds
     dvec3 absorbed{0};  ///< int sigma c T ds
 };
 
-/// Extinction and source at `hu`, with nodes at the same HU kept apart (right-continuous), in double.
+/// Extinction and source at one HU, in double precision; right-continuous where several nodes have the same HU.
 struct Optics {
     double extinction;
     dvec3 source;
@@ -56,7 +57,7 @@ inline Optics opticsAt(const TransferFunction& function, double hu) {
     return of(a, b, (hu - a.hu) / (double(b.hu) - a.hu));
 }
 
-/// Steps of `stepMm`, cut 200 times finer where the HU pass a node: midpoint rule.
+/// Integrates by the midpoint rule in steps of `stepMm`, which are 200 times finer where the HU pass a node.
 inline RayTruth rayTruth(const Scene& scene, const Ray& ray, double stepMm) {
     RayTruth truth;
     const auto hu = [&](double t) { return huAt(*scene.volume, dvec3(ray.origin) + dvec3(ray.direction) * t); };
@@ -85,7 +86,7 @@ inline RayTruth rayTruth(const Scene& scene, const Ray& ray, double stepMm) {
     return truth;
 }
 
-/// The highest HU: in steps of `stepMm`, and a thousand times finer about the best of them.
+/// Returns the highest HU on a ray: in steps of `stepMm`, and a thousand times finer about the best of them.
 inline double highestOn(const Volume& volume, const Ray& ray, double stepMm) {
     const auto hu = [&](double t) { return huAt(volume, dvec3(ray.origin) + dvec3(ray.direction) * t); };
     double best = 0;
@@ -97,7 +98,7 @@ inline double highestOn(const Volume& volume, const Ray& ray, double stepMm) {
     return highest;
 }
 
-/// Rays that cross the box of `volume` in all directions, along axes and planes too, some from inside.
+/// Makes rays that cross the box of `volume` in all directions, along axes and planes too, some from inside.
 inline std::vector<Ray> raysThrough(const Volume& volume, int count, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> unit(-1, 1);

@@ -1,5 +1,5 @@
 #pragma once
-/// All frames that a session has shown, and a scene that it shows coarse first.
+/// Records all frames that a session has shown, and makes a scene that it shows coarse first.
 
 #include <memory>
 #include <mutex>
@@ -11,7 +11,7 @@
 
 namespace pdr::test {
 
-/// More pixels than a processor is trusted to make at once.
+/// Makes a scene with more pixels than a session expects a processor to render at once.
 inline Scene largeScene(std::uint64_t revision) {
     Scene scene = plainScene(bumpyVolume({20, 20, 20}, dvec3(1), 3), 1);
     scene.transferFunction.nodes = {{.hu = 0, .opacity = 0}, {.hu = 600, .opacity = 1}};
@@ -22,7 +22,7 @@ inline Scene largeScene(std::uint64_t revision) {
     return scene;
 }
 
-/// All frames in their order.
+/// Records all frames in their order.
 class Reel {
   public:
     FrameSink sink() {
@@ -35,7 +35,7 @@ class Reel {
         const std::lock_guard lock(mutex_);
         return frames_;
     }
-    /// Those of one scene.
+    /// Returns the frames of one scene.
     std::vector<std::shared_ptr<const Frame>> of(std::uint64_t revision) {
         std::vector<std::shared_ptr<const Frame>> chosen;
         for (const auto& frame : frames())
@@ -43,7 +43,7 @@ class Reel {
                 chosen.push_back(frame);
         return chosen;
     }
-    /// Whether `count` full frames of it have come.
+    /// Whether `count` full frames of a scene have arrived.
     bool full(std::uint64_t revision, int count = 1) {
         for (const auto& frame : of(revision))
             count -= !frame->coarse && !frame->rgba.empty();

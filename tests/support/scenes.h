@@ -14,7 +14,7 @@
 
 namespace pdr::test {
 
-/// A volume whose every voxel is value(i, j, k), voxels of `spacing` mm, corner of the box at the origin.
+/// Makes a volume whose voxels are value(i, j, k), `spacing` mm apart, with a corner of the box at the origin.
 template <class Value>
 std::shared_ptr<const Volume> makeVolume(ivec3 size, dvec3 spacing, Value&& value) {
     Voxels voxels;
@@ -26,7 +26,7 @@ std::shared_ptr<const Volume> makeVolume(ivec3 size, dvec3 spacing, Value&& valu
     return std::make_shared<Volume>(VolumeGeometry::aligned(size, spacing, spacing * 0.5), std::move(voxels));
 }
 
-/// Rough tissue: smooth blobs with noise, HU -1000 .. 2000.
+/// Makes rough tissue: smooth blobs with noise, HU -1000 .. 2000.
 inline std::shared_ptr<const Volume> bumpyVolume(ivec3 size, dvec3 spacing, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> noise(-150, 150);
@@ -36,7 +36,7 @@ inline std::shared_ptr<const Volume> bumpyVolume(ivec3 size, dvec3 spacing, unsi
     });
 }
 
-/// A constant extinction in all of `volume`, white, lit from above.
+/// Makes a scene with constant extinction in all of `volume`, white, lit from above.
 inline Scene plainScene(std::shared_ptr<const Volume> volume, float extinctionPerMm) {
     Scene scene;
     scene.volume = std::move(volume);
@@ -49,8 +49,8 @@ inline Scene plainScene(std::shared_ptr<const Volume> volume, float extinctionPe
     return scene;
 }
 
-/// Takes `samples` a pixel of what is prepared on the CPU, n iterations at a time, in tiles of `tile` pixels: for
-/// scenes whose tables a test has changed. `threads` 0 = one per core.
+/// Renders `samples` per pixel of a prepared scene on the CPU, n iterations at a time, in tiles of `tile` x `tile`
+/// pixels: for scenes whose tables a test has changed. `threads`: 0: one per core.
 inline Film sampled(const std::shared_ptr<const PreparedScene>& prepared, std::uint64_t samples, std::uint32_t n = 64,
                     int tile = 4096, int threads = 0) {
     const ivec2 size = prepared->flat.camera.film;
@@ -69,7 +69,7 @@ inline Film sampled(const std::shared_ptr<const PreparedScene>& prepared, std::u
     return film;
 }
 
-/// The part `area` of the picture, n iterations at a time. The scene must be on the device.
+/// Renders the part `area` of the image, n iterations at a time. The scene must be on the device.
 inline std::shared_ptr<const Film> renderedPart(const Scene& scene, const Tile& area, std::uint64_t samples,
                                                 Device& device, std::uint32_t n) {
     const auto film = *device.film(area, scene.revision, {});
@@ -78,7 +78,7 @@ inline std::shared_ptr<const Film> renderedPart(const Scene& scene, const Tile& 
     return *film->film();
 }
 
-/// n iterations at a time, in parts of `tile` x `tile` pixels, each a film of its own.
+/// Renders n iterations at a time, in parts of `tile` x `tile` pixels, each a film of its own.
 inline Film render(const Scene& scene, std::uint64_t samples, Device& device, std::uint32_t n = 64, int tile = 4096) {
     const ivec2 size = scene.film;
     (void)device.upload(scene);
@@ -103,12 +103,12 @@ inline Film render(const Scene& scene, std::uint64_t samples) {
     return render(scene, samples, *device);
 }
 
-/// `scene` prepared, open to a test that wants to change what the kernel is told.
+/// Prepares `scene` so that a test can change what the kernel reads.
 inline std::shared_ptr<PreparedScene> prepared(const Scene& scene) {
     return std::const_pointer_cast<PreparedScene>(Flattener().prepare(scene));
 }
 
-/// `scene` behind one bound for all: no cell is known to be emptier than another.
+/// Prepares `scene` with one majorant for all cells: no cell is known to be emptier than another.
 inline std::shared_ptr<const PreparedScene> withGlobalMajorant(const Scene& scene) {
     auto result = prepared(scene);
     auto majorants = std::make_shared<Majorants>(*result->majorants);

@@ -1,5 +1,5 @@
 #pragma once
-/// The end of a render loop that a test can wait at.
+/// The output of a render session, on which a test can wait.
 
 #include <chrono>
 #include <condition_variable>
@@ -12,7 +12,7 @@
 
 namespace pdr::test {
 
-/// Keeps the newest frame and lets a test wait for one.
+/// Stores the newest frame and lets a test wait for one.
 class Screen {
   public:
     FrameSink sink() {
@@ -27,8 +27,8 @@ class Screen {
         };
     }
 
-    /// The first frame from now on that `wanted` holds for; null after half an hour, so that a busy machine is no
-    /// failure.
+    /// Waits until `wanted` is true for the newest frame and returns it; null after half an hour, so that a busy
+    /// machine causes no failure.
     template <class Wanted>
     std::shared_ptr<const Frame> await(Wanted&& wanted) {
         std::unique_lock lock(mutex_);
@@ -37,7 +37,7 @@ class Screen {
         return found ? newest_ : nullptr;
     }
 
-    /// What the user was told so far.
+    /// Returns the notices to the user so far.
     std::vector<std::string> notices() {
         const std::lock_guard lock(mutex_);
         return notices_;

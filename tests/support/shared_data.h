@@ -1,5 +1,5 @@
 #pragma once
-/// Where the real CT data lies that tests read; it is no part of the source tree.
+/// Location of the real CT data that tests read; it is not part of the source tree.
 
 #include <QTest>
 #include <cstdlib>
@@ -9,7 +9,7 @@
 
 namespace pdr::test {
 
-/// The folder that PDR_SHARED names, or `shared` beside the source tree.
+/// Returns the folder that PDR_SHARED names, or `shared` beside the source tree.
 inline std::filesystem::path sharedFolder() {
     const char* named = std::getenv("PDR_SHARED");
     return named ? std::filesystem::path(named) : std::filesystem::path(PDR_SOURCE_DIR) / ".." / "shared";
@@ -21,8 +21,8 @@ inline std::filesystem::path sharedCt() {
 
 }  // namespace pdr::test
 
-/// Leaves the test function because data is not there: as skipped, or, where PDR_REQUIRE_DATA is set, as failed, so
-/// that nobody takes a run without the data for one with it.
+/// Leaves the test function because data is missing: as skipped or, if PDR_REQUIRE_DATA is set, as failed, so that a
+/// run without the data is not mistaken for one with it.
 #define PDR_SKIP_FOR_WANT_OF_DATA(reason)                  \
     do {                                                   \
         if (qEnvironmentVariableIsSet("PDR_REQUIRE_DATA")) \
@@ -30,7 +30,7 @@ inline std::filesystem::path sharedCt() {
         QSKIP(reason);                                     \
     } while (false)
 
-/// Leaves the test function where the real data is not there.
+/// Leaves the test function if the real data is missing.
 #define PDR_NEEDS_SHARED_CT()                                  \
     if (!std::filesystem::is_directory(pdr::test::sharedCt())) \
     PDR_SKIP_FOR_WANT_OF_DATA(                                 \

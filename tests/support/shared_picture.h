@@ -1,5 +1,5 @@
 #pragma once
-/// A picture that render nodes help with, and the same one made alone.
+/// Renders an image with the help of render nodes, and the same image without them.
 
 #include "app/coordinator/render_nodes.h"
 #include "render/tiles/reference_tiles.h"
@@ -9,8 +9,8 @@
 
 namespace pdr::test {
 
-/// Small, its cells at the right and lower edges cut, and the orders that fill it: a block in two of them, and a whole
-/// one.
+/// A small scene whose cells at the right and lower edges are cut, and the requests that fill its film: a block in two
+/// requests, and a whole block.
 inline Scene sharedScene(std::uint64_t revision = 0) {
     Scene scene = tissueScene();
     scene.film = {122, 90};
@@ -19,7 +19,7 @@ inline Scene sharedScene(std::uint64_t revision = 0) {
 }
 inline const std::vector<std::uint32_t> kSharedOrders{2, 62, 64};
 
-/// What a program does that renders with nodes.
+/// Renders with nodes as a program does.
 struct NodeTrial {
     std::shared_ptr<WorkerPool> pool = std::make_shared<WorkerPool>(1);
     nodes::RenderNodes nodes;
@@ -31,7 +31,7 @@ struct NodeTrial {
         if (const auto added = nodes.add(node.address()); !added)
             qFatal("%s", added.error().text().c_str());
     }
-    /// Until so many can take samples of the scene that is on the device.
+    /// Waits until `count` nodes can render samples of the scene that is on the device.
     void awaitReady(int count) const {
         const auto ready = [&] {
             return std::ranges::count_if(pool->workers(),

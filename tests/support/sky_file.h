@@ -1,5 +1,5 @@
 #pragma once
-/// Pictures of surroundings on disk.
+/// Environment maps on disk.
 
 #include <filesystem>
 
@@ -7,7 +7,7 @@
 
 namespace pdr::test {
 
-/// An OpenEXR file of `size` pixels, radianceAt(x, y) each.
+/// Writes an OpenEXR file of `size` pixels with the radiance radianceAt(x, y).
 template <class Radiance>
 void writeSky(const std::filesystem::path& path, ivec2 size, Radiance&& radianceAt) {
     Film film(size, 0);

@@ -15,7 +15,7 @@
 
 namespace pdr::test {
 
-/// What a slice file holds before `change` alters it: a sound 16-bit CT slice, axial, pixels of 1 mm.
+/// Content of a slice file before `change` alters it: a valid 16-bit CT slice, axial, pixels of 1 mm.
 struct SliceFile {
     ivec2 size{4, 3};
     dvec3 position{0, 0, 0};

@@ -1,5 +1,5 @@
 #pragma once
-/// A folder of slices for tests, gone at its end.
+/// A temporary folder of slices for tests.
 
 #include <QTemporaryDir>
 
@@ -18,7 +18,7 @@ class SliceFolder {
   public:
     std::filesystem::path path() const { return folder_.path().toStdString(); }
 
-    /// `count` slices 2 mm apart, called prefix00, ...; `change` may alter the k-th.
+    /// Adds `count` slices 2 mm apart, called prefix00, ...; `change` may alter the k-th slice.
     void addStack(int count, SliceFile like = {}, const std::string& prefix = "s",
                   const std::function<void(int, SliceFile&)>& change = {}) const {
         for (int k = 0; k < count; ++k) {
@@ -33,7 +33,7 @@ class SliceFolder {
     }
     void addText(const std::string& name, const std::string& text) const { std::ofstream(path() / name) << text; }
 
-    /// Nothing where it fails.
+    /// Scans the folder; returns an empty result if that fails.
     dicom::ScanResult scan() const {
         Result<dicom::ScanResult> result = dicom::scanFolder(path(), noProgress);
         return result ? *std::move(result) : dicom::ScanResult{};

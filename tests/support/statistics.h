@@ -1,5 +1,5 @@
 #pragma once
-/// What a random result may be: p-values and thresholds. Every test that draws numbers states its false-alarm rate.
+/// Statistics of random results: p-values and thresholds. Every test that draws numbers states its false-alarm rate.
 
 #include <cmath>
 #include <span>
@@ -12,7 +12,7 @@ using pdr::allowedZ;
 using pdr::chiSquareP;
 using pdr::normalP;
 
-/// p of counts against equal expectation.
+/// Returns the p-value of counts whose expectations are equal.
 inline double uniformP(std::span<const double> counts) {
     double total = 0, square = 0;
     for (double count : counts)

@@ -9,7 +9,7 @@
 
 namespace pdr::test {
 
-/// One that is listened at as long as this value is there.
+/// A port at which this program listens as long as the object exists.
 class TakenPort {
   public:
     TakenPort() {
@@ -33,7 +33,7 @@ class TakenPort {
     quint16 number_ = 0;
 };
 
-/// One that nobody listens at now.
+/// Returns a port at which no program listens now.
 inline quint16 freePort() {
     return TakenPort().number();
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// A volume read on a GPU: whether its texture units do what is computed in their place elsewhere.
+/// Reads a volume on a GPU, to test whether its texture units agree with the computation that replaces them elsewhere.
 
 #include <span>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace pdr::test {
 
-/// For each place (index space): the HU there.
+/// Kernel that reads the HU at each place (index space).
 struct ReadKernel {
     FlatVolume volume;
     const vec3* places;
@@ -18,7 +18,7 @@ struct ReadKernel {
     PDR_HD void operator()(std::int64_t index) const { hu[index] = hounsfield(volume, places[index]); }
 };
 
-/// HU of `scene`'s volume at `places`, filtered as the scene asks, by the programs of `gpu`.
+/// Returns the HU of `scene`'s volume at `places`, filtered as the scene requests, as the programs of `gpu` compute it.
 template <Gpu G>
 Result<std::vector<float>> readOn(G& gpu, std::shared_ptr<const PreparedScene> scene, std::span<const vec3> places) {
     GpuScene<G> there(gpu);

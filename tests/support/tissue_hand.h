@@ -1,5 +1,5 @@
 #pragma once
-/// A hand on the panel of the tissue, and what the panel emits.
+/// Pointer interaction with the tissue panel, and a record of what the panel emits.
 
 #include <QTest>
 
@@ -19,7 +19,7 @@ inline TransferFunction bone() {
     return function;
 }
 
-/// The panel with a function, and what it emits.
+/// The panel with a transfer function, and a record of what it emits.
 struct TissueHand {
     TissueHand() {
         QObject::connect(&panel, &TissuePanel::transferFunctionEdited,
@@ -27,7 +27,7 @@ struct TissueHand {
                              last = function;
                              edits += moving;
                              rests += !moving;
-                             panel.setTransferFunction(function);  // as the document tells it
+                             panel.setTransferFunction(function);  // as the document does
                          });
         panel.setTransferFunction(bone());
         panel.resize(320, 460);

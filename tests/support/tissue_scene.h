@@ -1,6 +1,6 @@
 #pragma once
-/// Rough tissue with surfaces, lit from above and a little from everywhere: most of what a path can meet, in a small
-/// picture.
+/// Rough tissue with surfaces, lit from above and a little from everywhere: most of what a path can encounter, in a
+/// small image.
 
 #include "tests/support/scenes.h"
 

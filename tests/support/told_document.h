@@ -1,5 +1,5 @@
 #pragma once
-/// A document with a volume, and what it told.
+/// A document with a volume, and a record of its signals.
 
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
-/// Two networks of the test's own with a cable between them, as two machines have it: this program is in one of them,
-/// and programs that it starts may be in the other. Needs root and iproute2. Networks without a name: they go with the
-/// programs that are in them, however these end.
+/// Two network namespaces with a virtual cable between them, like two machines: this program is in one of them, and
+/// programs that it starts may be in the other. Needs root and iproute2. The namespaces have no names: they vanish with
+/// the programs that are in them, however these end.
 
 #include <fcntl.h>
 #include <sched.h>
@@ -27,7 +27,8 @@ class TwoNetworks {
             ::close(there_);
     }
 
-    /// Threads and programs that this thread starts from now on are in the one here. Why not; empty: they are made.
+    /// Makes both networks; threads and programs that this thread starts from now on are in the network kHere. Returns
+    /// why that failed; empty: success.
     QString make() {
         if (::geteuid() != 0)
             return "only root may make networks";
@@ -47,12 +48,13 @@ class TwoNetworks {
         return linked ? "" : "this system makes no cables between networks";
     }
 
-    /// For what is sent from here. False: this system cannot.
+    /// Limits the rate of what is sent from here. False: this system cannot.
     bool limitRate(const QString& rate) const {
         return !tool("tc").isEmpty() && run("tc", "qdisc add dev cable root tbf latency 400ms burst 64kb rate " + rate);
     }
     bool setLink(bool up) const { return run("ip", QString("link set cable ") + (up ? "up" : "down")); }
-    /// For a program that this thread is about to start, in its process: QProcess::setChildProcessModifier().
+    /// Returns a function that moves a program into the other network; it must run in the program's process:
+    /// QProcess::setChildProcessModifier(). The program is killed when the thread that started it ends.
     std::function<void()> enterThere() const {
         return [there = there_] {
             ::prctl(PR_SET_PDEATHSIG, SIGKILL);

@@ -1,11 +1,11 @@
 #pragma once
-/// One sample as Exposure Render (Kroes, Post & Botha 2012) takes it: BIASED, to be compared with, see march.h.
-///   kept   a march in steps of 3 voxels to the one event, and again from there to the light, seen or not seen; of all
-///          lights one, picked evenly and counted as often as there are lights
-///   ours   the transfer function and its extinction, surfaces and the phase function, lights and camera, random
-///          numbers: so that what differs between two pictures is the estimator and nothing else
-///   left   its second light sample along the scattered direction, and with it the wrong weights between the two; its
-///          phase function, which is twice too bright
+/// One sample as Exposure Render (Kroes, Post & Botha 2012) takes it: BIASED, for comparison only, see march.h.
+///   kept     a march in steps of 3 voxels to a single event, and a second march from there to the light, which is then
+///            visible or not; one of all lights, chosen uniformly and weighted by the number of lights
+///   ours     the transfer function and its extinction, surfaces and the phase function, lights and camera, random
+///            numbers: two images then differ by the estimator alone
+///   omitted  its second light sample along the scattered direction, and with it the wrong weights between the two; its
+///            phase function, which is twice too bright
 
 #include "render/kernel/baseline/march.h"
 #include "render/kernel/transport/integrator.h"
@@ -14,14 +14,14 @@ namespace pdr {
 
 namespace kroes {
 
-/// With all effects compiled in: those that a scene does not call for change nothing.
+/// All features: effects that a scene does not need change nothing.
 inline constexpr std::uint32_t kAll = kFeatureMasks - 1;
 
 PDR_HD inline bool isLight(const FlatEnvironment& environment) {
     return environment.zenith != vec3(0) || environment.nadir != vec3(0);
 }
 
-/// From a picture by its light; else from all sides alike.
+/// Samples an environment image in proportion to its light, and an environment without an image uniformly.
 PDR_HD inline LightSample sampleSurroundings(const FlatEnvironment& environment, RandomStream random) {
     const vec2 u = random.pair();
     if (environment.texels != nullptr)
@@ -30,7 +30,7 @@ PDR_HD inline LightSample sampleSurroundings(const FlatEnvironment& environment,
     return {wi, kFarAway, environmentRadiance(environment, wi) / kInverseFourPi, kInverseFourPi};
 }
 
-/// Light that reaches the event from one of the lights.
+/// Samples light that reaches the event from one of the lights.
 PDR_HD inline LightPath lightOfOne(const FlatScene& scene, const Event& event, const Sampler& sampler) {
     const int lights = scene.lightCount + (isLight(scene.environment) ? 1 : 0);
     if (lights == 0)
@@ -51,9 +51,10 @@ PDR_HD inline LightPath lightOfOne(const FlatScene& scene, const Event& event, c
 
 }  // namespace kroes
 
-/// `depths`: where tissue lies along the pixel's view; see FlatViewBounds. Where it begins does not change what a march
-/// finds: the first step is jittered by a whole one.
+/// Returns one sample of `pixel`. `depths`: where tissue lies along the pixel's view; see FlatViewBounds. They do not
+/// change what a march finds on average: its first step is jittered by a whole step.
 PDR_HD inline PathSample kroesSample(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths) {
+    // March to the event.
     const Path path = startPath(scene, pixel, sample, depths);
     const float step = marchStep(scene.volume, kExposureRenderStep);
     const float collision =
@@ -63,6 +64,7 @@ PDR_HD inline PathSample kroesSample(const FlatScene& scene, ivec2 pixel, std::u
         result.radiance = missed(scene, path.segment, collision);
         return result;
     }
+    // Shade the event and march to the light.
     result.tissue = true;
     const Event event = eventAt<kroes::kAll>(scene, path.segment.ray.origin + path.segment.ray.direction * collision,
                                              -path.segment.direction, path.sampler.number(0, BounceDimension::event));

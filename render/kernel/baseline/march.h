@@ -1,10 +1,10 @@
 #pragma once
-/// Ray marching as Exposure Render (Kroes, Post & Botha 2012) does it: BIASED. Kept for comparison, and so that tests
-/// of the unbiased trackers can be seen to fail (negative control); no picture that counts is made with it.
+/// Ray marching as Exposure Render (Kroes, Post & Botha 2012) does it: BIASED. It serves for comparison and as a
+/// negative control: tests of the unbiased trackers must fail with it. No image for use is made with it.
 ///   A fixed step with a jittered start; the extinction at a sample stands for the whole step; the ray collides at the
-///   first sample where the summed optical depth reaches -ln(u). Shadows are that march again, seen or not seen.
-/// What is wrong with it: a slab is met by a whole number of samples. Through 2.5 steps of tissue the transmittance is
-/// too high by cosh(extinction * step / 2) - 1: 3 % where extinction * step is 0.5, 54 % at 2, 513 % at 5.
+///   first sample where the summed optical depth reaches -ln(u). Shadows are a second march, with a result of 0 or 1.
+/// The bias: a slab is hit by a whole number of samples. Through 2.5 steps of tissue the transmittance is too high by
+/// cosh(extinction * step / 2) - 1: 3 % where extinction * step is 0.5, 54 % at 2, 513 % at 5.
 
 #include <cmath>
 
@@ -16,9 +16,9 @@ namespace pdr {
 
 inline constexpr float kExposureRenderStep = 3;  ///< voxels
 
-/// A step of that many `voxels` [mm], as Exposure Render measures them: the volume's longest side over its largest
-/// number of voxels along any side. Of an even grid that is its spacing; the head of 256 x 230 x 256 voxels of 0.98 x
-/// 1.4 x 0.98 mm has 1.26 mm.
+/// Returns the length of a step of `voxels` [mm]. Exposure Render takes as one voxel the volume's longest side divided
+/// by its largest number of voxels along any side. For equal spacings along all axes this is the spacing; for the head
+/// of 256 x 230 x 256 voxels of 0.98 x 1.4 x 0.98 mm it is 1.26 mm.
 PDR_HD inline float marchStep(const FlatVolume& volume, float voxels) {
     float longest = 0;
     int most = 1;
@@ -29,17 +29,18 @@ PDR_HD inline float marchStep(const FlatVolume& volume, float voxels) {
     return voxels * longest / float(most);
 }
 
-/// No march takes more samples: with steps of 3 voxels even the longest way through the largest volume has 40,000.
+/// Limit on the samples of a march: with steps of 3 voxels even the longest ray through the largest volume has 40,000.
 inline constexpr int kMostMarchSamples = 1 << 20;
 
-/// Where a march ended, and after how many samples of the volume.
+/// The end of a march, and the number of samples of the volume that it took.
 struct MarchEnd {
-    float distance;  ///< mm from the ray's origin; -1: it left the volume; NaN: it came to no end (see march)
+    float distance;  ///< mm from the ray's origin; -1: the ray left the volume; NaN: no end (see march)
     int samples;
 };
 
-/// `step`: mm, above 0. A way that is not finite, or longer than kMostMarchSamples steps, has no end that could be
-/// told: its distance is no number, so that the picture's sample is none either and is counted (Fault::notANumber).
+/// Marches along a ray in steps of `step` [mm], above 0. A ray that is not finite, or longer than kMostMarchSamples
+/// steps, has no valid end: its distance is NaN, so that the sample of the image is rejected and counted
+/// (Fault::notANumber).
 PDR_HD inline MarchEnd march(const FlatScene& scene, const Ray& ray, RandomStream random, float step) {
     const Interval<float> inside =
         clipped(ray.origin, ray.direction, vec3(-0.5f), scene.volume.lastIndex + 0.5f, Interval<float>{0, ray.length});
@@ -58,12 +59,12 @@ PDR_HD inline MarchEnd march(const FlatScene& scene, const Ray& ray, RandomStrea
     return {NAN, 0};
 }
 
-/// Distance of the first collision [mm], -1, or NaN. Biased: on average too deep.
+/// Returns the distance of the first collision [mm], -1, or NaN. Biased: too deep on average.
 PDR_HD inline float marchToCollision(const FlatScene& scene, const Ray& ray, const RandomStream& random, float step) {
     return march(scene, ray, random, step).distance;
 }
 
-/// 1 where the march gets through, else 0, or NaN. Biased: on average too bright.
+/// Returns 1 if the march leaves the volume, 0 if it collides, or NaN. Biased: too bright on average.
 PDR_HD inline float marchTransmittance(const FlatScene& scene, const Ray& ray, const RandomStream& random, float step) {
     const float collision = march(scene, ray, random, step).distance;
     return collision < 0 ? 1.0f : 0 * collision;

@@ -1,12 +1,12 @@
 #pragma once
-/// How much a mask leaves of the tissue of a fine cell at most: what its bound is multiplied by.
+/// The highest visibility weight in a fine cell, by which the bound on the cell's extinction is multiplied.
 
 #include "render/base/cells.h"
 #include "render/kernel/flat_scene.h"
 
 namespace pdr {
 
-/// The highest weight in a fine cell, in [0, kSeen]; 0 for one that holds no voxel. `volume`: voxels.
+/// Returns the highest weight in a fine cell, in [0, kSeen]; 0 for a cell without voxels. `volume`: size in voxels.
 PDR_HD inline int highestWeight(const FlatMask& mask, ivec3 volume, ivec3 cell) {
     ivec3 first, last;
     for (int axis = 0; axis < 3; ++axis) {
@@ -27,8 +27,8 @@ PDR_HD inline int highestWeight(const FlatMask& mask, ivec3 volume, ivec3 cell) 
     return highest;
 }
 
-/// A bound on the extinction of a cell of which no more than `weight` is seen, from that of its tissue. Interpolated
-/// weights are rounded; where all is seen it stays as it is, bit by bit.
+/// Returns a bound on the extinction of a cell whose weights are `weight` at most, from the bound of its tissue. The
+/// margin is for the rounding of interpolated weights; where all is visible, the bound stays as it is, bit by bit.
 PDR_HD inline float maskedBound(float bound, int weight) {
     constexpr float kRoundingRoom = 1 + 1e-5f;
     return weight == kSeen ? bound : bound * (float(weight) * (kRoundingRoom / kSeen));

@@ -1,19 +1,20 @@
 #pragma once
-/// What the cells of the volume cover on the film: from it comes where along a pixel's view tissue lies.
+/// The pixels and depths that cells of the volume cover on the film. They give the depth bounds of each block of
+/// pixels.
 
 #include "render/base/cells.h"
 #include "render/kernel/flat_scene.h"
 
 namespace pdr {
 
-inline constexpr float kDepthRoom = 1e-4f;  ///< relative; projection and rays round differently
+inline constexpr float kDepthRoom = 1e-4f;  ///< relative margin; projection and rays round differently
 
-/// An affine map from index space to (x, y, depth): film place before the perspective division, depth in mm.
+/// An affine map from index space to (x, y, depth): film position before the perspective division, and depth in mm.
 struct ViewProjection {
     dvec3 origin, perI, perJ, perK;
     bool perspective;
-    double focus;  ///< mm; 0: a pinhole
-    dvec2 lens;    ///< the lens' radius in image widths and heights, at depth 1 or (orthographic) everywhere
+    double focus;  ///< depth of the plane in focus [mm]; 0: a pinhole
+    dvec2 lens;    ///< radius of the lens in image widths and heights, at depth 1 or (orthographic) at any depth
 
     explicit ViewProjection(const FlatScene& scene)
         : perspective(scene.camera.perspective > 0),
@@ -35,7 +36,7 @@ struct ViewProjection {
 
     PDR_HD dvec3 operator()(dvec3 p) const { return origin + perI * p.x + perJ * p.y + perK * p.z; }
 
-    /// How far a lens spreads what lies at `depth` on the film, to each side.
+    /// Returns how far a lens spreads a point at `depth` on the film, to each side.
     PDR_HD dvec2 spread(double depth) const {
         if (!(focus > 0))
             return dvec2(0);
@@ -59,7 +60,7 @@ struct Footprint {
     }
 };
 
-/// The blocks of kViewBlock x kViewBlock pixels that a footprint covers, and the depths between which it lies there.
+/// The blocks of kViewBlock x kViewBlock pixels that a footprint covers, and its depth range.
 struct CoveredBlocks {
     ivec2 first, last;  ///< inclusive; empty where first.x > last.x
     float nearest, farthest;
@@ -82,7 +83,7 @@ inline ivec2 viewBlocks(ivec2 film) {
     return (film + kViewBlock - 1) / kViewBlock;
 }
 
-/// Whether one plane cuts all of a fine cell away.
+/// Returns whether a single plane cuts all of a fine cell away.
 PDR_HD inline bool cutAway(const FlatClip& clip, ivec3 cell) {
     const vec3 low((cell - 1) * 4), high(cell * 4);
     for (int i = 0; i < clip.count; ++i) {
@@ -94,7 +95,8 @@ PDR_HD inline bool cutAway(const FlatClip& clip, ivec3 cell) {
     return false;
 }
 
-/// The footprint of a fine cell. `behind`: it reaches behind the eye and may cover anything.
+/// Returns the footprint of a fine cell. `behind` becomes true if the cell reaches behind the eye and may cover any
+/// pixel.
 PDR_HD inline Footprint footprintOf(const ViewProjection& projection, ivec3 cell, bool& behind) {
     const dvec3 corner = projection(dvec3(cell - 1) * double(kFineCell));
     Footprint footprint;

@@ -1,16 +1,16 @@
 #pragma once
-/// A way through one piece of the transfer function, as a layer that shines and is seen through itself.
+/// A ray segment through one piece of the transfer function, as a layer that emits light and attenuates its own light.
 ///
-/// In w, the fraction of its optical depth D that is passed, a layer of source c(w) shines with
+/// In w, the fraction of its optical depth D that is passed, a layer of source c(w) emits
 ///   int_0^1 c(w) D exp(-D w) dw = (1 - exp(-D)) c_seen.
 /// c is linear in x, the HU's fraction of the piece, and the mean of x over w is known exactly. With
 ///   x(w) = mean + (x_end - x_begin) (w - 1/2) + g(w) - mean of g
-/// all but g can be integrated. g is left out; with s the fraction of the way in mm,
+/// all terms but g can be integrated. g is neglected. With s, the fraction of the segment in mm,
 ///   g = d(s) + (x_end - x_begin) (s - w),   |g| <= bend = max|d| + |x_end - x_begin| max|s - w|,
-/// where d is what the cubic x(s) differs from a straight line. g minus its mean has mean 0, so what is lost is at most
-/// bend * int |D exp(-D w) - (1 - exp(-D))| dw, and that integral is at most min(D / 4, 2) (1 - exp(-D)): it is twice
-/// the largest distance of the concave 1 - exp(-D w) from its chord. With a = D / 2 that distance is largest where
-/// exp(a (1 - 2 w)) = sinh(a) / a, and ln(sinh(a) / a) <= a^2 / 6 makes it at most (D / 8) (1 - exp(-D)).
+/// where d is the difference of the cubic x(s) from a straight line. g minus its mean has mean 0, so the error is at
+/// most bend * int |D exp(-D w) - (1 - exp(-D))| dw, and that integral is at most min(D / 4, 2) (1 - exp(-D)): it is
+/// twice the largest distance of the concave 1 - exp(-D w) from its chord. With a = D / 2 that distance is largest
+/// where exp(a (1 - 2 w)) = sinh(a) / a, and ln(sinh(a) / a) <= a^2 / 6 makes it at most (D / 8) (1 - exp(-D)).
 
 #include "render/kernel/attenuation.h"
 #include "render/kernel/walk/masked_optics.h"
@@ -20,12 +20,13 @@ namespace pdr {
 template <class Real>
 struct Layer {
     Attenuation<Real> behind;
-    Real fraction;  ///< where in the piece the source is that the layer shines with, over all its depth
-    Real bound;     ///< on the error of `fraction`
+    Real fraction;  ///< position in the piece of the effective source of the layer
+    Real bound;     ///< bound on the error of `fraction`
 };
 
-/// d has the Bernstein coefficients (0, d1, d2, 0), whose weights are at most 3/4 together. w - s has those of degree
-/// four (0, w1, w2, w3, 0), at most 7/8 together, where w1, w1 + w2 .. are sums of (extinction - mean) / mean / 4.
+/// Returns `bend` of the bound at the top of this file. d has the Bernstein coefficients (0, d1, d2, 0), whose weights
+/// are at most 3/4 together. w - s has those of degree four (0, w1, w2, w3, 0), at most 7/8 together, where w1, w1 + w2
+/// .. are sums of (extinction - mean) / mean / 4.
 template <class Real>
 PDR_HD_INLINE Real bendOf(const OpticsAlong<Real>& along) {
     const Cubic<Real>& fraction = along.fraction;
@@ -39,11 +40,11 @@ PDR_HD_INLINE Real bendOf(const OpticsAlong<Real>& along) {
     return 0.75f * max(abs(d1), abs(d2)) + (7.0f / 32) * abs(fraction.b3 - fraction.b0) * uneven;
 }
 
-/// Where in the piece the source of a way is.
+/// The position of a segment's source in the piece.
 template <class Real>
 struct SourceAlong {
-    Real fraction;  ///< each place counts as much as it extinguishes
-    Real bend;      ///< see above
+    Real fraction;  ///< mean along the segment, weighted by the extinction
+    Real bend;      ///< see bendOf()
 };
 
 template <class Real>
@@ -51,7 +52,7 @@ PDR_HD_INLINE SourceAlong<Real> sourceAlong(const OpticsAlong<Real>& along) {
     return {extinctionWeightedFraction(along), bendOf(along)};
 }
 
-/// The same of a way of which some may be hidden; there |s - w| <= 1.
+/// Returns the source of a segment that may be partly hidden; there |s - w| <= 1.
 template <class Real>
 PDR_HD_INLINE SourceAlong<Real> sourceAlong(const OpticsAlong<Real>& along, const Cubic<Real>& weight) {
     const SeenAlong<Real> seen = seenAlong(along, weight);

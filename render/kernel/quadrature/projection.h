@@ -1,13 +1,13 @@
 #pragma once
-/// The optical models without scattering, from a ray to the radiance that the camera sees. No random numbers: the same
-/// ray gives the same radiance.
+/// The optical models without scattering: from a ray to the radiance that the camera sees. There are no random numbers:
+/// the same ray gives the same radiance.
 
 #include "render/kernel/quadrature/ray_maximum.h"
 #include "render/kernel/transport/integrator.h"
 
 namespace pdr {
 
-/// One ray of a model, or several in step: start, going, step, take, result.
+/// The walk along one ray of a model, or along several in lanes: start, going, step, take, result.
 template <class Real, FlatModel Model, bool Masked>
 struct RayWalkOf {
     using Type = RayIntegral<Real, Model, Masked>;
@@ -21,18 +21,19 @@ using RayWalk = typename RayWalkOf<Real, Model, Masked>::Type;
 
 struct Projected {
     vec3 radiance;         ///< linear Rec. 709
-    bool withinTolerance;  ///< the bound on its error keeps FlatOptics::quadrature and cutOff
-    bool tissue;           ///< the ray met some that shows
+    bool withinTolerance;  ///< the error bound is within FlatOptics::quadrature and cutOff
+    bool tissue;           ///< the ray met visible tissue
 };
 
-/// See noteFaults() of a PathSample.
+/// Calls note(fault) for each fault, as noteFaults() of a PathSample does.
 template <class Note>
 PDR_HD inline void noteFaults(const Projected& found, Note&& note) {
     if (!found.withinTolerance)
         note(Fault::overTolerance);
 }
 
-/// What lies behind the volume. Absorption needs a light to take from: white, where the camera sees no environment.
+/// Returns the radiance behind the volume. Absorption needs a light to absorb: white, if the camera sees no
+/// environment.
 template <FlatModel Model>
 PDR_HD inline vec3 backdrop(const FlatScene& scene, const PathSegment& segment) {
     const FlatEnvironment& environment = scene.environment;
@@ -43,8 +44,8 @@ PDR_HD inline vec3 backdrop(const FlatScene& scene, const PathSegment& segment) 
     return background(scene, segment);
 }
 
-/// The radiance that the tone map shows, at exposure 1, as a grey that grows in even steps with the HU: sRGB
-/// (IEC 61966-2-1) and 1 - exp(-L), inverted. White is kept half a display level below infinity.
+/// Returns the radiance that the tone map shows, at exposure 1, as a grey proportional to the HU within the window:
+/// sRGB (IEC 61966-2-1) and 1 - exp(-L), inverted. White is kept half a display level below infinity.
 PDR_HD inline float windowed(const FlatOptics& optics, float hu) {
     const float place = (hu - optics.windowLow) / (optics.windowHigh - optics.windowLow);
     const float grey = glm::clamp(place, 0.0f, 254.5f / 255);
@@ -64,7 +65,7 @@ PDR_HD inline Projected projected(const FlatScene& scene, const RayResult<float>
     return {gathered + found.left * behind, kept, found.left < 1 || gathered != vec3(0)};
 }
 
-/// What is seen where a ray meets nothing.
+/// Returns the result of a ray that meets nothing.
 template <FlatModel Model>
 PDR_HD inline Projected projectedMiss(const FlatScene& scene, vec3 behind) {
     RayResult<float> nothing;
@@ -73,7 +74,7 @@ PDR_HD inline Projected projectedMiss(const FlatScene& scene, vec3 behind) {
     return projected<Model>(scene, nothing, behind);
 }
 
-/// One ray to its end.
+/// Walks along one ray to its end.
 template <FlatModel Model, bool Masked>
 PDR_HD inline Projected projectAlong(const FlatScene& scene, const Ray& ray, vec3 behind) {
     RayWalk<float, Model, Masked> walk;

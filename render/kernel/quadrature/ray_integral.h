@@ -1,28 +1,29 @@
 #pragma once
 /// The optical models without scattering: absorption, emission, and both together, as sums along one straight ray.
 ///   L = B exp(-int sigma)      L = int sigma c ds + B      L = int sigma c T ds + T B,  T = exp(-int sigma)
-/// with sigma the extinction, c the source (albedo + emission: each tissue shines as if white light of radiance 1
-/// reached it from all sides unshadowed) and B what lies behind.
+/// with sigma the extinction, c the source (albedo + emission: each tissue shines as if unshadowed white light of
+/// radiance 1 reached it from all sides) and B the radiance behind the volume.
 ///
 /// A step goes through one cell between voxels and one linear piece of the curve (piece_walk.h). In it sigma and c are
-/// cubic polynomials of the way, so the optical depth and int sigma c ds are exact. Only how a step is seen through
-/// itself is approximated, within a bound (layer.h). Steps whose bounds add up to more than the tolerance are halved.
-/// Rounding is not part of the bound.
+/// cubic polynomials of the distance, so the optical depth and int sigma c ds are exact. Only the attenuation of a
+/// step's light within the step is approximated, within a bound (layer.h). Steps whose bounds add up to more than the
+/// tolerance are halved. Rounding is not part of the bound.
 
 #include "render/kernel/quadrature/layer.h"
 #include "render/kernel/walk/piece_walk.h"
 
 namespace pdr {
 
-/// What a walk along a ray has found.
+/// The result of a walk along a ray.
 template <class Real>
 struct RayResult {
-    Real value[3]{};            ///< radiance gathered on the way, linear Rec. 709; maximumIntensity: highest HU first
-    Real left = Real{} + 1.0f;  ///< fraction of what lies behind that reaches the camera
+    /// Radiance accumulated along the ray, linear Rec. 709; maximumIntensity: value[0] is the highest HU.
+    Real value[3]{};
+    Real left = Real{} + 1.0f;  ///< fraction of the background's radiance that reaches the camera
     Real exceeded{};            ///< 1: a step could not be made short enough for the tolerance
 };
 
-/// Masked: see PieceWalk.
+/// Accumulates the sum along one ray, or along several in lanes. Masked: see PieceWalk.
 template <class Real, FlatModel Model, bool Masked>
 class RayIntegral {
   public:
@@ -56,7 +57,8 @@ class RayIntegral {
             walk_.stop(gone & nothingMoreToSee(scene));
     }
 
-    /// Where `mask` holds: lane l begins the ray of lane from[l] of `other`, which has been started only.
+    /// Starts lane l, where `mask` holds, on the ray of lane from[l] of `other`, which has been started but not
+    /// stepped.
     void take(Mask mask, const RayIntegral& other, Int from) {
         const auto fresh = [mask](Real& mine, Real first) { mine = mask ? first : mine; };
         walk_.take(mask, other.walk_, from);
@@ -71,7 +73,8 @@ class RayIntegral {
   private:
     using Way = typename PieceWalk<Real, Masked>::Way;
 
-    /// Adds a way through one piece where `ready` holds. Result: where it was added; elsewhere it must be halved.
+    /// Adds a segment through one piece where `ready` holds. Returns the lanes in which it was added; in the others it
+    /// must be halved.
     PDR_HD_INLINE Mask add(const FlatOptics& optics, const Way& way, Mask ready, Mask forced) {
         const OpticsPiece<Real>& piece = way.piece;
         const OpticsAlong<Real> along = opticsAlong(optics, piece, way.hu);
@@ -96,7 +99,7 @@ class RayIntegral {
     }
 
     struct Source {
-        Real begin, rise;  ///< over the piece
+        Real begin, rise;  ///< radiance per optical depth: at the start of the piece, and its change over the piece
     };
     PDR_HD_INLINE static Source sourceOf(const FlatOptics& optics, const OpticsPiece<Real>& piece, int channel) {
         return {opticsColumn<Real>(optics, int(OpticsColumn::source) + channel, piece.index),
@@ -110,6 +113,8 @@ class RayIntegral {
             return sourceAlong(along);
     }
 
+    /// Adds a layer behind the accumulated ones, in the lanes of `ready` where the error bound stays within the
+    /// tolerance or `forced` holds. Returns these lanes.
     PDR_HD_INLINE Mask addAttenuated(const FlatOptics& optics, const OpticsPiece<Real>& piece, const Layer<Real>& layer,
                                      Mask ready, Mask forced) {
         const Real taken = sum_.left * layer.behind.taken;
@@ -130,7 +135,7 @@ class RayIntegral {
         return added;
     }
 
-    /// Whatever follows can add no more than the fraction that may be left out.
+    /// Returns the lanes in which the rest of the ray can add no more than FlatOptics::cutOff.
     PDR_HD_INLINE Mask nothingMoreToSee(const FlatScene& scene) const {
         const FlatOptics& optics = scene.optics;
         Mask dark = sum_.left * optics.brightest.x <= optics.cutOff * sum_.value[0];
@@ -140,7 +145,7 @@ class RayIntegral {
 
     PieceWalk<Real, Masked> walk_;
     RayResult<Real> sum_;
-    Real bound_[3]{};  ///< on the error of what was gathered
+    Real bound_[3]{};  ///< bounds on the errors of sum_.value
     Real depth_{};     ///< optical depth (absorption)
 };
 

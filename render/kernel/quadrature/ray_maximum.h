@@ -1,28 +1,29 @@
 #pragma once
 /// The highest HU along a ray: exact, cell by cell, from the cubic polynomial that trilinear interpolation is along a
-/// line. Cells that cannot beat what was found already are passed. Of a volume with a mask, what is seen by less than
-/// half counts as not there; in a cell where that changes, five places along the way are looked at, so that what lies
-/// within a quarter of a cell of the edge may be missed.
+/// line. Cells that cannot exceed the highest HU so far are skipped. In a volume with a mask, tissue with a weight
+/// below one half counts as hidden. In a cell where the weight crosses one half, five positions along the segment are
+/// evaluated, so that tissue within a quarter of the cell from the edge may be missed.
 
 #include "render/kernel/bounds/mask_bound.h"
 #include "render/kernel/quadrature/ray_integral.h"
 
 namespace pdr {
 
-/// What maximumIntensity adds to the HU in FlatMajorants, so that 0 stands for cells outside the volume.
+/// Offset that maximumIntensity adds to the HU in FlatMajorants, so that 0 stands for cells outside the volume.
 inline constexpr int kMipBias = 32769;
 
-/// Of weights, from where on something is seen.
+/// Lowest visibility weight at which tissue counts as visible.
 inline constexpr float kSeenFrom = 0.5f;
 
-/// What maximumIntensity keeps of a fine cell: its highest HU, lifted by kMipBias; 0 where nothing is seen.
+/// Returns the bound that maximumIntensity stores for a fine cell: its highest HU plus kMipBias; 0 if nothing is
+/// visible.
 PDR_HD inline float highestHuBound(HuRange range, const FlatMask& mask, ivec3 volume, ivec3 cell) {
     const bool seen = !range.empty() &&
                       (mask.voxels == nullptr || float(highestWeight(mask, volume, cell)) >= kSeenFrom * float(kSeen));
     return seen ? float(range.highest + kMipBias) : 0.0f;
 }
 
-/// Masked: see PieceWalk.
+/// Finds the highest HU along one ray, or along several in lanes. Masked: see PieceWalk.
 template <class Real, bool Masked = false>
 class RayMaximum {
   public:
@@ -42,7 +43,7 @@ class RayMaximum {
         return result;
     }
 
-    /// One step of every lane that is going.
+    /// Makes one step in every lane that is going.
     PDR_HD_INLINE void step(const FlatScene& scene) {
         std::conditional_t<Masked, MaskedHuAlong<Real>, HuAlong<Real>> way{};
         Mask met = walk_.step(scene, going(), bar(), way);
@@ -53,17 +54,18 @@ class RayMaximum {
         if constexpr (Masked)
             found = seenMaximum(way, found);
         highest_ = met ? max(highest_, found) : highest_;
-        walk_.stop(met & (highest_ >= scene.optics.windowHigh));  // white: nothing shows more
+        walk_.stop(met & (highest_ >= scene.optics.windowHigh));  // already white: a higher value would look the same
     }
 
-    /// Where `mask` holds: lane l begins the ray of lane from[l] of `other`, which has been started only.
+    /// Starts lane l, where `mask` holds, on the ray of lane from[l] of `other`, which has been started but not
+    /// stepped.
     void take(Mask mask, const RayMaximum& other, Int from) {
         walk_.take(mask, other.walk_, from);
         highest_ = mask ? Real{} - float(kMipBias) : highest_;
     }
 
   private:
-    /// The highest HU that is seen on a way whose highest is `whole`.
+    /// Returns the highest visible HU on a segment whose highest HU is `whole`, or highest_ if that is higher.
     PDR_HD_INLINE Real seenMaximum(const MaskedHuAlong<Real>& way, Real whole) const {
         constexpr int kPlaces = 5;
         const Mask partly = way.weight.lowest() < kSeenFrom;
@@ -78,7 +80,8 @@ class RayMaximum {
         return partly ? seen : whole;
     }
 
-    /// Voxels are whole numbers, so a cell can bring more only if its highest voxel is above this one.
+    /// Returns the threshold below which cells are skipped. Voxels are whole numbers, so a cell can raise the maximum
+    /// only if its highest voxel is above this threshold.
     PDR_HD_INLINE Real bar() const {
         const Int towardsZero = toInt(highest_);
         const Int floor = toFloat(towardsZero) > highest_ ? towardsZero - 1 : towardsZero;

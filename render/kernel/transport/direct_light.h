@@ -1,5 +1,5 @@
 #pragma once
-/// Light that reaches an event straight from a light: one light path for each event, chosen among all lights.
+/// Direct light at an event: one light path for each event, chosen among all lights.
 
 #include "render/kernel/clip.h"
 #include "render/kernel/sampler.h"
@@ -12,9 +12,9 @@
 
 namespace pdr {
 
-/// Light on its way from a light to an event: `radiance` arrives in the camera where nothing is in between.
+/// A path of light from a light to an event. Where nothing is in between, `radiance` arrives in the camera.
 struct LightPath {
-    Ray ray;        ///< from the event to the light
+    Ray ray;        ///< ray from the event to the light
     vec3 radiance;  ///< linear Rec. 709; 0: nothing to trace
 };
 
@@ -22,12 +22,12 @@ PDR_HD inline bool isDark(const LightPath& light) {
     return light.radiance == vec3(0);
 }
 
-/// Of several light paths one, picked in proportion to what each would bring if nothing stood in its way, and weighted
-/// so that the sum of all is what it stands for on average (resampled importance sampling, Talbot et al. 2005).
+/// One of several light paths, chosen in proportion to the unshadowed contribution of each and weighted so that it
+/// stands for the sum of all on average (resampled importance sampling, Talbot et al. 2005).
 struct LightReservoir {
     LightPath chosen{{vec3(0), vec3(0), 0}, vec3(0)};
     float weight = 0, total = 0;
-    float u;  ///< what is left of the number that chooses: uniform, whatever was chosen so far
+    float u;  ///< the random number that chooses, rescaled: uniform whatever was chosen so far
 
     PDR_HD explicit LightReservoir(float number) : u(number) {}
 
@@ -36,7 +36,7 @@ struct LightReservoir {
         if (strength == 0)
             return;
         total += strength;
-        if (strength == total || !(u * total >= strength)) {  // what is no number is chosen, to be counted
+        if (strength == total || !(u * total >= strength)) {  // NaN is chosen, so that it is counted
             chosen = path;
             weight = strength;
             u *= total / strength;
@@ -52,7 +52,7 @@ struct LightReservoir {
     }
 };
 
-/// visit(light, hit) for each light that a ray meets. `place`: the ray's origin, `direction`: unit; both local.
+/// Calls visit(light, hit) for each light that a ray meets. `place`: the ray's origin; `direction`: unit; both local.
 template <std::uint32_t F, class Visit>
 PDR_HD inline void forLightsMet(const FlatScene& scene, vec3 place, vec3 direction, Visit&& visit) {
     if (!has(F, kPlacedLights))
@@ -64,15 +64,16 @@ PDR_HD inline void forLightsMet(const FlatScene& scene, vec3 place, vec3 directi
     });
 }
 
-/// Whether the path, where it goes on from its event number `bounce`, collects the light that it meets on its next
-/// segment (lightOnSegment). Its last event has no next segment and looks along a direction of its own.
+/// Returns whether a path that continues from its event number `bounce` collects the light that it meets on its next
+/// segment (lightOnSegment). The last event of a path has no next segment and samples a direction for itself.
 PDR_HD inline bool continuationFindsLight(const FlatScene& scene, int bounce) {
     return scene.lightAlongPath && bounce + 1 < scene.maxBounces;
 }
 
-/// Light that reaches the event straight from one of the lights and is scattered back along the path. Every light is
-/// sampled, or some of very many (many_lights.h); where it pays, light is also looked for in a direction that the event
-/// scatters to: here, or by the path itself where it goes on. What both ways can find counts for each by its fraction.
+/// Returns a path of light that reaches the event directly from a light and is scattered back along the camera path.
+/// Every light is sampled, or some of very many (many_lights.h). Where it pays, light is also sampled along a direction
+/// that the event scatters to: here, or by the path itself where it continues. Light that both techniques can find is
+/// weighted by multiple importance sampling.
 template <std::uint32_t F>
 PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, const Sampler& sampler, int bounce) {
     const bool bothWays = has(F, kPlacedLights | kEnvironment) && scene.sampleDirections;
@@ -87,14 +88,16 @@ PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, 
               scatterEval<F>(scene, event, light.wi) * light.radiance * (weight * powerHeuristic(light.pdf, other)));
     };
 
-    // All lights share a place: only one of them is chosen.
+    // All lights share one random position, since only one of them is chosen.
     const vec2 onLight = has(F, kPlacedLights) ? sampler.pair(bounce, BounceDimension::light) : vec2(0);
     forLightsLookedAt(scene, sampler, bounce, [&](const FlatLight& light, float weight) {
         offerSample(sampleLight<F>(light, place, onLight), weight);
     });
+    // Sample the environment image.
     if (has(F, kEnvironment) && scene.environment.texels != nullptr)
         offerSample(sampleEnvironment(scene.environment, sampler.pair(bounce, BounceDimension::environment),
                                       sampler.stream(bounce, BounceDimension::environment).pair()));
+    // Sample a scattered direction and offer the light that it meets.
     if (bothWays && !continuationFindsLight(scene, bounce)) {
         const Scattered along = scatterSample<F>(scene, event, sampler.triple(bounce, BounceDimension::direction));
         const float density = scatterPdf<F>(scene, event, along.wi);
@@ -107,6 +110,7 @@ PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, 
                       powerHeuristic(density, environmentPdf(scene.environment, along.wi)));
     }
 
+    // Take the chosen light path, and shorten it where clipped tissue casts no shadow.
     LightPath path = choice.path();
     if (scene.clip.count > 0 && !scene.clip.shadows)
         path.ray.length = cutLength(scene.clip, path.ray.origin, path.ray.direction, path.ray.length);
@@ -115,9 +119,9 @@ PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, 
     return path;
 }
 
-/// Light that a path meets on a segment, found with `pdf`, that ends at an event after `collision` mm (negative: it
-/// leaves the volume): of the lights on its way there, and from all around where it leaves. The other way to find it
-/// was directLight() at the event before.
+/// Returns the light that a path meets on a segment that was sampled with `pdf` and ends at an event after `collision`
+/// mm (negative: it leaves the volume): the radiance of the lights before that event, and of the environment if the
+/// segment leaves. It is weighted against directLight() at the event before, the other technique that finds it.
 template <std::uint32_t F>
 PDR_HD inline vec3 lightOnSegment(const FlatScene& scene, const PathSegment& segment, float pdf, float collision) {
     vec3 radiance(0);

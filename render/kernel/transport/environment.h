@@ -1,7 +1,7 @@
 #pragma once
-/// Light from all around: the same everywhere, a gradient from the zenith (towards the head) to the nadir, or a
-/// picture. A picture is latitude-longitude: rows from the zenith down, the middle of a row towards the back (+y), its
-/// right end by way of the patient's left (+x). A texel's radiance is the same all over it.
+/// The environment light: the same in all directions, a gradient from the zenith (towards the head) to the nadir, or an
+/// image. An image is latitude-longitude: rows from the zenith down, the middle of a row towards the back (+y), its
+/// right end by way of the patient's left (+x). The radiance is constant within a texel.
 
 #include "render/kernel/flat_scene.h"
 #include "render/kernel/intervals.h"
@@ -10,7 +10,7 @@
 
 namespace pdr {
 
-/// Index of the texel that lies in `direction` (unit, local).
+/// Returns the index of the texel in `direction` (unit, local).
 PDR_HD inline int environmentTexel(const FlatEnvironment& environment, vec3 direction) {
     const float turns = turnsTo(direction.y, direction.x) - environment.turn + 0.5f;
     const float across = turns - std::floor(turns);
@@ -21,19 +21,19 @@ PDR_HD inline int environmentTexel(const FlatEnvironment& environment, vec3 dire
     return row * size.x + column;
 }
 
-/// Radiance that comes from `direction` (unit, local).
+/// Returns the radiance that arrives from `direction` (unit, local).
 PDR_HD inline vec3 environmentRadiance(const FlatEnvironment& environment, vec3 direction) {
     if (environment.texels != nullptr)
         return environment.texels[environmentTexel(environment, direction)] * environment.zenith;
     return environment.nadir + (environment.zenith - environment.nadir) * (0.5f + 0.5f * direction.z);
 }
 
-/// The density with which sampleEnvironment finds `direction` [1/sr]; 0 where there is no picture.
+/// Returns the pdf with which sampleEnvironment finds `direction` [1/sr]; 0 without an image.
 PDR_HD inline float environmentPdf(const FlatEnvironment& environment, vec3 direction) {
     return environment.texels != nullptr ? environment.pdf[environmentTexel(environment, direction)] : 0;
 }
 
-/// A direction in proportion to the light of the picture's texels, uniform within a texel's solid angle.
+/// Samples a direction in proportion to the light of the image's texels, uniformly within a texel's solid angle.
 PDR_HD inline LightSample sampleEnvironment(const FlatEnvironment& environment, vec2 choice, vec2 place) {
     const ivec2 size = environment.size;
     const int row = intervalOf(environment.rowSums, size.y, choice.x);

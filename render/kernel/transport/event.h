@@ -1,5 +1,5 @@
 #pragma once
-/// A collision in the medium: where it is and how it sends light on, by a surface or by the phase function.
+/// Events: a collision in the medium, its position, and how it scatters light, by a surface or by the phase function.
 
 #include "render/kernel/attenuation.h"
 #include "render/kernel/clip.h"
@@ -13,29 +13,30 @@ namespace pdr {
 
 struct Event {
     vec3 position;  ///< index space
-    vec3 wo;        ///< unit, local: to where the path came from
+    vec3 wo;        ///< unit, local: direction back along the path
     Material material;
-    vec3 normal;  ///< local, unit, on the side that the path came from; zero: the phase function holds
+    /// Normal of the surface: unit, local, on the side of wo; zero: the phase function scatters.
+    vec3 normal;
 };
 
-/// FlatScene::surfaceFactor [mm/HU] of a gradient factor: 25 gradientFactor^3 / range. The range is that of 12-bit CT
-/// and not the volume's own, so that one metal clip does not change how the rest of the picture looks.
+/// Returns FlatScene::surfaceFactor [mm/HU] of a gradient factor: 25 gradientFactor^3 / range. The range is that of
+/// 12-bit CT and not the volume's own, so that one metal clip does not change how the rest of the image looks.
 PDR_HD inline float surfaceFactorOf(float gradientFactor) {
     constexpr float kHuScale = 4096;
     return 25 * gradientFactor * gradientFactor * gradientFactor / kHuScale;
 }
 
-/// A surface is the more likely the denser and the steeper the tissue: P = opacity (1 - exp(-surfaceFactor |grad|)),
-/// Kroes, Post & Botha 2012.
+/// Returns the probability that an event is at a surface, which grows with the density and the gradient of the tissue:
+/// P = opacity (1 - exp(-surfaceFactor |grad|)), Kroes, Post & Botha 2012.
 PDR_HD inline float surfaceProbability(const FlatScene& scene, float opacity, float steepness) {
     return opacity * attenuation(scene.surfaceFactor * steepness).taken;
 }
 
-/// What is cut away or hidden is as air is.
+/// HU that stand for clipped and hidden tissue: those of air.
 inline constexpr float kHiddenHu = -1000;
 
-/// The gradient of tissue of `hu` as it is seen [HU/mm]: what a mask hides counts as air, so that it has a surface
-/// where it does not end, but is hidden.
+/// Returns the gradient of the visible tissue [HU/mm] at a position with `hu`. Hidden tissue counts as air, so that
+/// visible tissue has a surface at the border of the mask.
 PDR_HD inline vec3 seenGradient(const FlatScene& scene, vec3 position, float hu) {
     const vec3 gradient = hounsfieldGradient(scene.volume, position);
     const float weight = isMasked(scene) ? weightAt(scene, position) : 1;
@@ -48,8 +49,9 @@ PDR_HD inline vec3 facing(vec3 wo, vec3 normal) {
     return glm::dot(normal, wo) < 0 ? -normal : normal;
 }
 
-/// No gradient, no surface. Its probability is never above the opacity, so the
-/// gradient, which costs 64 voxels, is looked at only where the number lies below that.
+/// Returns the normal of a surface at `position`; zero if `u` chooses none or there is no gradient. The probability of
+/// a surface is never above the opacity, so the gradient, which costs 64 voxels, is read only where `u` is below the
+/// opacity.
 PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 wo, float hu, float u) {
     const float most = opacity(scene.transferFunction, hu);
     if (u >= most)
@@ -63,13 +65,14 @@ PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 wo,
     return facing(wo, gradient / steepness);
 }
 
-/// The step from tissue of `hu` to air, across one voxel [HU/mm].
+/// Returns the gradient of a step from tissue of `hu` to air, across one voxel [HU/mm].
 PDR_HD inline float cutSteepness(float hu, float voxelMm) {
     return glm::max(hu - kHiddenHu, 0.0f) / voxelMm;
 }
 
-/// Tissue that a plane cuts through ends at that plane: it reflects with the plane's normal, as an edge against air
-/// does that is one voxel wide. The gradient of the HU knows nothing of the cut; within tissue it is that of the noise.
+/// Returns the normal of a cut face; zero if `u` chooses no surface. Tissue that a plane cuts through ends at that
+/// plane: it reflects with the plane's normal, like an edge against air that is one voxel wide. The gradient of the HU
+/// does not know about the cut; inside tissue it is that of the noise.
 PDR_HD inline vec3 cutFaceNormal(const FlatScene& scene, const CutFace& face, vec3 wo, float hu, float u) {
     const float steepness = cutSteepness(hu, face.voxelMm);
     if (u >= surfaceProbability(scene, opacity(scene.transferFunction, hu), steepness))
@@ -77,7 +80,7 @@ PDR_HD inline vec3 cutFaceNormal(const FlatScene& scene, const CutFace& face, ve
     return facing(wo, glm::normalize(glm::transpose(scene.volume.indexFromLocal) * face.normal));
 }
 
-/// The normal of the surface at an event; zero: none.
+/// Returns the normal of the surface at an event; zero if there is none.
 PDR_HD inline vec3 normalAt(const FlatScene& scene, vec3 position, vec3 wo, float hu, float u) {
     const CutFace face = cutFaceNear(scene.clip, position);
     if (face.voxelMm > 0 && opacity(scene.transferFunction, hounsfield(scene.volume, face.foot)) > 0)
@@ -85,7 +88,7 @@ PDR_HD inline vec3 normalAt(const FlatScene& scene, vec3 position, vec3 wo, floa
     return surfaceNormal(scene, position, wo, hu, u);
 }
 
-/// `u` decides whether the event is at a surface.
+/// Returns the event at `position`. `u` decides whether it is at a surface.
 template <std::uint32_t F>
 PDR_HD_INLINE Event eventAt(const FlatScene& scene, vec3 position, vec3 wo, float u) {
     const float hu = hounsfield(scene.volume, position);
@@ -100,7 +103,7 @@ PDR_HD inline bool isSurface(const Event& event) {
     return has(F, kSurface) && event.normal != vec3(0);
 }
 
-/// Light scattered back along the path per radiance from direction `wi` (unit, local) [1/sr].
+/// Returns the light scattered back along the path per radiance from direction `wi` (unit, local) [1/sr].
 template <std::uint32_t F>
 PDR_HD inline vec3 scatterEval(const FlatScene& scene, const Event& event, vec3 wi) {
     if (isSurface<F>(event))
@@ -108,7 +111,7 @@ PDR_HD inline vec3 scatterEval(const FlatScene& scene, const Event& event, vec3 
     return event.material.albedo * phaseEval(scene.phaseG, event.wo, wi);
 }
 
-/// The pdf with which scatterSample finds `wi` [1/sr].
+/// Returns the pdf with which scatterSample finds `wi` [1/sr].
 template <std::uint32_t F>
 PDR_HD inline float scatterPdf(const FlatScene& scene, const Event& event, vec3 wi) {
     if (isSurface<F>(event))
@@ -116,7 +119,7 @@ PDR_HD inline float scatterPdf(const FlatScene& scene, const Event& event, vec3 
     return phaseEval(scene.phaseG, event.wo, wi);
 }
 
-/// A direction and the light scattered back per radiance from there, already divided by the direction's pdf.
+/// A sampled direction, and the light scattered back per radiance from there, already divided by the direction's pdf.
 struct Scattered {
     vec3 wi;
     vec3 weight;

@@ -1,10 +1,10 @@
 #pragma once
-/// Free flight by exact inversion: how far a ray flies until it has passed a given optical depth. No bounds, no
-/// tentative collisions and one random number, of which the flight's end is a monotone function: what low-discrepancy
-/// numbers (sobol.h) need. Between voxels and along a linear piece of the curve the extinction is a cubic polynomial of
-/// the way, so that its integral is known in closed form; only where in that way the flight ends is found by Newton's
-/// method. The same answers the question how much light comes through: a flight that leaves the volume has passed the
-/// optical depth of the whole ray.
+/// Free flight by exact inversion: the distance along a ray at which it has passed a given optical depth. It needs no
+/// bounds and no tentative collisions, and one random number, of which the distance is a monotone function, as
+/// low-discrepancy numbers (sobol.h) require. Between voxels and along a linear piece of the curve the extinction is a
+/// cubic polynomial of the distance, so that its integral is known in closed form; only the end of the flight within
+/// such a segment is found by Newton's method. A flight that leaves the volume yields the transmittance, since it has
+/// passed the optical depth of the whole ray.
 
 #include <type_traits>
 
@@ -14,12 +14,11 @@
 
 namespace pdr {
 
-/// The optical depth that is passed on the way from 0 to s in [0, 1] of a piece, for extinctions along it that are a
-/// cubic: of degree four, by its Bernstein coefficients but the first, which is 0. Rises from 0 to 1: in units of the
-/// whole.
+/// The optical depth from 0 to s in [0, 1] of a segment whose extinction is a cubic: a polynomial of degree four by its
+/// Bernstein coefficients except the first, which is 0. It rises from 0 to 1, in units of the whole segment's depth.
 template <class Real>
 struct DepthPassed {
-    Cubic<Real> extinction;  ///< divided by its mean
+    Cubic<Real> extinction;  ///< extinction divided by its mean
 
     PDR_HD_INLINE Real at(Real s) const {
         const Real c1 = 0.25f * extinction.b0, c2 = c1 + 0.25f * extinction.b1, c3 = c2 + 0.25f * extinction.b2;
@@ -30,23 +29,23 @@ struct DepthPassed {
     PDR_HD_INLINE Real slopeAt(Real s) const { return extinction.at(s); }
 };
 
-/// One ray, or several in step. Masked: see PieceWalk.
+/// The flight of one ray, or of several in lanes. Masked: see PieceWalk.
 template <class Real, bool Masked = false>
 class FreeFlight {
   public:
     using Int = typename SimdTraits<Real>::Int;
     using Mask = typename SimdTraits<Real>::Mask;
 
-    Real distance = Real{} - 1.0f;  ///< mm from the ray's origin to where it has passed that depth; -1: it never did
-    Real passed{};                  ///< optical depth of the whole ray, where it never did
+    Real distance = Real{} - 1.0f;  ///< distance at which the ray has passed the depth [mm]; -1: it never does
+    Real passed{};                  ///< optical depth of the whole ray where distance is -1
 
-    /// `depth`: the optical depth to pass; > 0.
+    /// Starts the flight. `depth`: the optical depth to pass; > 0.
     PDR_HD_INLINE void start(const FlatScene& scene, const Vec3<Real>& origin, const Vec3<Real>& direction, Real length,
                              Real depth) {
         walk_.start(scene.majorants, origin, direction, length);
         depth_ = depth;
     }
-    /// Of one ray; what has flown here before is forgotten.
+    /// Starts the flight of one ray and discards any flight before.
     PDR_HD_INLINE void start(const FlatScene& scene, const Ray& ray, float depth) requires std::is_same_v<Real, float> {
         *this = FreeFlight();
         start(scene, {ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z},
@@ -69,7 +68,8 @@ class FreeFlight {
         walk_.stop(ended);
     }
 
-    /// Where `mask` holds: lane l begins the ray of lane from[l] of `other`, which has been started only.
+    /// Starts lane l, where `mask` holds, on the ray of lane from[l] of `other`, which has been started but not
+    /// stepped.
     void take(Mask mask, const FreeFlight& other, Int from) {
         walk_.take(mask, other.walk_, from);
         depth_ = mask ? permuted(other.depth_, from) : depth_;
@@ -94,7 +94,7 @@ class FreeFlight {
             return endOf(along, way.length, ended);
     }
 
-    /// The same on a way of which some may be hidden.
+    /// Returns what endOf() returns, for a segment that may be partly hidden.
     PDR_HD_INLINE Real endOnSeen(const OpticsAlong<Real>& along, const Way& way, Mask ended) const {
         const SeenAlong<Real> seen = seenAlong(along, way.weight);
         const Mask partly = ended & seen.partly;
@@ -108,7 +108,8 @@ class FreeFlight {
         return end;
     }
 
-    /// The fraction of a way of that length after which the depth has been passed; it is before its end.
+    /// Returns the fraction of a segment of `length` after which the flight's depth has been passed; it lies within the
+    /// segment.
     PDR_HD_INLINE Real endOf(const OpticsAlong<Real>& along, Real length, Mask ended) const {
         const Real scale = 1.0f / along.meanExtinction;
         const auto relative = [&](Real fraction) {
@@ -124,7 +125,7 @@ class FreeFlight {
     Real depth_{};
 };
 
-/// What becomes of one ray.
+/// The result of a flight along one ray.
 struct Flight {
     float distance;  ///< as in FreeFlight
     float passed;

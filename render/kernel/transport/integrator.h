@@ -31,8 +31,8 @@ namespace pdr {
 struct Path {
     Sampler sampler;
     PathSegment segment;
-    vec3 throughput{1.0f};  ///< of radiance from the next event to the camera
-    float pdf = 0;          ///< with which the last event found the segment's direction [1/sr]
+    vec3 throughput{1.0f};  ///< fraction of radiance from the next event that reaches the camera
+    float pdf = 0;          ///< pdf with which the last event found the segment's direction [1/sr]
 };
 
 PDR_HD inline Sampler pathSampler(const FlatScene& scene, ivec2 pixel, std::uint64_t sample) {
@@ -91,7 +91,7 @@ PDR_HD inline vec3 missed(const FlatScene& scene, const PathSegment& segment, fl
     return collision < 0 ? background(scene, segment) : vec3(collision);
 }
 
-/// The same without looking, where it looks the same everywhere.
+/// Returns what background() returns where it is the same in every direction.
 PDR_HD inline vec3 plainBackground(const FlatScene& scene) {
     return scene.environment.visible ? scene.environment.zenith : scene.environment.behind;
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// Lights with a place, and parallel light. Two verbs: a sample of a light as seen from a point (sampleLight), and what
-/// of a light a ray meets (intersectLight). Pdfs are per solid angle [1/sr].
+/// Lights with a position and directional lights. sampleLight() samples a light as seen from a point, and
+/// intersectLight() intersects a light with a ray. Pdfs are per solid angle [1/sr].
 
 #include "render/kernel/features.h"
 #include "render/kernel/flat_scene.h"
@@ -11,18 +11,19 @@ namespace pdr {
 
 inline constexpr float kFarAway = 1e30f;
 
-/// radiance is already divided by the pdf of the sample; 0: the light does not shine there.
+/// A sampled direction to a light. `radiance` is already divided by the pdf of the sample; 0: the light does not shine
+/// there.
 struct LightSample {
     vec3 wi;         ///< unit, local
     float distance;  ///< mm
     vec3 radiance;
-    float pdf;  ///< of `wi`; 0: no other way of sampling finds it
+    float pdf;  ///< pdf of `wi`; 0: no other technique finds this light
 };
 
-/// Where a ray meets a light, and with which pdf sampleLight would have chosen that direction.
+/// The point where a ray meets a light, and the pdf with which sampleLight would have chosen that direction.
 struct LightHit {
     bool met;
-    float distance;  ///< mm; may be negative: behind the ray's origin
+    float distance;  ///< mm; negative: behind the ray's origin
     float pdf;
 };
 
@@ -33,7 +34,7 @@ PDR_HD inline LightSample dark() {
 
 // ---- rectangle
 
-/// A point of the rectangle, uniform over its area. `from`: the place that it shines on, from its centre.
+/// Samples a point of the rectangle, uniformly over its area. `from`: the lit position, relative to the centre.
 PDR_HD inline LightSample sampleRectangle(const FlatLight& light, vec3 from, vec2 u) {
     const vec3 path = light.halfU * (2 * u.x - 1) + light.halfV * (2 * u.y - 1) - from;
     const float squared = glm::dot(path, path);
@@ -59,13 +60,14 @@ PDR_HD inline LightHit intersectRectangle(const FlatLight& light, vec3 from, vec
 
 // ---- sphere
 
-/// 1 - cosine of the half angle under which the sphere is seen; no cancellation for small or far ones.
+/// Returns 1 - cosine of the half angle that the sphere subtends; no cancellation for small or distant spheres.
 PDR_HD inline float sphereOneMinusCosine(float radius, float distanceSquared) {
     const float sineSquared = radius * radius / distanceSquared;
     return sineSquared / (1 + std::sqrt(1 - sineSquared));
 }
 
-/// A direction into the cone that the sphere fills, uniform over its solid angle. Inside the sphere it is dark.
+/// Samples a direction in the cone that the sphere subtends, uniformly over its solid angle. A sphere does not light
+/// its inside.
 PDR_HD inline LightSample sampleSphere(const FlatLight& light, vec3 from, vec2 u) {
     const float squared = glm::dot(from, from), radius = light.radius;
     if (!(squared > radius * radius))
@@ -93,9 +95,9 @@ PDR_HD inline LightHit intersectSphere(const FlatLight& light, vec3 from, vec3 d
     return {true, closest - std::sqrt(inside), 1 / (2 * kPi * sphereOneMinusCosine(radius, squared))};
 }
 
-// ---- any
+// ---- any light
 
-/// `place`: what it shines on, local [mm].
+/// Samples any light. `place`: the lit position, local [mm].
 template <std::uint32_t F>
 PDR_HD inline LightSample sampleLight(const FlatLight& light, vec3 place, vec2 u) {
     if (has(F, kPlacedLights) && light.type == LightType::rectangle)
@@ -105,7 +107,7 @@ PDR_HD inline LightSample sampleLight(const FlatLight& light, vec3 place, vec2 u
     return {light.normal, kFarAway, light.radiance, 0};
 }
 
-/// `from`: the ray's origin, from the light's position; `direction`: unit; both local.
+/// Intersects any light. `from`: the ray's origin, relative to the light's position; `direction`: unit; both local.
 PDR_HD inline LightHit intersectLight(const FlatLight& light, vec3 from, vec3 direction) {
     if (light.type == LightType::rectangle)
         return intersectRectangle(light, from, direction);

@@ -1,12 +1,12 @@
 #pragma once
-/// A ray on its way through the two-level grid of extinction bounds, from one tentative collision to the next.
+/// Traversal of the two-level grid of extinction bounds by a ray, from one tentative collision to the next.
 ///
-/// A step ends at a tentative collision or at the border of a cell, whichever comes first. The cell is a coarse one
-/// (16 voxels) where its bound promises at most kFineMajorantDepth collisions, else a fine one (4 voxels). Where even
-/// that one promises more than kVoxelMajorantDepth, the eight voxels around are read, and their own bound holds to the
-/// border of their cell: dense tissue costs a look per voxel instead of a fetch per free path. The optical depth still
-/// to go is carried from cell to cell, never drawn anew. An accelerator: it never changes the picture. Tentative
-/// collisions after Woodcock et al. 1965.
+/// A step ends at a tentative collision or at the border of a cell, whichever comes first. The cell is a coarse one (16
+/// voxels) where the optical depth under its bound is at most kFineMajorantDepth, else a fine one (4 voxels). Where
+/// even the depth of the fine cell exceeds kVoxelMajorantDepth, the eight surrounding voxels are read, and their own
+/// bound holds up to the border of their cell: dense tissue then costs one look-up per voxel instead of a fetch per
+/// free path. The remaining optical depth is carried from cell to cell, never drawn anew. This acceleration never
+/// changes the image. Tentative collisions after Woodcock et al. 1965.
 
 #include "render/base/cells.h"
 #include "render/kernel/bounds/cell_bound.h"
@@ -16,29 +16,29 @@
 
 namespace pdr {
 
-inline constexpr float kFineMajorantDepth =
-    1.5f;  ///< optical depth of a coarse cell's chord above which its fine cells are walked
-inline constexpr float kVoxelMajorantDepth =
-    12;  ///< optical depth of a fine cell's chord above which its voxels are walked
+/// Optical depth of a coarse cell's chord above which its fine cells are traversed.
+inline constexpr float kFineMajorantDepth = 1.5f;
+/// Optical depth of a fine cell's chord above which its voxels are traversed.
+inline constexpr float kVoxelMajorantDepth = 12;
 
-/// FlatMajorants::dense of a volume whose highest bound is `highest` [1/mm].
+/// Returns FlatMajorants::dense of a volume whose highest bound is `highest` [1/mm].
 PDR_HD inline bool mayBeDense(const FlatVolume& volume, float highest) {
-    const float chord =
-        kFineCell * glm::length(volume.localFromIndex * vec3(1));  // the diagonal: axes are at right angles
+    // The longest chord is the diagonal, since axes are at right angles.
+    const float chord = kFineCell * glm::length(volume.localFromIndex * vec3(1));
     return highest * chord > kVoxelMajorantDepth;
 }
 
-/// Where a tentative collision happened, and what decides it.
+/// Where a tentative collision happened, and what decides whether it is real.
 template <class Real>
 struct TentativeCollision {
     typename SimdTraits<Real>::Mask happened;
-    typename SimdTraits<Real>::Mask voxelMajorant;  ///< the voxels around were looked at for a bound
+    typename SimdTraits<Real>::Mask voxelMajorant;  ///< the bound is that of the surrounding voxels
     Real extinction, majorant;                      ///< 1/mm; extinction <= majorant
-    Real u;                                         ///< a number for the decision
+    Real u;                                         ///< random number for the decision
 };
 
-/// Dense: for tissue that may call for a close look; see FlatMajorants::dense. Without it the code for that is not
-/// there.
+/// Traverses the grid along one ray, or along several in lanes. Dense: for tissue that may need bounds of voxels; see
+/// FlatMajorants::dense. Without it, the code for them is not compiled.
 template <class Real, bool Dense>
 class MajorantTraversal {
   public:
@@ -47,7 +47,7 @@ class MajorantTraversal {
 
     Real t;  ///< mm from the ray's origin
 
-    /// The part of a ray that can meet tissue, ready to fly. Empty (t >= end) where there is none.
+    /// Starts at the beginning of the part of a ray that can meet tissue. isActive() is false at once if there is none.
     PDR_HD_INLINE void start(const FlatMajorants& grid, const Vec3<Real>& origin, const Vec3<Real>& direction,
                              Real length, const RandomStreamOf<Real>& random) {
         t = Real{};
@@ -63,7 +63,7 @@ class MajorantTraversal {
     PDR_HD Mask isActive() const { return t < end_; }
     PDR_HD void stop(Mask mask) { end_ = mask ? Real{} - 1.0f : end_; }
 
-    /// Where `mask` holds: lane l goes on with the flight of lane from[l] of `other`.
+    /// Copies the flight of lane from[l] of `other` into lane l, where `mask` holds.
     void take(Mask mask, const MajorantTraversal& other, Int from) {
         const auto taken = [mask, from](auto& mine, const auto& theirs) {
             mine = mask ? permuted(theirs, from) : mine;
@@ -79,18 +79,19 @@ class MajorantTraversal {
         random_.key = selected(mask, permuted(other.random_.key, from), random_.key);
     }
 
-    /// One step of every lane that is flying.
+    /// Makes one step in every active lane.
     PDR_HD_INLINE TentativeCollision<Real> step(const FlatScene& scene) {
         const Mask active = isActive();
         const MajorantCell here = look(scene, active);
         const Real leave = here.leave, majorant = here.majorant;
 
+        // Decide whether a tentative collision happens before the border of the cell.
         const Real ahead = majorant * (leave - t);
         TentativeCollision<Real> collision;
         collision.happened = active & (depth_ < ahead);
         const Mask onward = active & !(collision.happened);
         Real there = t, step{};
-        if (any(collision.happened)) {  // a division by 0 takes a GPU long, and most cells are empty
+        if (any(collision.happened)) {  // division by 0 is slow on a GPU, and most cells are empty
             step = depth_ / majorant;
             if constexpr (Dense)
                 step = step + carry_;
@@ -98,10 +99,12 @@ class MajorantTraversal {
         }
         if constexpr (Dense)
             carry_ = collision.happened ? step - (there - t) : (onward ? Real{} : carry_);
+        // Move to the collision or into the next cell.
         t = collision.happened ? there : (onward ? leave : t);
         depth_ = onward ? depth_ - ahead : depth_;
         ray_.advance(onward, here.within, here.borders, leave);
 
+        // Evaluate the extinction at the collision and draw the next free path.
         collision.voxelMajorant = here.voxelMajorant;
         collision.majorant = majorant;
         collision.extinction = Real{};
@@ -126,18 +129,18 @@ class MajorantTraversal {
     }
 
   private:
-    static constexpr int kFinest = Dense ? 1 : 4;  ///< edge of the smallest cells that are walked, voxels
+    static constexpr int kFinest = Dense ? 1 : 4;  ///< edge of the smallest cells that are traversed [voxels]
 
-    /// The cell that a ray stands in.
+    /// The cell that a ray is in.
     struct MajorantCell {
-        Int within;          ///< it is within + 1 of the smallest cells wide
-        Vec3<Real> borders;  ///< mm from the ray's origin to its border along each axis
-        Real leave;          ///< mm from the ray's origin to its end, or to the ray's
+        Int within;          ///< the cell is within + 1 of the smallest cells wide
+        Vec3<Real> borders;  ///< mm from the ray's origin to the cell's border along each axis
+        Real leave;          ///< mm from the ray's origin to the end of the cell or of the ray
         Real majorant;       ///< 1/mm
-        Mask voxelMajorant;  ///< `voxels` are known and decide
+        Mask voxelMajorant;  ///< `voxels` have been read and give the bound
         VoxelCell<Real> voxels;
 
-        /// Where `mask` holds the cell is the one of Edge voxels.
+        /// Makes the cell the ray's cell of Edge voxels, where `mask` holds.
         template <int Edge>
         PDR_HD_INLINE void enter(const MajorantTraversal& flight, Mask mask) {
             within = mask ? Int{} + (Edge / kFinest - 1) : within;
@@ -149,6 +152,7 @@ class MajorantTraversal {
         }
     };
 
+    /// Returns the cell of each active lane with its bound: coarse, fine or, for dense tissue, between voxels.
     PDR_HD_INLINE MajorantCell look(const FlatScene& scene, Mask active) const {
         const FlatMajorants& grid = scene.majorants;
         MajorantCell here;
@@ -176,8 +180,9 @@ class MajorantTraversal {
 
     GridRay<Real, kFinest> ray_;
     Real end_, depth_, decision_;
-    Real
-        carry_;  ///< of the way, what t does not hold: far out a float is coarser than steps through the densest tissue
+    /// The part of the distance that t cannot hold: far from the origin a float is coarser than steps through the
+    /// densest tissue.
+    Real carry_;
     RandomStreamOf<Real> random_;
 };
 

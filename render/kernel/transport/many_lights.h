@@ -1,7 +1,7 @@
 #pragma once
-/// Which lights an event looks at, and which of them a ray may meet: all of a few. Of more than kMostLightsInTurn some
-/// are picked in proportion to what they bring to the volume, and those on a ray are found in a tree of balls
-/// (prepare/light_tables.h).
+/// Selection of the lights that an event samples and that a ray may meet. Up to kMostLightsInTurn lights, these are
+/// all. Of more lights, an event samples some in proportion to what they bring to the volume, and those on a ray are
+/// found in a tree of bounding spheres (prepare/light_tables.h).
 
 #include "render/kernel/flat_scene.h"
 #include "render/kernel/intervals.h"
@@ -10,13 +10,13 @@
 namespace pdr {
 
 inline constexpr int kMostLightsInTurn = 32;
-/// How many of more than that an event looks at.
+/// Number of lights that an event samples if there are more than kMostLightsInTurn.
 inline constexpr int kLightsPicked = 16;
 
-/// visit(light, weight) for the lights that an event looks at. On average over the picks each light's weights add up
-/// to 1. The picks stand at equal distances on the table (systematic sampling), so that a light is picked as often as
-/// it should be, but for a fraction of one. A picture of the surroundings is sampled by the same number: what both
-/// bring is added, so the sum is right whatever they have in common.
+/// Calls visit(light, weight) for the lights that an event samples. On average over the picks each light's weights add
+/// up to 1. The picks are at equal distances in the table (systematic sampling), so that a light is picked as often as
+/// expected, to within less than one pick. An environment image is sampled by the same number: the contributions of
+/// both are added, so their sum is right even though they are correlated.
 template <class Visit>
 PDR_HD inline void forLightsLookedAt(const FlatScene& scene, const Sampler& sampler, int bounce, Visit&& visit) {
     if (scene.lightSums == nullptr) {
@@ -40,8 +40,8 @@ PDR_HD inline bool passesThrough(const FlatLightNode& node, vec3 place, vec3 dir
     return along > -node.radius && glm::dot(aside, aside) < node.radius * node.radius;
 }
 
-/// visit(light) for each light that a ray may meet. `place`: the ray's origin, in the volume; `direction`: unit; both
-/// local.
+/// Calls visit(light) for each light that a ray may meet. `place`: the ray's origin, in the volume; `direction`: unit;
+/// both local.
 template <class Visit>
 PDR_HD inline void forLightsOnRay(const FlatScene& scene, vec3 place, vec3 direction, Visit&& visit) {
     if (scene.lightSums == nullptr) {

@@ -1,8 +1,8 @@
 #pragma once
-/// Reflection at a surface in the volume: Lambert under a GGX microfacet layer with Schlick's Fresnel term.
-/// Directions are unit vectors away from the surface, local space; n is on the side of wo. The same three verbs as
-/// the phase function: eval returns f * cos(theta_light) [1/sr], pdf is per solid angle. Walter et al. 2007 (GGX),
-/// Heitz 2014 (height-correlated masking), Schlick 1994.
+/// Reflection at a surface in the volume: Lambert under a GGX microfacet layer with Schlick's Fresnel term. Directions
+/// are unit vectors away from the surface, in local space; n is on the side of wo. The three functions are those of the
+/// phase function: eval returns f * cos(theta_light) [1/sr], pdf is per solid angle, sample draws a direction. Walter
+/// et al. 2007 (GGX), Heitz 2014 (height-correlated masking), Schlick 1994.
 
 #include "render/kernel/flat_scene.h"
 #include "render/kernel/transport/phase.h"
@@ -15,7 +15,7 @@ PDR_HD inline vec3 fresnel(vec3 specular, float cosine) {
     return specular + (1.0f - specular) * (m2 * m2 * m);
 }
 
-/// GGX width of a roughness; never so narrow that its peak leaves float.
+/// Returns the GGX width of a roughness, never so narrow that the peak exceeds the range of float.
 PDR_HD inline float ggxAlpha(float roughness) {
     return glm::max(roughness * roughness, 1e-3f);
 }
@@ -26,7 +26,7 @@ PDR_HD inline float ggxDensity(float alpha, float cosHalf) {
     return a2 / (kPi * d * d);
 }
 
-/// Masking-shadowing over 4 cos cos.
+/// Returns the masking-shadowing term divided by 4 cosView cosLight.
 PDR_HD inline float ggxVisibility(float alpha, float cosView, float cosLight) {
     const float a2 = alpha * alpha;
     const float view = cosLight * std::sqrt(a2 + (1 - a2) * cosView * cosView);
@@ -52,8 +52,8 @@ PDR_HD inline vec3 surfaceEval(const Material& material, vec3 n, vec3 wo, vec3 w
     return (material.albedo * below / kPi + gloss) * cosLight;
 }
 
-/// How often the gloss is sampled and not what lies below it: by what each reflects. Then no sample weighs much more
-/// than the surface reflects, however often light bounces.
+/// Returns the probability that the gloss is sampled instead of the diffuse layer below, in proportion to what each
+/// reflects. No sample then weighs much more than the surface reflects, however often light bounces.
 PDR_HD inline float glossProbability(const Material& material, float cosView) {
     const vec3 gloss = fresnel(material.specular, cosView);
     const vec3 below = material.albedo * (1.0f - gloss);
@@ -75,7 +75,7 @@ PDR_HD inline float surfacePdf(const Material& material, vec3 n, vec3 wo, vec3 w
     return glm::mix(diffuse, gloss, glossProbability(material, glm::dot(n, wo)));
 }
 
-/// A direction to where light may come from, distributed as surfacePdf; `choice` and `u` are independent numbers.
+/// Samples a direction that light may come from, distributed as surfacePdf; `choice` and `u` are independent numbers.
 PDR_HD inline vec3 surfaceSample(const Material& material, vec3 n, vec3 wo, float choice, vec2 u) {
     vec3 s, t;
     orthonormalBasis(n, s, t);

@@ -1,6 +1,7 @@
 #pragma once
-/// Unbiased tracking through the medium: delta tracking for the next event, ratio tracking for what light survives.
-/// Each is a estimator of what a tentative collision does to a ray; the flight between them is the same.
+/// Unbiased tracking through the medium: delta tracking finds the next event, ratio tracking estimates the
+/// transmittance. Each is an estimator that handles the tentative collisions of a ray; the traversal between them is
+/// the same.
 
 #include <cmath>
 
@@ -8,13 +9,14 @@
 
 namespace pdr {
 
-/// Tentative collisions and cells that one ray may take. Reached only where tissue of millions of free paths per voxel
-/// lies beside none in the same voxel; what became of the ray is then no number, so that the picture's sample is left
-/// out and counted (Fault::notANumber). Tissue that needs no close look has a few steps per cell.
+/// Limit on the tentative collisions and cells of one ray. It is reached only where tissue of millions of free paths
+/// per voxel lies beside transparent tissue in the same voxel. The result of the ray is then NaN, so that the sample of
+/// the image is rejected and counted (Fault::notANumber). Tissue that needs no bounds of voxels takes a few steps per
+/// cell.
 inline constexpr int kMostSteps = 1 << 24;
 
-/// Delta tracking: a tentative collision is real with probability extinction / majorant, and then ends the ray.
-/// Result: the distance of the collision [mm], -1 where the ray leaves the volume, or NaN: see kMostSteps.
+/// Delta tracking: a tentative collision is real with probability extinction / majorant, and then ends the ray. The
+/// result is the distance of the collision [mm], -1 if the ray leaves the volume, or NaN: see kMostSteps.
 template <class Real>
 struct DeltaTracking {
     using Mask = typename SimdTraits<Real>::Mask;
@@ -28,7 +30,7 @@ struct DeltaTracking {
 };
 
 /// Ratio tracking (Novak et al. 2014): each tentative collision leaves 1 - extinction / majorant, with exact Russian
-/// roulette when little is left. Result: an unbiased estimate of the transmittance along the ray.
+/// roulette when little is left. The result is an unbiased estimate of the transmittance along the ray.
 template <class Real>
 struct RatioTracking {
     using Mask = typename SimdTraits<Real>::Mask;
@@ -48,7 +50,7 @@ struct RatioTracking {
     }
 };
 
-/// One ray to its end. `overMajorant` is set where an extinction above its bound is met.
+/// Tracks one ray to its end. Sets `overMajorant` if an extinction above its bound is met.
 template <template <class> class Estimator, bool Dense>
 PDR_HD inline float track(const FlatScene& scene, const Ray& ray, const RandomStream& random, bool& overMajorant) {
     MajorantTraversal<float, Dense> flight;

@@ -1,7 +1,7 @@
 #pragma once
-/// A place as it would look if nothing stood in the light's way, without a random number: a surface and what scatters
-/// as fog each by its probability, each light by its middle. No light is scattered twice, surroundings are even. What
-/// light really does is in integrator.h; this is what a guide (denoise/guided.h) shows.
+/// The radiance of a position without shadows and without random numbers, for guide images (denoise/guided.h). Surface
+/// reflection and the phase function are weighted by their probabilities, and each light is represented by its centre.
+/// Light is scattered once, and the environment is uniform. integrator.h has the unbiased transport.
 
 #include "render/kernel/transport/event.h"
 #include "render/kernel/transport/lights.h"
@@ -10,13 +10,14 @@ namespace pdr {
 
 struct UnshadowedPlace {
     vec3 radiance{0.0f};
-    vec3 normal{0.0f};  ///< local, unit, on the side that it is seen from; 0: the tissue is even there
+    vec3 normal{0.0f};  ///< local, unit, on the side of wo; 0: the tissue has no gradient there
 };
 
-/// Of the light that arrives, what counts as coming from all sides: no tissue that many paths light up is black.
+/// Fraction of the arriving light that counts as coming from all sides, so that tissue that is lit by multiple
+/// scattering is not black.
 inline constexpr float kFromAllSides = 0.02f;
 
-/// `position`: index space. `wo`: unit, local, to where it is seen from.
+/// Returns the unshadowed radiance at `position` (index space). `wo`: unit, local, towards the viewer.
 PDR_HD inline UnshadowedPlace unshadowedAt(const FlatScene& scene, vec3 position, vec3 wo) {
     const float hu = hounsfield(scene.volume, position);
     const Material material = materialAt(scene.transferFunction, hu);

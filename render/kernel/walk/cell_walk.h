@@ -1,6 +1,7 @@
 #pragma once
-/// A ray on its way through the cells between voxel centres. Cells that cannot matter are passed many at a time: a
-/// coarse cell (16 voxels) or a fine one (4 voxels) whose bound does not exceed a bar. See FlatMajorants and GridRay.
+/// Traversal of the cells between voxel centres along a ray. Cells that cannot matter are skipped many at a time: a
+/// coarse cell (16 voxels) or a fine one (4 voxels) whose bound does not exceed a threshold. See FlatMajorants and
+/// GridRay.
 
 #include <type_traits>
 
@@ -9,14 +10,14 @@
 
 namespace pdr {
 
-/// The HU along a piece of a ray.
+/// The HU along a ray segment inside one cell.
 template <class Real>
 struct HuAlong {
     Cubic<Real> hu;
     Real length;  ///< mm
 };
 
-/// The same where some of the volume is hidden.
+/// The HU and the visibility weight along a ray segment inside one cell, for scenes with a mask.
 template <class Real>
 struct MaskedHuAlong : HuAlong<Real> {
     Cubic<Real> weight;  ///< in [0, 1]
@@ -28,7 +29,7 @@ class CellWalk {
     using Int = typename SimdTraits<Real>::Int;
     using Mask = typename SimdTraits<Real>::Mask;
 
-    /// The part of a ray that can matter. Nothing is left to walk where there is none.
+    /// Starts at the beginning of the part of a ray that can matter. walking() is false at once if there is none.
     PDR_HD_INLINE void start(const FlatMajorants& grid, const Vec3<Real>& origin, const Vec3<Real>& direction,
                              Real length) {
         t_ = Real{};
@@ -38,28 +39,30 @@ class CellWalk {
 
     PDR_HD Mask walking() const { return t_ < end_; }
     PDR_HD void stop(Mask mask) { end_ = mask ? Real{} - 1.0f : end_; }
-    /// mm from the ray's origin to where it is.
+    /// Returns the distance from the ray's origin to the current position [mm].
     PDR_HD Real reached() const { return t_; }
 
-    /// Where `mask` holds: lane l goes on where lane from[l] of `other` is.
+    /// Copies the state of lane from[l] of `other` into lane l, where `mask` holds.
     void take(Mask mask, const CellWalk& other, Int from) {
         t_ = mask ? permuted(other.t_, from) : t_;
         end_ = mask ? permuted(other.end_, from) : end_;
         ray_.take(mask, other.ray_, from);
     }
 
-    /// Takes the lanes of `mask`, all walking, through one cell of the largest size whose bound is at most `bar`, or
-    /// through one cell between voxels. Result: where it was the latter; `way` is then what was passed.
-    /// Way: HuAlong, or MaskedHuAlong for scenes with a mask.
+    /// Moves the lanes of `mask`, all of them walking, through one cell: the largest cell whose bound is at most `bar`,
+    /// or else one cell between voxels. Returns the lanes that took a cell between voxels; `way` then describes the
+    /// segment that was passed. Way: HuAlong, or MaskedHuAlong for scenes with a mask.
     template <class Way>
     PDR_HD_INLINE Mask step(const FlatScene& scene, Mask mask, Real bar, Way& way) {
         const FlatMajorants& grid = scene.majorants;
+        // Find the largest cell whose bound is at most `bar`.
         Mask met = mask & (gather(grid.coarse, ray_.template cellIndex<16>(grid.coarseSize, mask)) > bar);
         Int within = met ? Int{} + 3 : Int{} + 15;
         if (any(met)) {
             met = met & (gather(grid.fine, ray_.template cellIndex<4>(grid.fineSize, met)) > bar);
             within = met ? Int{} : within;
         }
+        // Pass the cell, and read the voxels where it is one between voxels.
         const Vec3<Real> borders = ray_.borders(within);
         const Real leave = max(min(nearest(borders), end_), t_);
         if (any(met))
@@ -71,7 +74,7 @@ class CellWalk {
     }
 
   private:
-    /// What the next step will read: by then it has come from memory.
+    /// Prefetches what the next step reads.
     PDR_HD_INLINE void prefetchNext(const FlatScene& scene) const {
         const FlatMajorants& grid = scene.majorants;
         prefetch(grid.fine, ray_.template cellIndex<4>(grid.fineSize, walking()));
@@ -80,7 +83,7 @@ class CellWalk {
 
     template <class Way>
     PDR_HD_INLINE void read(const FlatScene& scene, Mask mask, Real leave, Way& way) const {
-        // In the half cells outside the first and last centres the fractions stay at 0 or 1: constant, as clamped.
+        // In the half cells outside the first and last centres the fractions stay at 0 or 1: HU are clamped there.
         const auto corner = nearestCorner(scene.volume, ray_.voxel(), mask);
         const VoxelCell<Real> cell = cellAt(scene.volume, corner);
         const Vec3<Real> from = fractionsIn(cell, ray_.at(t_)), to = fractionsIn(cell, ray_.at(leave));

@@ -1,6 +1,6 @@
 #pragma once
-/// A cubic polynomial over [0, 1] by its Bernstein coefficients: it runs from b0 to b3 and stays between the smallest
-/// and the largest of the four, and where they rise or fall, so does it (Farin, Curves and Surfaces for CAGD).
+/// A cubic polynomial over [0, 1] by its Bernstein coefficients. It runs from b0 to b3, stays between the smallest and
+/// the largest of the four, and is monotone where they are (Farin, Curves and Surfaces for CAGD).
 
 #include "render/base/lanes.h"
 
@@ -11,8 +11,8 @@ PDR_HD inline Real abs(Real x) {
     return max(x, -x);
 }
 
-/// Where in [0, 1] a monotone function that runs from `first` to `last` has the value `level` between them; lanes
-/// outside `mask` are left out. Newton's method inside a bracket that only ever shrinks.
+/// Returns where in [0, 1] a monotone function that runs from `first` to `last` has the value `level`, which lies
+/// between them. Lanes outside `mask` are ignored. Newton's method inside a bracket that only shrinks.
 ///   Function   at(s), and its derivative slopeAt(s)
 template <class Real, class Function>
 PDR_HD_INLINE Real whereMonotoneIs(const Function& function, Real level, Real first, Real last,
@@ -46,7 +46,7 @@ struct Cubic {
     using Mask = typename SimdTraits<Real>::Mask;
     Real b0, b1, b2, b3;
 
-    /// Where `mask` holds it becomes `other`.
+    /// Assigns `other` where `mask` holds.
     PDR_HD_INLINE void take(Mask mask, const Cubic& other) {
         b0 = mask ? other.b0 : b0;
         b1 = mask ? other.b1 : b1;
@@ -72,7 +72,7 @@ struct Cubic {
         return 3.0f * (r * r * (b1 - b0) + 2.0f * r * s * (b2 - b1) + s * s * (b3 - b2));
     }
 
-    /// The parts before and behind s, each over [0, 1] again (de Casteljau).
+    /// Splits the cubic into the parts before and behind s, each over [0, 1] again (de Casteljau).
     PDR_HD_INLINE void split(Real s, Cubic& before, Cubic& behind) const {
         const Real m01 = b0 + (b1 - b0) * s, m12 = b1 + (b2 - b1) * s, m23 = b2 + (b3 - b2) * s;
         const Real m012 = m01 + (m12 - m01) * s, m123 = m12 + (m23 - m12) * s;
@@ -81,18 +81,19 @@ struct Cubic {
         behind = {m, m123, m23, b3};
     }
 
-    /// Its largest value: at an end or where the slope is 0, d0 (1-s)^2 + 2 d1 s (1-s) + d2 s^2 = 0.
+    /// Returns the largest value. It is at an end or where the slope is 0: d0 (1-s)^2 + 2 d1 s (1-s) + d2 s^2 = 0.
     PDR_HD_INLINE Real maximum() const {
         const Real d0 = b1 - b0, d1 = b2 - b1, d2 = b3 - b2;
         const Real curve = d0 - 2.0f * d1 + d2, half = d1 - d0;
         const Real root = squareRoot(max(d1 * d1 - d0 * d2, Real{}));
         const Real q = half > 0.0f ? -half - root : root - half;
-        // A place outside, or none at all, becomes an end; so the value is met wherever the places are.
+        // A root outside [0, 1], or NaN, becomes an end, so that every candidate is a value of the cubic.
         const auto inside = [](Real s) { return max(min(s, Real{} + 1.0f), Real{}); };
         return max(max(b0, b3), max(at(inside(q / curve)), at(inside(d0 / q))));
     }
 
-    /// Where a monotone cubic has the value `level`, which lies between b0 and b3; lanes outside `mask` are left out.
+    /// Returns where a monotone cubic has the value `level`, which lies between b0 and b3. Lanes outside `mask` are
+    /// ignored.
     PDR_HD_INLINE Real whereIs(Real level, Mask mask) const { return whereMonotoneIs(*this, level, b0, b3, mask); }
 };
 

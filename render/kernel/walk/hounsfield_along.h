@@ -1,14 +1,15 @@
 #pragma once
-/// The HU along a straight way through one cell between eight voxel centres: trilinear interpolation along a line is a
-/// cubic polynomial, exactly.
+/// The HU along a straight ray segment through one cell between eight voxel centres. Trilinear interpolation along a
+/// line is exactly a cubic polynomial.
 
 #include "render/kernel/voxel_cell.h"
 #include "render/kernel/walk/cubic.h"
 
 namespace pdr {
 
-/// From one place in a cell to another, as fractions of the cell in [0, 1]. The coefficients are the blossom of the
-/// trilinear form at the two places. Where all corners agree, all coefficients are exactly theirs.
+/// Returns the HU from one position in a cell to another, both as fractions of the cell in [0, 1]. The coefficients are
+/// the blossom of the trilinear form at the two positions. Where all corners agree, all coefficients are exactly their
+/// value.
 template <class Real>
 PDR_HD_INLINE Cubic<Real> hounsfieldAlong(const VoxelCell<Real>& cell, const Vec3<Real>& from, const Vec3<Real>& to) {
     const auto mix = [](Real a, Real b, Real fraction) { return a + (b - a) * fraction; };

@@ -1,14 +1,14 @@
 #pragma once
-/// A way through one piece of the curve of which some may be hidden: its extinction is that of the tissue times a
-/// weight. HU, and with them extinction and source, are cubic polynomials of the way, and so is the weight. Products of
-/// three of them are of degree nine, whose integral Gauss's rule of five places knows exactly. Where all of a way is
-/// seen the numbers are those of a scene without a mask, bit by bit.
+/// A ray segment through one piece of the curve that may be partly hidden: its extinction is that of the tissue times a
+/// visibility weight. HU, and with them extinction and source, are cubic polynomials along the segment, and so is the
+/// weight. Products of three of them have degree nine, which Gauss's rule of five points integrates exactly. Where all
+/// of a segment is visible, the numbers are those of a scene without a mask, bit by bit.
 
 #include "render/kernel/walk/optics.h"
 
 namespace pdr {
 
-/// Gauss-Legendre on [0, 1]: sum of share * f(place) is the integral of f up to degree nine.
+/// A point of the Gauss-Legendre rule on [0, 1]: the sum of share * f(place) is the integral of f up to degree nine.
 struct GaussPlace {
     float place, share;
 };
@@ -22,17 +22,17 @@ PDR_HD inline GaussPlace gaussPlace(int i) {
     return kPlaces[i];
 }
 
-/// Extinction at the fraction `s` of a way [1/mm].
+/// Returns the extinction at the fraction `s` of a segment [1/mm].
 template <class Real>
 PDR_HD_INLINE Real extinctionAt(const OpticsAlong<Real>& along, Real s) {
     return max(along.extinction + along.extinctionRise * along.fraction.at(s), Real{});
 }
 
-/// What counts of a way.
+/// The visible part of a segment.
 template <class Real>
 struct SeenAlong {
-    typename SimdTraits<Real>::Mask partly;  ///< some of it is hidden
-    Real meanExtinction;                     ///< along the way, times the weight [1/mm]
+    typename SimdTraits<Real>::Mask partly;  ///< some of the segment is hidden
+    Real meanExtinction;                     ///< mean along the segment of extinction times weight [1/mm]
 };
 
 template <class Real>
@@ -49,7 +49,7 @@ PDR_HD_INLINE SeenAlong<Real> seenAlong(const OpticsAlong<Real>& along, const Cu
     return seen;
 }
 
-/// extinctionWeightedFraction() where the extinction is that of `seen`.
+/// Returns extinctionWeightedFraction() for the visible extinction that `seen` describes.
 template <class Real>
 PDR_HD_INLINE Real seenFraction(const OpticsAlong<Real>& along, const Cubic<Real>& weight,
                                 const SeenAlong<Real>& seen) {
@@ -66,8 +66,7 @@ PDR_HD_INLINE Real seenFraction(const OpticsAlong<Real>& along, const Cubic<Real
     return seen.partly ? max(min(partly, Real{} + 1.0f), Real{}) : whole;
 }
 
-/// The optical depth that is passed on the way from 0 to s in [0, 1] of a way that is partly seen, in units of the
-/// whole.
+/// The optical depth from 0 to s in [0, 1] of a partly visible segment, in units of the whole segment's depth.
 template <class Real>
 struct SeenDepthPassed {
     const OpticsAlong<Real>& along;

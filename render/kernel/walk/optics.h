@@ -1,5 +1,5 @@
 #pragma once
-/// The transfer function for models without scattering: piece by piece, extinction and source linear in the HU.
+/// The transfer function along a ray: in each piece, extinction and source are linear in the HU.
 
 #include "render/kernel/flat_scene.h"
 #include "render/kernel/walk/cubic.h"
@@ -19,7 +19,7 @@ PDR_HD_INLINE Real opticsColumn(const FlatOptics& optics, int column, typename S
     return tableLookup(optics.table + column * optics.stride, optics.stride, index);
 }
 
-/// The piece that a way begins in: at a border the one that it goes on in.
+/// Returns the piece that a segment begins in. At a border, this is the piece that the segment continues in.
 template <class Real>
 PDR_HD_INLINE OpticsPiece<Real> pieceAtBegin(const FlatScene& scene, const Cubic<Real>& hu) {
     using Int = typename SimdTraits<Real>::Int;
@@ -36,13 +36,14 @@ PDR_HD_INLINE OpticsPiece<Real> pieceAtBegin(const FlatScene& scene, const Cubic
             opticsColumn<Real>(optics, int(OpticsColumn::end), index)};
 }
 
-/// A way through one piece: HU as shares of the piece, so that extinction and source are linear in them.
+/// A ray segment through one piece. HU are expressed as fractions of the piece, so that extinction and source are
+/// linear in them.
 template <class Real>
 struct OpticsAlong {
     Cubic<Real> fraction;  ///< in [0, 1]
     Real meanFraction;
-    Real extinction, extinctionRise;  ///< where the fraction is 0, and from there to 1 [1/mm]
-    Real meanExtinction;              ///< along the way
+    Real extinction, extinctionRise;  ///< where the fraction is 0, and the change to where it is 1 [1/mm]
+    Real meanExtinction;              ///< mean along the segment [1/mm]
 };
 
 template <class Real>
@@ -50,7 +51,7 @@ PDR_HD_INLINE OpticsAlong<Real> opticsAlong(const FlatOptics& optics, const Opti
                                             const Cubic<Real>& hu) {
     const auto column = [&](OpticsColumn which) { return opticsColumn<Real>(optics, int(which), piece.index); };
     const Real perHu = column(OpticsColumn::perHu);
-    // The first piece starts at -infinity: there all shares are 0.
+    // The first piece starts at -infinity: there all fractions are 0.
     const auto fraction = [&](Real value) {
         const Real from = perHu > 0.0f ? value - piece.start : Real{};
         return max(min(from * perHu, Real{} + 1.0f), Real{});
@@ -64,8 +65,8 @@ PDR_HD_INLINE OpticsAlong<Real> opticsAlong(const FlatOptics& optics, const Opti
     return along;
 }
 
-/// The mean fraction where each place counts as much as it extinguishes: mean + rise * variance / mean extinction,
-/// exact. The variance of a cubic is a quadratic form of its coefficients' distances from their mean.
+/// Returns the mean fraction along a segment, weighted by the extinction: mean + rise * variance / mean extinction,
+/// exactly. The variance of a cubic is a quadratic form of its coefficients' differences from their mean.
 template <class Real>
 PDR_HD_INLINE Real extinctionWeightedFraction(const OpticsAlong<Real>& along) {
     const Real a = along.fraction.b0 - along.meanFraction, b = along.fraction.b1 - along.meanFraction,

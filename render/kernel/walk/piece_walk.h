@@ -1,7 +1,7 @@
 #pragma once
-/// A ray on its way through the cells between voxels and, in each, through the linear pieces of the curve. Their
-/// borders are met exactly: there is no step length. On each way that it passes the HU are a cubic polynomial, and
-/// extinction and source are linear in them.
+/// Traversal of the cells between voxels along a ray and, in each cell, of the linear pieces of the curve. The borders
+/// of pieces are found exactly: there is no step length. On each segment the HU are a cubic polynomial, and extinction
+/// and source are linear in them.
 
 #include <type_traits>
 
@@ -10,7 +10,7 @@
 
 namespace pdr {
 
-/// A way inside one cell and one piece of the curve.
+/// A ray segment inside one cell and one piece of the curve.
 template <class Real>
 struct PieceOfWay {
     OpticsPiece<Real> piece;
@@ -19,13 +19,13 @@ struct PieceOfWay {
     Real length;  ///< mm
 };
 
-/// The same where some of the volume is hidden.
+/// A segment with its visibility weight, for scenes with a mask.
 template <class Real>
 struct MaskedPieceOfWay : PieceOfWay<Real> {
     Cubic<Real> weight;  ///< in [0, 1]
 };
 
-/// Masked: for scenes with a mask. Without it nothing of that is there.
+/// Walks along a ray segment by segment. Masked: for scenes with a mask; without it, no code for masks is compiled.
 template <class Real, bool Masked>
 class PieceWalk {
   public:
@@ -43,12 +43,13 @@ class PieceWalk {
         cells_.stop(mask);
         inCell_.length = mask ? Real{} : inCell_.length;
     }
-    /// Where a way could not be made short enough. From there on all ways are passed, whatever `pass` says.
+    /// Returns the lanes in which a segment could not be made short enough. From there on all segments are passed,
+    /// whatever `pass` returns.
     PDR_HD Mask exceeded() const { return exceeded_ > 0.0f; }
 
-    /// One step: lanes that look for tissue move, then all that are in it go on, those that have just met it as well.
-    /// pass(way, ready, forced): lanes that could pass `way` (all of them must where `forced` holds); the result tells
-    /// which did, and the way of the others is halved.
+    /// Makes one step: lanes that look for tissue move to the next cell, then all lanes in tissue advance, including
+    /// those that have just met it. pass(way, ready, forced) returns the lanes that accept `way`, out of those in
+    /// `ready`; where `forced` holds, all must accept. The segment of the others is halved.
     template <class Pass>
     PDR_HD_INLINE void step(const FlatScene& scene, Pass&& pass) {
         const Mask seeking = cells_.walking() & !(inCell_.length > 0.0f);
@@ -59,7 +60,8 @@ class PieceWalk {
             goOn(scene, inCell, pass);
     }
 
-    /// Where `mask` holds: lane l begins the ray of lane from[l] of `other`, which has been started only.
+    /// Starts lane l, where `mask` holds, on the ray of lane from[l] of `other`, which has been started but not
+    /// stepped.
     void take(Mask mask, const PieceWalk& other, Int from) {
         cells_.take(mask, other.cells_, from);
         inCell_.length = mask ? Real{} : inCell_.length;
@@ -68,8 +70,9 @@ class PieceWalk {
     }
 
   private:
-    static constexpr float kShortest = 0x1p-24f;  ///< fraction of a cell's way below which a way is not halved
+    static constexpr float kShortest = 0x1p-24f;  ///< fraction of a cell's segment below which it is not halved
 
+    /// Moves to the next cell between voxels, and skips it if it is transparent or hidden.
     PDR_HD_INLINE void seek(const FlatScene& scene, Mask seeking) {
         const Mask met = cells_.step(scene, seeking, Real{}, inCell_);
         const Mask clear =
@@ -79,14 +82,16 @@ class PieceWalk {
             inCell_.length = (met & !(inCell_.weight.highest() > 0.0f)) ? Real{} : inCell_.length;
     }
 
-    /// The next way through the cell where the ray is.
+    /// Passes the next segment through the current cell.
     template <class Pass>
     PDR_HD_INLINE void goOn(const FlatScene& scene, Mask inCell, Pass&& pass) {
+        // Take the next part of the cell's segment and the piece that it begins in.
         Cubic<Real> before, behind;
         inCell_.hu.split(reach_, before, behind);
         const OpticsPiece<Real> piece = pieceAtBegin(scene, before);
         const float rounding = scene.optics.rounding;
         const Mask fits = (before.lowest() >= piece.start - rounding) & (before.highest() <= piece.end + rounding);
+        // Shorten it to the border of the piece, if it crosses one.
         const Mask crosses = inCell & !fits & before.monotone();
         Real reach = reach_;
         if (any(crosses)) {
@@ -97,6 +102,7 @@ class PieceWalk {
             before.b3 = crosses ? border : before.b3;
             behind.b0 = crosses ? border : behind.b0;
         }
+        // Offer it to `pass`.
         exceeded_ = (inCell & (reach_ <= kShortest)) ? Real{} + 1.0f : exceeded_;
         const Mask ready = inCell & (fits | crosses | exceeded());
         const Real length = inCell_.length * reach;
@@ -109,6 +115,7 @@ class PieceWalk {
         if constexpr (Masked)
             inCell_.weight.split(reach, way.weight, weightBehind);
         const Mask gone = ready & pass(way, ready, exceeded());
+        // Continue behind it where it was accepted; halve it elsewhere.
         reach_ = inCell ? (gone ? Real{} + 1.0f : 0.5f * reach) : reach_;
         reach_ = max(reach_, Real{} + kShortest);
         const Mask split = gone & (reach < 1.0f);
@@ -120,9 +127,9 @@ class PieceWalk {
 
     CellWalk<Real> cells_;
     std::conditional_t<Masked, MaskedHuAlong<Real>, HuAlong<Real>>
-        inCell_{};                ///< what is left of the way through the cell where the ray is
-    Real reach_ = Real{} + 1.0f;  ///< fraction of it that is tried next
-    Real exceeded_{};             ///< 1: it was made as short as it can be
+        inCell_{};                ///< rest of the segment through the current cell
+    Real reach_ = Real{} + 1.0f;  ///< fraction of this rest that is tried next
+    Real exceeded_{};             ///< 1: a segment reached the shortest length
 };
 
 }  // namespace pdr

@@ -1,13 +1,13 @@
 #pragma once
-/// What is seen along a straight way through one cell between eight voxel centres.
+/// The visibility weight along a straight ray segment through one cell between eight voxel centres.
 
 #include "render/kernel/mask.h"
 #include "render/kernel/walk/hounsfield_along.h"
 
 namespace pdr {
 
-/// The weight on a way through the cell whose lowest corner is voxel `corner`, from one place to another, as fractions
-/// of that cell. It lies in one cell between nodes, so that this is a cubic as well.
+/// Returns the weight in the cell whose lowest corner is voxel `corner`, from one position to another, both as
+/// fractions of that cell. The cell lies in one cell between nodes of the mask, so that the weight is a cubic as well.
 template <class Int, class Real>
 PDR_HD_INLINE Cubic<Real> weightAlong(const FlatMask& mask, const Vec3<Int>& corner, const Vec3<Real>& from,
                                       const Vec3<Real>& to) {

@@ -1,4 +1,4 @@
-/// What is said of a picture's bias: its size, from pixels whose bias and noise are given, and its causes.
+/// The statement of an image's bias: its size, from pixels whose bias and noise are given, and its causes.
 
 #include <QTest>
 
@@ -13,8 +13,8 @@ using namespace pdr;
 
 namespace {
 
-/// Pixels from dark to bright, `factor` times too bright when they are made with the bias; both halves of both ways
-/// are off by `noise` of the truth.
+/// Pixels from dark to bright, `factor` times too bright when rendered with the bias. Both halves of both ways are off
+/// by `noise` of the truth.
 struct Lattice {
     double factor, noise;
     unsigned seed = 1;
@@ -34,7 +34,7 @@ struct Lattice {
         return all;
     }
     double brightness(int tile) const { return 0.05 + 0.9 * tile / tiles; }
-    /// Twice the root mean square over the pixels.
+    /// Returns twice the root mean square bias over the pixels.
     double levels() const {
         const auto level = [](double radiance) { return double(exactLevelOf(displayCurve(), float(radiance))); };
         double squares = 0;
@@ -62,7 +62,7 @@ class BiasTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// Noise of half a pixel's light, which without the halves would be the larger part of what is found.
+    /// Without the halves, noise of half a pixel's light would be the larger part of the result.
     void theBiasIsFoundBelowItsNoise() {
         int brightness = 0, levels = 0;
         constexpr int kSeeds = 100;
@@ -73,7 +73,7 @@ class BiasTest : public QObject {
             levels += holds(bias.levels, lattice.levels());
             QVERIFY(bias.levels.value < 1.5 * lattice.levels() && bias.levels.value > lattice.levels() / 1.5);
         }
-        // of 100 where it is 95 %: 87 or less once in 1,000
+        // at 95 %, 87 or fewer of 100 occur once in 1,000 runs
         QVERIFY2(brightness > 87 && levels > 87, qPrintable(QString("%1, %2").arg(brightness).arg(levels)));
     }
 
@@ -134,7 +134,7 @@ class BiasTest : public QObject {
         QCOMPARE(*known[0].levelsAtMost, 0.25);
         QCOMPARE(*known[1].shareAtMost, 0.002);
         QVERIFY(known[1].text.ends_with("in at most 0.2 % of the tissue"));
-        facts.tissuePixels = 2;  // all of it, maybe
+        facts.tissuePixels = 2;  // perhaps all of it
         QVERIFY(!biases(facts)[1].shareAtMost);
     }
 

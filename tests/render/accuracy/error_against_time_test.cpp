@@ -12,8 +12,8 @@ using namespace pdr;
 
 namespace {
 
-constexpr std::array<double, 3> kExposureRender{0.2945, 0.411, 0.2945};  ///< its filter, one direction
-constexpr int kEdge = 64;                                                ///< pixels; the picture repeats beyond
+constexpr std::array<double, 3> kExposureRender{0.2945, 0.411, 0.2945};  ///< Exposure Render's filter, one direction
+constexpr int kEdge = 64;                                                ///< pixels; the image repeats beyond
 
 using Image = std::vector<double>;
 
@@ -35,7 +35,7 @@ double meanSquare(const Image& image, const Image& truth) {
     return sum / double(image.size());
 }
 
-/// Fine stripes: what a filter takes away.
+/// Returns fine stripes, which a filter removes.
 Image stripes() {
     Image image;
     for (int y = 0; y < kEdge; ++y)
@@ -44,7 +44,7 @@ Image stripes() {
     return image;
 }
 
-/// `truth` with the noise that n samples of standard deviation 1 leave.
+/// Returns `truth` with the noise that n samples of standard deviation 1 leave.
 Image rendered(const Image& truth, double samples, std::mt19937_64& random) {
     std::normal_distribution<double> noise(0, 1 / std::sqrt(samples));
     Image image = truth;
@@ -64,7 +64,7 @@ class ErrorAgainstTimeTest : public QObject {
         QCOMPARE(remainingVariance(std::array{1.0}), 1.0);
     }
 
-    /// False alarms: one in 1e4 runs, were the seed not fixed.
+    /// With random seeds, a false alarm would come once in 1e4 runs.
     void errorsOfPicturesAreThoseForetold() {
         const Image truth = stripes();
         const double bias = meanSquare(filtered(truth), truth), kappa = remainingVariance(kExposureRender);
@@ -80,7 +80,7 @@ class ErrorAgainstTimeTest : public QObject {
             const double allowed = test::allowedZ(2 * int(samples.size()));
             QVERIFY(std::fabs(plain.z(unbiasedError(1, n))) < allowed);
             QVERIFY(std::fabs(blurred.z(filteredError(bias, kappa, 1, n))) < allowed);
-            // And the crossing lies where the pictures say: the filter wins before it, and loses after it for good.
+            // The crossing lies where the images say: the filter wins before it, and loses after it for good
             QCOMPARE(blurred.mean() < plain.mean(), n < crossingSamples(bias, kappa, 1));
         }
     }

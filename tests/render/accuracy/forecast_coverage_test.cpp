@@ -1,7 +1,7 @@
-/// Whether forecasts come true: from a picture of 64 samples, how many more it takes to errors of 0.6 and 0.35 of its
-/// own, scene by scene over seeds. Few seeds here; PDR_COVERAGE_SEEDS=40 takes as many, from 256 samples as well, and
-/// prints what came of them (with QTEST_FUNCTION_TIMEOUT=3600000: it takes longer than tests may). From 64 samples the
-/// exponent of a scene is little known; of all scenes it is right.
+/// Whether forecasts come true: from an image of 64 samples, how many more it takes to errors of 0.6 and 0.35 of its
+/// own, scene by scene over seeds. There are few seeds here; PDR_COVERAGE_SEEDS=40 takes as many, from 256 samples as
+/// well, and prints the results (with QTEST_FUNCTION_TIMEOUT=3600000: it takes longer than tests may). From 64 samples
+/// the exponent of a scene is little known; over all scenes it is right.
 
 #include <QTest>
 #include <cmath>
@@ -52,8 +52,8 @@ class ForecastCoverageTest : public QObject {
             QVERIFY(tally.notBefore >= 0.9 * seeds);
             if (tally.atLeast > seeds / 2)
                 continue;
-            // Of 10 where it is 95 %: fails by chance once in 1,000 scenes. 256 samples are the worst place to
-            // foretell from: there the points dip, and all seeds together.
+            // At 95 %, this fails by chance once in 1,000 scenes with 10 seeds. 256 samples are the worst place for a
+            // forecast: there the points dip, for all seeds alike.
             QVERIFY(tally.within >= (asked > 0 ? 0.8 : 0.7) * seeds);
             QVERIFY(median > 0.66 && median < 1.5);
             ratios_.insert(ratios_.end(), tally.ratios.begin(), tally.ratios.end());
@@ -66,7 +66,7 @@ class ForecastCoverageTest : public QObject {
 
   private:
     std::unique_ptr<Device> device_ = makeCpuDevice();
-    std::vector<double> ratios_;  ///< of all that did not say "at least"
+    std::vector<double> ratios_;  ///< ratios of all forecasts that did not say "at least"
 };
 
 QTEST_GUILESS_MAIN(ForecastCoverageTest)

@@ -1,4 +1,4 @@
-/// What is foretold of a picture's error, from errors and times that are given.
+/// Forecasts of an image's error, from given errors and times.
 
 #include <QTest>
 #include <cmath>
@@ -9,13 +9,13 @@ using namespace pdr;
 
 namespace {
 
-/// Pictures of 32, 64, ... samples up to `last` whose error falls as n^-exponent from 40 levels, `speed` samples a
+/// Images of 32, 64, ... samples up to `last` whose error falls as n^-exponent from 40 levels, at `speed` samples per
 /// second.
 struct Fall {
     double exponent = 0.57, spread = 0.001, speed = 10;
 
     double errorOf(double samples) const { return 40 * std::pow(samples / 32, -exponent); }
-    /// Where it is `levels`.
+    /// Returns the samples at which the error is `levels`.
     double samplesOf(double levels) const { return 32 * std::pow(40 / levels, 1 / exponent); }
     FilmStatus status(std::uint64_t samples) const {
         const double error = errorOf(double(samples));
@@ -73,7 +73,7 @@ class ForecastTest : public QObject {
         QVERIFY(reachedStep(steps)->levels == 16 && nextStep(steps)->levels == 8);
     }
 
-    /// As errors of most scenes fall: 2^(1/0.57) times. What is not known, or nothing, has no ratio.
+    /// Errors fall as in most scenes: 2^(1/0.57) times the samples. An error that is unknown or 0 has no ratio.
     void twiceTheErrorTakesMoreThanThreeTimesTheSamples() {
         const FilmStatus one{.samplesPerPixel = 64, .displayError = 8, .displayErrorSpread = 0.1};
         const FilmStatus two{.samplesPerPixel = 64, .displayError = 16, .displayErrorSpread = 0.1};
@@ -85,7 +85,7 @@ class ForecastTest : public QObject {
         QVERIFY(!samplesRatio(one, FilmStatus{}) && !samplesRatio(FilmStatus{.displayError = 0}, one));
     }
 
-    /// A scene of its own kind: the longer its errors are watched, the less it counts how those of others fall.
+    /// In an unusual scene, the longer its errors are observed, the less the exponent of other scenes counts.
     void theExponentIsLearnedFromThePicture() {
         const Fall slow{.exponent = 0.45};
         double before = INFINITY;
@@ -99,7 +99,7 @@ class ForecastTest : public QObject {
     }
 
     /// Errors of points that have gained 1.73 over independent samples in 64 fall as n^-0.61 from there; without any
-    /// gain as those of independent samples.
+    /// gain, as those of independent samples.
     void pointsThatHaveGainedMuchAreForetoldToGoOnFaster() {
         const auto foretold = [](double gain) {
             FilmStatus status = Fall().status(64);
@@ -182,10 +182,10 @@ class ForecastTest : public QObject {
         const QualityStep step = history.steps()[2];
         QVERIFY(step.atLeast() && step.seconds.value == step.seconds.low && std::isinf(step.seconds.high));
         QVERIFY(step.seconds.value <= whole.value);
-        QVERIFY(!history.steps()[0].atLeast());  // it is reached
+        QVERIFY(!history.steps()[0].atLeast());  // this step is reached
     }
 
-    /// Low-discrepancy points dip at powers of two: what follows is not foretold from there alone.
+    /// Low-discrepancy points dip at powers of two: the forecast does not start from the dip alone.
     void aDipOfTheNewestErrorHardlyShowsInTheForecast() {
         const Fall fall;
         const auto until = [&](double newest) {
@@ -204,11 +204,11 @@ class ForecastTest : public QObject {
         FilmStatus high = fall.status(272);
         high.displayError *= 1.2;
         bump.add(27.2, high);
-        const Foretold soon = bump.samples(0.99 * high.displayError);  // which it was already
+        const Foretold soon = bump.samples(0.99 * high.displayError);  // it was reached already
         QVERIFY(soon.low >= 272 && soon.value >= soon.low && soon.high >= soon.value);
     }
 
-    /// Errors that were stated while few bright samples were all that was there said too little.
+    /// Errors that were stated while there were only few bright samples were too small.
     void whatRestedOnFewBrightSamplesLatelyIsStillALowerBound() {
         const Fall fall;
         ErrorHistory history = fall.until(64);
@@ -273,7 +273,7 @@ class ForecastTest : public QObject {
         QVERIFY(!secondsAt({}, 8));
     }
 
-    /// All steps at once, as of a picture without noise.
+    /// All steps are reached at once, as in an image without noise.
     void stepsAtOneMomentAreAllReachedThen() {
         std::vector<QualityStep> steps;
         for (const double levels : kQualitySteps)

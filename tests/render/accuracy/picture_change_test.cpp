@@ -1,5 +1,5 @@
-/// By how much pictures differ, behind noise: fields of differences that are known, and a rendered one that is known
-/// from many samples. 40 seeds each; of 40 intervals of 95 % less than 38 would be 93 % of them.
+/// By how much images differ, behind noise: fields of known differences, and a rendered one that is known from many
+/// samples. 40 seeds each; fewer than 38 of 40 intervals of 95 % would be 93 % of them.
 
 #include <QTest>
 
@@ -19,7 +19,7 @@ namespace {
 constexpr int kSeeds = 40, kFewest = 38;
 constexpr int kPixels = 1500;
 
-/// Levels by which the pixel i of kPixels differs.
+/// Returns the levels by which pixel i of kPixels differs.
 using Field = std::function<double(int i, std::mt19937& random)>;
 
 double uniform(std::mt19937& random) {
@@ -52,7 +52,7 @@ bool isNothing(const PictureChange& change) {
     return change.mean.high == 0 && change.ninetyFifth.high == 0;
 }
 
-/// Means of halves of `samples` samples each that are `noise` levels off together.
+/// Returns the true differences with noise: two halves per pixel, whose mean is off by `noise` levels.
 std::vector<HalfDifferences> seenThrough(const std::vector<double>& truth, double noise, std::mt19937& random) {
     std::vector<HalfDifferences> pixels;
     for (const double d : truth) {
@@ -122,7 +122,7 @@ class PictureChangeTest : public QObject {
         QVERIFY(change.mean.high - change.mean.low < 0.6 && change.ninetyFifth.high - change.ninetyFifth.low < 3);
     }
 
-    /// What is seen is 2.4 levels on average, all of it noise.
+    /// The observed difference is 2.4 levels on average, all of it noise.
     void noiseIsNoDifference() {
         std::mt19937 random(1);
         const std::vector<double> nothing(kPixels, 0.0);
@@ -139,7 +139,7 @@ class PictureChangeTest : public QObject {
         QVERIFY(isNothing(pictureChange(Film(ivec2(0), 1), Film(ivec2(0), 1), {})));
     }
 
-    /// Of pictures of 64 samples with random numbers of their own, held against 4096.
+    /// Compares the change between images of 64 samples, with different random numbers, to that between images of 4096.
     void whatIsRenderedDiffersByWhatManySamplesSay() {
         Scene scene = test::plainScene(test::bumpyVolume({20, 20, 20}, dvec3(1), 1), 0.3f);
         scene.film = {24, 24};

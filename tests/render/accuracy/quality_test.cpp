@@ -1,4 +1,4 @@
-/// The word for a picture.
+/// The word for the quality of an image.
 
 #include <QTest>
 
@@ -22,7 +22,7 @@ class QualityTest : public QObject {
         QCOMPARE(wordOf(1), Quality::reference);
         QCOMPARE(wordOf(0), Quality::reference);
     }
-    /// Its error may be said far too small.
+    /// The stated error of such an image may be far too small.
     void whatRestsOnFewBrightSamplesIsRough() {
         QCOMPARE(qualityOf({.samplesPerPixel = 64, .displayError = 1, .fewBrightSamples = true}), Quality::rough);
         QCOMPARE(qualityOf({.samplesPerPixel = 16, .fewBrightSamples = true}), Quality::estimating);

@@ -12,7 +12,8 @@ class LanesTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// From the first entry to the last, floats that are no numbers among them; pairs that straddle lines and pages.
+    /// Reads entries from the first to the last, with NaN among the floats, and pairs that straddle cache lines and
+    /// pages.
     void bothWaysToGatherReadTheSame() {
         std::mt19937 random(7);
         std::vector<float> floats(100'000);

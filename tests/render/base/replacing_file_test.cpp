@@ -105,7 +105,7 @@ class ReplacingFileTest : public QObject {
         QCOMPARE(names(), QStringList{"a"});
     }
 
-    /// As in the shared folder for temporary files: only the owner of a file may replace it.
+    /// In a sticky folder, like the shared folder for temporary files, only the owner of a file may replace it.
     void anotherUsersFileInAStickyFolderIsRefusedBeforehand() {
         if (::geteuid() != 0)
             QSKIP("only root can make another user's file");
@@ -145,7 +145,8 @@ class ReplacingFileTest : public QObject {
         QVERIFY(!missing && missing.error().hint.find("Create the folder") != std::string::npos);
     }
 
-    /// It may hold a patient's image. Whoever writes there later takes it away, but nothing that is still written.
+    /// An unfinished file may hold a patient's image. The next program that writes to the folder removes it, but no
+    /// file that is still being written.
     void whatAKilledProcessLeftIsTakenAwayAnHourLater() {
         const auto old = std::filesystem::file_time_type::clock::now() - std::chrono::hours(2);
         put(at(".pdr-abandoned.part"), "old");

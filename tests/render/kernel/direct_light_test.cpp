@@ -1,5 +1,5 @@
-/// One light path for each event: what it stands for, and that lights which are sampled and lights which are met are
-/// the same ones. Directions, distances and sums that are known without a picture.
+/// Direct light: what the single light path of an event stands for, and that sampling a light and meeting it agree. The
+/// tests check directions, distances and sums that are known without an image.
 
 #include <QTest>
 #include <random>
@@ -28,7 +28,7 @@ FlatLight ball() {
     return test::prepared(scene)->lights.front();
 }
 
-/// Where a straight line from `from` (as seen from the ball's centre) first meets the ball, in double.
+/// Returns where a straight line from `from` (relative to the ball's centre) first meets the ball, in double.
 double firstMeeting(dvec3 from, dvec3 direction, double radius) {
     const double along = glm::dot(from, direction);
     return -along - std::sqrt(along * along - glm::dot(from, from) + radius * radius);
@@ -40,8 +40,8 @@ class DirectLightTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// Of lights of one colour the chosen one always brings what all bring together: isotropic tissue sends back
-    /// albedo / 4 pi of it.
+    /// Checks that the chosen one of several lights of one colour always brings what all bring together: isotropic
+    /// tissue scatters albedo / 4 pi of it.
     void oneOfSeveralLightsStandsForTheirSum() {
         Scene scene = cube();
         scene.lights = {DirectionalLight{{0, 0, -1}, vec3(3)}, DirectionalLight{{1, 0, 0}, vec3(1)},
@@ -108,7 +108,7 @@ class DirectLightTest : public QObject {
         QCOMPARE(environmentRadiance(sky, {0, 0, -1}).x, 1.0f);
     }
 
-    /// It lights the tissue all the same.
+    /// A hidden environment lights the tissue all the same.
     void hiddenSurroundingsAreNotSeen() {
         Scene scene = cube();
         scene.lights.clear();

@@ -36,7 +36,7 @@ std::shared_ptr<const Volume> noise(ivec3 size, int lowest, int range, unsigned 
                             [&](int, int, int) { return lowest + int(random() % unsigned(range + 1)); });
 }
 
-/// Anywhere in the volume's box, and a little outside.
+/// Returns a position in the volume's box or a little outside.
 vec3 anyPlace(std::mt19937& random, ivec3 size) {
     std::uniform_real_distribution<float> unit(-0.1f, 1.1f);
     const float x = unit(random), y = unit(random), z = unit(random);
@@ -92,7 +92,7 @@ class FilteringTest : public QObject {
         }
     }
 
-    /// What bounds on the extinction rest on; see texture.h.
+    /// Checks the assumptions of bounds on the extinction; see texture.h.
     void valuesLieBetweenTheEightVoxelsAround() {
         std::mt19937 random(3);
         for (const int range : {1, 50, 4096, 65534}) {
@@ -169,7 +169,7 @@ class FilteringTest : public QObject {
         QVERIFY(test::sameBits(test::render(tissue(Filtering::fast), 20), test::render(tissue(Filtering::exact), 20)));
     }
 
-    /// The same samples: nearly all paths go on as they did.
+    /// Both images have the same samples: nearly all paths continue as they did.
     void fastPicturesDifferByLessThanTheirNoise() {
         const Film exact = onEmulatedGpu(tissue(Filtering::exact), 64),
                    fast = onEmulatedGpu(tissue(Filtering::fast), 64);

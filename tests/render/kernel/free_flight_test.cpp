@@ -1,5 +1,5 @@
-/// Exact free flight: it ends where brute force says that the optical depth has been passed, and says what a ray that
-/// leaves has passed; on lanes as alone.
+/// Exact free flight: it ends where brute force finds that the optical depth has been passed, and returns the depth
+/// that a ray has passed when it leaves the volume; on lanes as on a single ray.
 
 #include <QTest>
 #include <random>
@@ -24,7 +24,8 @@ class FreeFlightTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// The way that is flown has the optical depth that was asked for, by steps of 0.002 mm in double precision.
+    /// Checks the optical depth of the distance that was flown against the requested one, in steps of 0.002 mm in
+    /// double precision.
     void flightsEndWhereBruteForceSays() {
         std::mt19937 random(3);
         int ended = 0;
@@ -48,7 +49,7 @@ class FreeFlightTest : public QObject {
         QVERIFY(ended > 100 && ended < 395);
     }
 
-    /// The same to rounding: the exact integral along the way that was flown.
+    /// Checks to rounding the exact integral along the distance that was flown.
     void flightsInvertTheExactIntegral() {
         std::mt19937 random(4);
         double worst = 0;
@@ -72,7 +73,7 @@ class FreeFlightTest : public QObject {
         QVERIFY2(worst < 1e-4, qPrintable(QString::number(worst)));
     }
 
-    /// Farther for more depth, without a jump back: what low-discrepancy numbers need.
+    /// A larger depth leads farther, without a jump back, as low-discrepancy numbers require.
     void flightsGrowWithTheirDepth() {
         for (unsigned seed = 1; seed <= 20; ++seed) {
             const Scene scene = test::anyScene(seed);
@@ -89,7 +90,7 @@ class FreeFlightTest : public QObject {
         }
     }
 
-    /// Where light collides: the mean and the mean square distance of delta tracking.
+    /// Checks the mean and the mean square distance of collisions against delta tracking.
     void flightsAreDistributedAsTrackingFindsThem() {
         std::mt19937 random(6);
         for (unsigned seed = 1; seed <= 6; ++seed) {

@@ -19,7 +19,8 @@ std::shared_ptr<const PreparedScene> flat(std::shared_ptr<const Volume> volume) 
     return test::prepared(test::plainScene(std::move(volume), 1));
 }
 
-/// Turned about two axes, and its slices are thicker than its pixels are wide; some rows are not at right angles.
+/// An oblique volume: turned about two axes, with slices thicker than its pixels are wide, and some rows not at right
+/// angles.
 template <class Value>
 std::shared_ptr<const Volume> obliqueVolume(ivec3 size, Value&& value) {
     const std::shared_ptr<const Volume> upright = test::makeVolume(size, dvec3(1), value);
@@ -30,14 +31,14 @@ std::shared_ptr<const Volume> obliqueVolume(ivec3 size, Value&& value) {
     return std::make_shared<Volume>(geometry, Voxels(upright->voxels().begin(), upright->voxels().end()));
 }
 
-/// Without rhyme: a hash of the voxel's place, -1000 to 999 HU.
+/// Returns an irregular HU from -1000 to 999: a hash of the voxel's index.
 int rough(int i, int j, int k) {
     std::minstd_rand random(unsigned(1 + i + 64 * j + 4096 * k));
     random.discard(3);
     return int(random() % 2000) - 1000;
 }
 
-/// By differences of the trilinear HU over a voxel to each side [HU/mm].
+/// Returns the gradient by differences of the trilinear HU over a voxel to each side [HU/mm].
 vec3 centralDifference(const FlatVolume& volume, vec3 place) {
     vec3 perIndex;
     for (int axis = 0; axis < 3; ++axis) {
@@ -49,7 +50,7 @@ vec3 centralDifference(const FlatVolume& volume, vec3 place) {
     return glm::transpose(volume.indexFromLocal) * perIndex;
 }
 
-/// How many of the 7 x 7 x 7 points in a voxel around (x, y, z) `inside` holds for, in 1000 HU.
+/// Returns for how many of the 7 x 7 x 7 points in a voxel around (x, y, z) `inside` holds, scaled to 1000 HU.
 template <class Inside>
 int partOf(dvec3 centre, dvec3 spacing, Inside&& inside) {
     int count = 0;
@@ -58,7 +59,7 @@ int partOf(dvec3 centre, dvec3 spacing, Inside&& inside) {
     return int(std::lround(count / 0.343));
 }
 
-/// Degrees between a gradient and where the HU fall off to.
+/// Returns the angle between a gradient and the direction in which the HU decrease [degrees].
 double degreesOff(vec3 gradient, dvec3 outwards) {
     return glm::degrees(std::acos(std::clamp(-glm::dot(glm::normalize(dvec3(gradient)), outwards), -1.0, 1.0)));
 }
@@ -74,8 +75,8 @@ struct Errors {
     double rms() const { return std::sqrt(sum / count); }
 };
 
-/// How far off the grey levels of a flat wall are that is lit at 45 degrees, along its slope through four slices of
-/// 3 mm; pixels are 0.7 mm.
+/// Returns the errors of the grey levels of a flat wall that is lit at 45 degrees, along its slope through four slices
+/// of 3 mm; pixels are 0.7 mm.
 template <class Gradient>
 Errors levelsOffOnSlope(double degrees, Gradient&& gradient) {
     const dvec3 spacing(0.7, 0.7, 3);
@@ -101,7 +102,7 @@ class GradientTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// On a grid that is turned, sheared and of unequal spacing.
+    /// Checks a grid that is turned, sheared and of unequal spacing.
     void linearHuHaveTheirGradientEverywhere() {
         const auto volume = obliqueVolume({12, 11, 10}, [](int i, int j, int k) { return 70 * i - 130 * j + 250 * k; });
         const auto prepared = flat(volume);
@@ -117,7 +118,8 @@ class GradientTest : public QObject {
         }
     }
 
-    /// Written a second time in double precision, from the spline's other formula; on both sides of the borders, too.
+    /// Compares with a second implementation in double precision, from the spline's other formula; on both sides of the
+    /// borders, too.
     void itIsTheGradientOfTheCubicSpline() {
         const auto volume = obliqueVolume({7, 6, 5}, rough);
         const auto prepared = flat(volume);
@@ -132,7 +134,7 @@ class GradientTest : public QObject {
         }
     }
 
-    /// Across planes of voxel centres, along each axis: the jump falls with the step, and so does that of the slope,
+    /// Crosses planes of voxel centres along each axis: the jump falls with the step, and so does that of the slope,
     /// which for differences of the trilinear HU it does not.
     void voxelPlanesAreNeitherStepsNorKinks() {
         const auto prepared = flat(test::makeVolume({16, 16, 16}, {1, 1.3, 2.5}, rough));
@@ -177,7 +179,8 @@ class GradientTest : public QObject {
         }
     }
 
-    /// Where all voxels agree, and along axes of one voxel: else the phase function would not hold there.
+    /// The gradient is exactly zero where all voxels agree and along axes of one voxel. Otherwise the phase function
+    /// would not apply there.
     void whereNothingChangesItIsExactlyZero() {
         for (const ivec3 size : {ivec3(1, 1, 1), ivec3(6, 1, 1), ivec3(1, 6, 6), ivec3(6, 6, 6)}) {
             const auto prepared = flat(test::makeVolume(size, {0.7, 1, 3}, [](int, int, int) { return 1237; }));
@@ -232,7 +235,7 @@ class GradientTest : public QObject {
         }
     }
 
-    /// Whether a GPU filters the HU by texture or not: the normals are those of the voxels.
+    /// The normals are those of the voxels, whether or not a GPU filters the HU by texture.
     void aTextureChangesNoNormal() {
         const auto prepared = test::prepared(test::plainScene(test::makeVolume({8, 8, 8}, dvec3(1), rough), 1));
         const vec3 place(3.3f, 4.7f, 2.1f), exact = hounsfieldGradient(prepared->flat.volume, place);

@@ -57,10 +57,11 @@ Scene thinScene(unsigned which) {
     return scene;
 }
 
-/// How the two ways see the same rays: where they end, and the light that gets from there to the first light.
+/// Differences of both estimators on the same rays: where they end, and the transmittance from there to the first
+/// light.
 struct Compared {
-    test::Sample deeper;    ///< mm: where the march ends less where light collides
-    test::Sample brighter;  ///< light that gets through, of the march less the truth's
+    test::Sample deeper;    ///< distance where the march ends less where light collides [mm]
+    test::Sample brighter;  ///< transmittance of the march less the true one
 };
 
 Compared compared(const FlatScene& scene, std::uint64_t samples) {

@@ -109,7 +109,8 @@ class LayerTest : public QObject {
         QCOMPARE((Cubic<float>{7, 7, 7, 7}.maximum()), 7.0f);
     }
 
-    /// Against the midpoint rule, for all depths: the share that is seen, its bound, and the mean without attenuation.
+    /// Compares with the midpoint rule, for all depths: the share that is seen, its bound, and the mean without
+    /// attenuation.
     void boundOfALayerHolds() {
         std::mt19937 random(4);
         std::uniform_real_distribution<float> unit(0, 1);

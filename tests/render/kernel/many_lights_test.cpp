@@ -51,7 +51,7 @@ class ManyLightsTest : public QObject {
         QCOMPARE(count, kMostLightsInTurn);
     }
 
-    /// On average each light counts once, at the first event and at later ones.
+    /// Each light counts once on average, at the first event and at later ones.
     void eachLightIsPickedForItself() {
         const auto prepared = test::prepared(litBy(200));
         const FlatScene& flat = prepared->flat;

@@ -24,7 +24,7 @@ Scene maskedScene(unsigned seed) {
     return scene;
 }
 
-/// A way through the tissue that is seen, by brute force in double precision.
+/// A ray segment through the visible tissue, by brute force in double precision.
 struct Seen {
     double depth = 0;
     dvec3 emitted{0}, absorbed{0};
@@ -212,7 +212,8 @@ class MaskedTest : public QObject {
         }
     }
 
-    /// Whatever the model: a mask that shows all changes no bit, and one that hides all leaves what lies behind.
+    /// A mask that shows everything changes no bit, and one that hides everything leaves the background, for each
+    /// model.
     void allSeenIsNoMaskAndAllHiddenIsNoTissue() {
         for (const Model model : kModels)
             for (const float extinction : {0.3f, 3000.0f}) {
@@ -235,7 +236,7 @@ class MaskedTest : public QObject {
             }
     }
 
-    /// As a clip box that cuts at the middle of the edge, within the noise; and a shifted one is told apart.
+    /// A mask agrees within the noise with a clip box that cuts at the middle of its edge; a shifted mask does not.
     void aBoxIsSeenAsAClipBoxIs() {
         for (const Model model : {Model::singleScattering, Model::multipleScattering}) {
             Scene scene = test::anyScene(5);
@@ -288,7 +289,7 @@ class MaskedTest : public QObject {
         QVERIFY(normal(*masked, 12.0f) == normal(*plain, 12.0f));
     }
 
-    /// So does even tissue, which has no other edge; noise hardly turns its face.
+    /// Uniform tissue, which has no other edge, reflects at the edge of a mask as well; noise hardly turns its face.
     void theFaceOfWhatIsHiddenIsFlat() {
         Scene scene = halfSeen(5);
         scene.gradientFactor = 4;

@@ -1,4 +1,4 @@
-/// What a path carries from event to event: how many there may be, and that ending paths early changes no mean.
+/// Paths from event to event: how many events there may be, and that ending paths early changes no mean.
 
 #include <QTest>
 
@@ -9,7 +9,7 @@ using namespace pdr;
 
 namespace {
 
-/// White fog without an end, in a white room.
+/// White fog without an end, in a uniform white environment.
 Scene fog() {
     Scene scene = test::slab(1000, {0, 0, -1}, 1);
     scene.model = Model::multipleScattering;
@@ -48,8 +48,8 @@ class PathsTest : public QObject {
         }
     }
 
-    /// Of mean 1 / extinction: the first flights of rays through even fog, to 0.05 %, so that 0.3 % are seen six times
-    /// out.
+    /// Checks the mean of free paths, 1 / extinction: the first flights of rays through uniform fog, to 0.05 %, so that
+    /// an error of 0.3 % would be six standard errors.
     void freePathsAreAsLongAsTheExtinctionSays() {
         Scene scene = fog();
         scene.volume = test::makeVolume({5, 5, 300}, dvec3(1), [](int, int, int) { return 0; });
@@ -64,8 +64,8 @@ class PathsTest : public QObject {
                  qPrintable(QString("%1 +- %2").arg(distance.mean()).arg(distance.standardError())));
     }
 
-    /// However little throughput a path has: on average it keeps albedo times what it had, and goes on to where the
-    /// phase function sends it, cosine g on average, whether or not others were ended.
+    /// Checks that a path keeps on average albedo times its throughput, however little that is, and continues in a
+    /// direction of mean cosine g, as the phase function has it, whether or not other paths were ended.
     void endingPathsEarlyChangesNoMean() {
         constexpr float kG = 0.4f, kAlbedo = 0.7f;
         Scene scene = fog();

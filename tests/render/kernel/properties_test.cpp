@@ -33,7 +33,7 @@ Film picture(const Scene& scene) {
     return test::render(scene, kSamples);
 }
 
-/// The same with other random numbers.
+/// Renders the scene with other random numbers.
 Film otherPicture(Scene scene) {
     scene.seed += 1000;
     return picture(scene);
@@ -44,8 +44,8 @@ Scene withGeometry(Scene scene, const VolumeGeometry& geometry, Voxels voxels) {
     return scene;
 }
 
-/// The same voxels in the same places, stored along other axes and from other corners. `axis[i]`: which old axis the
-/// new axis i runs along; `back[i]`: whether it runs backwards.
+/// Returns the scene with its voxels in the same places, but stored along other axes and from other corners. `axis[i]`:
+/// which old axis the new axis i runs along; `back[i]`: whether it runs backwards.
 Scene storedOtherwise(const Scene& scene, ivec3 axis, glm::bvec3 back) {
     const VolumeGeometry& old = scene.volume->geometry();
     VolumeGeometry geometry;

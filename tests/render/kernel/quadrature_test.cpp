@@ -41,7 +41,7 @@ TransferFunction variedFunction(float extinctionPerMm) {
              {.hu = 900, .opacity = 0.9f, .albedo = {1, 0.9f, 0.1f}}}};
 }
 
-/// Along +x through the middle of a volume, all of its box.
+/// Returns a ray along +x through the middle of a volume, over its whole box.
 Ray alongX(const Volume& volume) {
     const dvec3 spacing = volume.geometry().spacingMm();
     const vec3 size(volume.size());
@@ -335,7 +335,7 @@ class QuadratureTest : public QObject {
         compare.operator()<FlatModel::maximumIntensity>(Model::maximumIntensity, 1);
     }
 
-    /// Whoever asks for the impossible is told, and gets an answer in time.
+    /// A tolerance that cannot be met is reported, and the ray ends in time.
     void rayThatCannotKeepItsToleranceSaysSo() {
         const auto volume = test::bumpyVolume({23, 17, 14}, {0.7, 1.1, 2.3}, 1);
         const auto prepared = test::prepared(sceneOf(volume, Model::emissionAbsorption, variedFunction(1)));

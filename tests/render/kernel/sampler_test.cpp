@@ -29,7 +29,7 @@ float depthOf(std::uint32_t pixel, std::uint64_t sample) {
     return -std::expm1(-sampler(pixel, sample).depth());
 }
 
-/// Whether of `points` fractions, a power of two, one lies in each of as many equal intervals.
+/// Returns whether `points` fractions, a power of two, lie one in each of as many equal intervals.
 template <class Fraction>
 bool oneInEachInterval(std::uint32_t points, Fraction&& fraction) {
     std::set<std::uint64_t> intervals;
@@ -49,7 +49,7 @@ struct Sequence {
     Sampler operator[](std::uint64_t i) const { return {kSobolTable, seed, pixel, 2 * i + half}; }
 };
 
-/// Of all pixels of an image, by its seed and half.
+/// Returns number(sequence) of all pixels of an image, by its seed and half.
 template <class Number>
 auto imageOf(std::uint64_t seed, std::uint64_t half, Number&& number) {
     std::vector<decltype(number(Sequence()))> image;
@@ -58,7 +58,7 @@ auto imageOf(std::uint64_t seed, std::uint64_t half, Number&& number) {
     return image;
 }
 
-/// How far the mean of five samples is off for the half of the unit cube below its diagonal plane.
+/// Returns the error of the mean of five samples for the half of the unit cube below its diagonal plane.
 float errorOf(const Sequence& samples) {
     float below = 0;
     for (std::uint64_t i = 0; i < 5; ++i) {
@@ -68,8 +68,8 @@ float errorOf(const Sequence& samples) {
     return below / 5 - 0.5f;
 }
 
-/// Of the errors of each pixel in one image and of the pixel `lag` behind it in another, in units of its own standard
-/// error.
+/// Returns the correlation of the errors of each pixel in one image with those of the pixel `lag` behind it in another,
+/// in units of its own standard error.
 double correlation(const std::vector<float>& a, const std::vector<float>& b, std::ptrdiff_t lag) {
     const double product = std::inner_product(a.begin(), a.end() - lag, b.begin() + lag, 0.0);
     const double squares =
@@ -100,7 +100,7 @@ class SamplerTest : public QObject {
                 QCOMPARE(coordinate(dimension, i ^ (i >> 1)) * 0x1p-32, published[i][dimension]);
     }
 
-    /// Each coordinate alone, plain and scrambled, in every aligned block of any power of two of points.
+    /// Checks each coordinate alone, plain and scrambled, in aligned blocks of a power of two of points.
     void everyCoordinateIsEvenInItself() {
         for (int dimension = 0; dimension < kSobolDimensions; ++dimension)
             for (const std::uint32_t points : {2u, 16u, 256u, 4096u})
@@ -168,8 +168,8 @@ class SamplerTest : public QObject {
         QVERIFY2(again == 0, qPrintable(QString("%1 of %2").arg(again).arg(all)));
     }
 
-    /// All pairs of 64 seeds that follow each other, half by half, pixel by pixel and with the pixel behind: the errors
-    /// of two images are uncorrelated, so that their mean has half of their variance.
+    /// Checks all pairs of 64 consecutive seeds, half by half, pixel by pixel and with the next pixel: the errors of
+    /// two images are uncorrelated, so that their mean has half of their variance.
     void errorsOfNeighbouringSeedsAreIndependent() {
         std::vector<std::vector<float>> errors;
         for (std::uint64_t seed = 0; seed < kSeeds; ++seed)
@@ -214,7 +214,7 @@ class SamplerTest : public QObject {
         QVERIFY(freePathDepth(0) > 1e-10f && freePathDepth(~0u) < 23);
     }
 
-    /// Behind the first event all numbers are hashed: those that Random gives.
+    /// After the first event all numbers are hashed: those that Random gives.
     void laterNumbersAreHashed() {
         const Random random(5, 9, 8);
         for (const BounceDimension dimension : {BounceDimension::light, BounceDimension::continuation}) {

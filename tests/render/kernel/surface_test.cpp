@@ -133,7 +133,7 @@ class SurfaceTest : public QObject {
             }
     }
 
-    /// Towards where the path came from, along the gradient in millimetres and not in voxels.
+    /// The normal points towards where the path came from, along the gradient in millimetres and not in voxels.
     void theNormalFacesTheViewer() {
         Scene scene = bentRamp();
         scene.volume = test::makeVolume({16, 16, 16}, {4, 1, 1}, [](int i, int j, int) { return 40 * i + 20 * j; });

@@ -1,4 +1,5 @@
-/// Sines and their like, of the kernel's own arithmetic: as right as is said, and on any processor the same bits.
+/// Sines and related functions in the kernel's own arithmetic: as accurate as stated, and the same bits on any
+/// processor.
 
 #include "render/kernel/turns.h"
 

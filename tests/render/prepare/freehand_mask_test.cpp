@@ -19,7 +19,7 @@ FreehandCut circle(const Camera& camera, double radius, bool keepInside) {
     return cut;
 }
 
-/// 120 mm wide, voxels of 2 mm, its corner at the origin, seen from the front and above.
+/// A block 120 mm wide, with voxels of 2 mm and its corner at the origin; aslant() views it from the front and above.
 std::shared_ptr<const Volume> block() {
     return test::makeVolume({60, 60, 60}, dvec3(2), [](int, int, int) { return 100; });
 }
@@ -91,7 +91,7 @@ class FreehandMaskTest : public QObject {
         QVERIFY(freehandMask({}, volume->geometry()) == nullptr);
     }
 
-    /// Through what was cut one sees what is behind: nothing; beside it the picture stays as it was.
+    /// Where tissue was cut away, the image shows what is behind: nothing; beside the cut it stays as it was.
     void thePictureShowsTheCut() {
         Scene scene = test::plainScene(block(), 1);
         scene.camera = aslant(Camera::Type::orthographic);

@@ -18,9 +18,9 @@ using namespace pdr;
 namespace {
 
 constexpr int kEdits = 1000;
-constexpr int kLow = -32001, kHigh = 30001;  ///< of one part of the volume
+constexpr int kLow = -32001, kHigh = 30001;  ///< values of one part of the volume
 
-/// Where a node may be placed: anywhere, on whole numbers, just beside them, at the ends of what int16 holds.
+/// Returns the HU of a node: anywhere, on whole numbers, just beside them, at the ends of int16.
 float anyHu(std::mt19937& random) {
     std::uniform_real_distribution<float> unit(0, 1);
     // Beside 0, where floats are finest, and where interpolation between kLow and kHigh rounds to.
@@ -50,7 +50,7 @@ void addBand(std::vector<TransferNode>& nodes, std::mt19937& random) {
     nodes.push_back({.hu = low + width, .opacity = 0});
 }
 
-/// Bands, steps, repeated places, huge and tiny slopes.
+/// Returns a transfer function of bands, steps, repeated positions, huge and tiny slopes.
 TransferFunction edit(unsigned number) {
     std::mt19937 random(number);
     std::uniform_real_distribution<float> unit(0, 1);
@@ -69,9 +69,9 @@ TransferFunction edit(unsigned number) {
     return function;
 }
 
-/// From foot to head: rough tissue, a checkerboard of the extremes, all of int16 at random, a slope, two
-/// values. One volume, since
-/// the table of a curve's maxima over all of int16 is what takes time.
+/// Returns a volume of five parts, from foot to head: rough tissue, a checkerboard of the extremes, all of int16 at
+/// random, a slope, two values. It is a single volume, since the table of a curve's maxima over all of int16 is what
+/// takes time.
 std::shared_ptr<const Volume> volume() {
     const int part = 18;
     const auto tissue = test::bumpyVolume({33, 21, part}, dvec3(1), 5);

@@ -112,7 +112,7 @@ Cases withoutInfluence() {
     return cases;
 }
 
-/// The same scenes, but the effect can just show.
+/// Returns the scenes with an effect that can just show.
 Cases withLittleInfluence() {
     Cases cases;
     cases.add("lights with a place", [](Scene& s) { s.lights.push_back(RectangleLight{.radiance = {0, 0, 1e-30f}}); });
@@ -201,7 +201,7 @@ class NeedsTest : public QObject {
             QVERIFY2(effect(one.scene, one.name).needed, one.name.c_str());
     }
 
-    /// A dark lamp among lights and light from all around: nobody draws another number for want of it.
+    /// A dark lamp among lights and environment light: leaving it out changes no random number.
     void aDarkLampIsLeftOutToTheBit() {
         Scene scene = plain();
         scene.environment.radiance = vec3(1);

@@ -1,5 +1,5 @@
-/// What the kernel makes of HU is what the curve says: in pieces, on nodes and steps, and beyond the ends, one at a
-/// time and in lanes.
+/// The kernel's optical properties of HU agree with the curve: in pieces, on nodes and steps, and beyond the ends, one
+/// at a time and in lanes.
 
 #include <QTest>
 

@@ -26,7 +26,7 @@ class WarningsTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// Counted along the largest spacing, from the scene alone.
+    /// Free paths are counted along the largest spacing, from the scene alone.
     void moreThanAThousandFreePathsAVoxelAreTold() {
         QVERIFY(warnings(dense(500)).empty());
         QVERIFY(isOverDense(dense(501)));

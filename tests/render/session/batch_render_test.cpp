@@ -1,4 +1,4 @@
-/// A picture without a window: what a stop request leaves of it, and how it is cut into orders.
+/// Rendering without a window: what a stop request leaves, and how the image is cut into requests.
 
 #include <QTest>
 #include <functional>
@@ -24,7 +24,7 @@ class TestBatchRender : public QObject {
     void aTimeThatIsOverLeavesASampleWhereAllWasFoundWrong();
 };
 
-/// Takes samples without light, and writes down where each order ends.
+/// Takes samples without light, and records where each request ends.
 class WrittenOrders final : public HostAccumulator {
   public:
     using HostAccumulator::accumulate;
@@ -46,7 +46,7 @@ class WrittenOrders final : public HostAccumulator {
     std::uint64_t next_ = 0;
 };
 
-/// Samples are found wrong with one of the orders, from 1.
+/// Finds samples wrong with one of the requests, counted from 1.
 class FoundWrong final : public HostAccumulator {
   public:
     explicit FoundWrong(int order) : HostAccumulator({0, 0, 32, 32}, 0), wrongWith_(order) {}

@@ -1,4 +1,4 @@
-/// What a lattice of a few pixels says of a biased picture is what all its pixels say after far more samples.
+/// A lattice of a few pixels finds the same bias of an image as all its pixels do after far more samples.
 
 #include <QTest>
 
@@ -29,11 +29,11 @@ Scene blurred(Scene scene) {
 
 Scene marched(Scene scene) {
     scene.estimator = Estimator::kroesMarch;
-    scene.transferFunction.extinctionPerMm = 4;  // a step of it is many free paths: the march misses much
+    scene.transferFunction.extinctionPerMm = 4;  // one step is many free paths: the march misses much
     return scene;
 }
 
-/// Whole films, made both ways.
+/// Whole films, rendered both ways.
 struct Films {
     std::shared_ptr<const Film> biased, exact;
 
@@ -46,7 +46,7 @@ struct Films {
         (void)(*growing)->accumulate(samples, {});
         return *(*growing)->film();
     }
-    /// look(pixel with the bias, pixel without), where there is tissue.
+    /// Calls look(pixel with the bias, pixel without) for the pixels with tissue.
     template <class Look>
     void each(const Look& look) const {
         for (int y = 0; y < biased->size().y; ++y)
@@ -61,7 +61,7 @@ struct Films {
         });
         return *measuredBias(tiles, 1);
     }
-    /// Twice the root mean square difference of green, noise and all [levels].
+    /// Returns twice the root mean square difference of green, noise included [levels].
     double differ() const {
         const auto level = [](double radiance) { return double(exactLevelOf(displayCurve(), float(radiance))); };
         double squares = 0, count = 0;
@@ -73,8 +73,8 @@ struct Films {
     }
 };
 
-/// What a running mean of n iterations is off on all pixels, by other samples: of the same in double, without the
-/// first.
+/// Returns the error of a running mean of n iterations over all pixels, with other samples: against the same samples in
+/// double precision, without the first.
 double roundingOf(Scene scene, std::uint32_t n, Device& device) {
     scene.seed += 7;
     Scene exact = exactly(scene);
@@ -131,11 +131,11 @@ class BiasLatticeTest : public QObject {
               truth.levels.value);
         QVERIFY(within(found->levels.value, truth.levels.value, 1.5) && found->levels.low > 0);
         const auto& [value, low, high] = found->brightness;
-        const double off = truth.brightness.value - value;  // three standard errors are 1.53 times what 95 % are
+        const double off = truth.brightness.value - value;  // 3 standard errors are 1.53 half widths of 95 %
         QVERIFY(off > 1.53 * (low - value) && off < 1.53 * (high - value));
     }
 
-    /// Rays to a tolerance that shows, against the same rays to a hundredth of it, on all pixels.
+    /// Compares rays to a visible tolerance with the same rays to a hundredth of it, on all pixels.
     void whatAToleranceDoesIsFoundWithinAFactorOfOneAndAHalf() {
         Scene scene = picture({140, 100});
         scene.model = Model::emissionAbsorption;
@@ -155,7 +155,7 @@ class BiasLatticeTest : public QObject {
         QVERIFY(found->levels.high <= 4);  // the bound holds
     }
 
-    /// Rounding is all that is left of it: the sample that it loses is no bias.
+    /// Rounding is the only bias left: the lost first sample is none.
     void whatARunningMeanDoesIsFoundWithinAFactorOfOneAndAHalf() {
         Scene scene = picture({70, 50});
         scene.schedule = {Schedule::Kind::kroes, false, false, true};
@@ -172,7 +172,7 @@ class BiasLatticeTest : public QObject {
         QVERIFY(within(found->levels.value, truth, 1.5));
     }
 
-    /// The same random numbers with both filters: nearly all that differs is the filter.
+    /// Both filters use the same random numbers, so nearly all that differs is the filter.
     void whatTextureUnitsDoLiesBelowTheBound() {
         const auto device = makeEmulatedGpu();
         Scene fast = picture({40, 30});
@@ -195,7 +195,7 @@ class BiasLatticeTest : public QObject {
         QCOMPARE(lattice.samples(), std::uint64_t(64));
     }
 
-    /// Between two frames, and the picture never knows.
+    /// The session measures between two frames and does not change the image.
     void aSessionMeasuresItBesideThePicture() {
         Scene scene = marched(picture({64, 48}));
         scene.revision = 5;

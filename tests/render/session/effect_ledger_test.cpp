@@ -1,4 +1,4 @@
-/// What a picture's effects cost and bring, step by step.
+/// The effects of an image: what each costs and brings, measured step by step.
 
 #include <QTest>
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr Calibration::Effort kEffort{.longestSide = 32, .seconds = 1};
 
-/// A lit ball; all effects measured.
+/// Returns the cost table of a lit ball, with all effects measured.
 EffectLedger measured(const Scene& scene) {
     const auto with = makeCpuDevice(1), without = makeCpuDevice(1);
     Calibration calibration(scene, {}, {*with, *without}, kEffort);
@@ -35,7 +35,7 @@ class EffectLedgerTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// Shadows change the picture of lit tissue; a lamp that shines on nothing does not.
+    /// Shadows change the image of lit tissue; a lamp that shines on nothing does not.
     void influenceSaysWhatCouldBeLeftOut() {
         Scene scene = litBumps();
         scene.lights.push_back(SphereLight{.radiusMm = 1, .radiance = vec3(1e-6f)});
@@ -80,7 +80,7 @@ class EffectLedgerTest : public QObject {
             QVERIFY(!row.effect.needed && !row.trial);
     }
 
-    /// Without the sky less noise is left, and events are cheaper: both make the picture come sooner.
+    /// Without the environment less noise is left, and events are cheaper: both make the image come sooner.
     void whatMakesNoiseAndCostsTimeMakesThePictureLate() {
         Scene scene = litBumps();
         scene.environment = {vec3(0.5f), false};

@@ -1,4 +1,4 @@
-/// What effects cost: the statistics by made-up clocks, the pictures by a small scene.
+/// The costs of effects: the statistics with made-up clocks, the images with a small scene.
 
 #include <QTest>
 
@@ -11,8 +11,8 @@ using namespace pdr;
 
 namespace {
 
-/// A machine that says how long work took: `seconds` per iteration, more with every measurement by `drift`, each off by
-/// up to `noise` of itself.
+/// A machine with a made-up clock: an iteration takes `seconds`, more with every measurement by `drift`, each off by up
+/// to `noise` of itself.
 struct Machine {
     double drift = 0, noise = 0;
     double spent = 0;
@@ -29,7 +29,7 @@ struct Machine {
     }
 };
 
-/// All steps of it; nothing when one has failed.
+/// Takes all steps of the measurement; returns false if one failed.
 bool finish(CostsInTurn& costs) {
     while (!costs.isDone())
         if (!costs.step())
@@ -73,7 +73,7 @@ class EffectTrialTest : public QObject {
         QVERIFY(cost.low < 2 && cost.high > 2 && cost.low > 1 && cost.high < 3);
     }
 
-    /// A machine that gets slower all the while, or noise, must not look like a cost of what costs nothing.
+    /// A machine that slows down all the time, or noise, must not look like the cost of an effect that costs nothing.
     void nothingCostsNothing() {
         int told = 0;
         for (unsigned seed = 0; seed < 400; ++seed) {
@@ -100,7 +100,7 @@ class EffectTrialTest : public QObject {
         CostsInTurn costs({many.picture(0.001), many.picture(0.02), many.picture(0.005)}, 2);
         QVERIFY(finish(costs) && many.spent <= 2.001);
         QVERIFY(std::fabs(costs.bands()[1].middle - 20) < 1e-9 && std::fabs(costs.bands()[2].low - 5) < 1e-9);
-        QVERIFY(std::fabs(costs.share().middle + 19) < 1e-9);  // what is left out may be what saves time
+        QVERIFY(std::fabs(costs.share().middle + 19) < 1e-9);  // an effect that saves time may be left out, too
     }
 
     void aFailureIsPassedOn() {
@@ -120,7 +120,7 @@ class EffectTrialTest : public QObject {
         QVERIFY(std::fabs(costs.share().middle - 0.75) < 1e-9 && std::fabs(costs.added().middle - 15) < 1e-9);
     }
 
-    /// Three times the samples for a quarter of the price each; both are uncertain.
+    /// Three times the samples, each at a quarter of the cost; both are uncertain.
     void priceAndNoiseMakeTheTime() {
         const Foretold time = timeWithout({3, 2, 4.5}, {0.7, 0.75, 0.8});
         QVERIFY(std::fabs(time.value - 0.75) < 1e-9);

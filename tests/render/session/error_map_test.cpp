@@ -1,4 +1,4 @@
-/// Pictures come with a map of their error where one is wanted, and nothing is computed for it where not.
+/// Images come with a map of their error if one is requested; otherwise nothing is computed for it.
 
 #include <QTest>
 #include <future>
@@ -12,7 +12,7 @@ using namespace pdr;
 
 namespace {
 
-/// A session that holds at its picture of revision 1.
+/// A session that stops at its image of revision 1.
 struct Held {
     test::Screen screen;
     Session session{makeCpuDevice(2), screen.sink()};
@@ -69,8 +69,8 @@ class ErrorMapTest : public QObject {
         QVERIFY(dark->errorMap->bins == held.truth(8).bins);
     }
 
-    /// For the first picture, then at each quarter more from 32 samples on, of which errors are first known. No time
-    /// passes, so maps take none.
+    /// A map is made for the first image, then at each quarter more samples from 32 on, where errors are first known.
+    /// No time passes, so maps take none.
     void itIsMadeAnewSeldom() {
         test::Reel reel;
         Session session(makeCpuDevice(1), reel.sink(), {}, test::readingOf(std::make_shared<test::FakeClock>()));

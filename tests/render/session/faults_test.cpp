@@ -1,5 +1,4 @@
-/// A device that fails, refuses or is changed for another: the picture goes on, and no sample counts that was not
-/// taken.
+/// A device that fails, refuses or is replaced: rendering continues, and no sample counts that was not taken.
 
 #include <QTest>
 #include <chrono>
@@ -30,13 +29,13 @@ Scene someScene(std::uint64_t revision = 1) {
     return scene;
 }
 
-/// Its picture, however good it is already.
+/// Starts rendering a scene, and continues however good its image is already.
 void begin(Session& session) {
     session.submit(someScene(), false);
     session.goOn();
 }
 
-/// The film as it stands.
+/// Returns the current film.
 Film filmOf(Session& session) {
     auto film = std::make_shared<std::promise<Film>>();
     auto future = film->get_future();
@@ -46,7 +45,7 @@ Film filmOf(Session& session) {
     return future.get();
 }
 
-/// Whether `film` is, bit by bit, that of its samples taken at a stretch on the CPU.
+/// Returns whether `film` is, bit by bit, that of its samples taken without a break on the CPU.
 bool neverInterrupted(const Film& film) {
     return film.samplesPerPixel() > 0 && test::sameBits(film, test::render(someScene(), film.samplesPerPixel()));
 }
@@ -113,8 +112,8 @@ class FaultsTest : public QObject {
                  qPrintable(notice));
     }
 
-    /// What was known two seconds before the device was lost is still known after it, and the picture stands for no
-    /// longer than that.
+    /// All samples taken up to two seconds before the device was lost are still known after it, and the image stands
+    /// still for no longer than that.
     void onlySecondsAreLost() {
         const auto clock = std::make_shared<test::FakeClock>();
         auto mishaps = std::make_shared<test::Mishaps>();
@@ -140,7 +139,7 @@ class FaultsTest : public QObject {
     }
 
     void theHostNeedsNoCheckpoint() {
-        // The CPU behind the same counters: only what says that it is lost with the program.
+        // The CPU behind the same counters; it says that its film is lost only with the program.
         class Host final : public Device {
           public:
             explicit Host(std::shared_ptr<test::Mishaps> mishaps) : inner_(std::move(mishaps)) {}
@@ -176,7 +175,7 @@ class FaultsTest : public QObject {
         std::this_thread::sleep_for(50ms);
         mishaps->gone = true;
         session.setDisplay({.exposure = 2});
-        QVERIFY(screen.await(onCpu));  // its one picture, as of a new scene
+        QVERIFY(screen.await(onCpu));  // one image, as of a new scene
         std::this_thread::sleep_for(100ms);
         const std::uint64_t held = filmOf(session).samplesPerPixel();
         std::this_thread::sleep_for(100ms);
@@ -215,7 +214,7 @@ class FaultsTest : public QObject {
         QVERIFY(failed && failed->revision == 1);
         QVERIFY(failed->error.find("the device is lost") != std::string::npos);
         QCOMPARE(screen.notices().size(), std::size_t(1));
-        QCOMPARE(opened.load(), 2);  // the device and its fallback; not one after the other for ever
+        QCOMPARE(opened.load(), 2);  // the device and its fallback; they do not alternate for ever
         session.setDevice(kCpu);
         QVERIFY(screen.await(onCpu));
         QVERIFY(neverInterrupted(filmOf(session)));

@@ -1,5 +1,5 @@
-/// From the first picture of an edit to the full one: never worse than before, whatever the hand does, and the film at
-/// rest is that of the scene alone.
+/// From the first image of an edit to the full one: an image is never worse than the one before, whatever the user
+/// does, and the film at rest is that of the scene alone.
 
 #include <QTest>
 #include <algorithm>
@@ -22,7 +22,7 @@ using test::Reel;
 
 namespace {
 
-/// Each look at it finds it later: by such a clock every device is so slow that it needs bands.
+/// Returns a clock that advances with each reading, by which every device is so slow that it needs bands.
 SessionClock hurrying() {
     return [now = std::make_shared<std::atomic<double>>(0)] { return *now += 0.03; };
 }
@@ -32,7 +32,7 @@ bool isWorse(const Frame& after, const Frame& before) {
            after.status.samplesPerPixel < before.status.samplesPerPixel;
 }
 
-/// Pictures of one scene: none has fewer pixels than the one before, or fewer samples in each of them.
+/// Returns whether no image of one scene has fewer pixels than the one before, or fewer samples in each of them.
 bool growsNoWorse(const std::vector<std::shared_ptr<const Frame>>& frames) {
     return std::adjacent_find(frames.begin(), frames.end(), [](const auto& before, const auto& after) {
                return isWorse(*after, *before);
@@ -70,7 +70,7 @@ class FinerPicturesTest : public QObject {
         }
     }
 
-    /// Brightness, while the film behind the picture is not yet as good as the picture.
+    /// The brightness changes while the film is not yet as good as the image.
     void anotherDisplayIsNeverWorseEither_data() { devices(); }
     void anotherDisplayIsNeverWorseEither() {
         QFETCH(QString, device);
@@ -85,8 +85,8 @@ class FinerPicturesTest : public QObject {
         QVERIFY(growsNoWorse(reel.of(1)));
     }
 
-    /// Brightness changes in each launch, on a device where a picture takes several: so it also changes while a coarser
-    /// picture waits for the finer one.
+    /// The brightness changes in each launch, on a device on which an image takes several launches: so it also changes
+    /// while a coarser image waits for the finer one.
     void everyDisplayOfASmoothedPictureIsSmoothed() {
         auto mishaps = std::make_shared<test::Mishaps>();
         mishaps->clock = std::make_shared<test::FakeClock>();
@@ -107,7 +107,7 @@ class FinerPicturesTest : public QObject {
             QVERIFY(frame->smoothed);
     }
 
-    /// Each sample would have to be smoothed anew. Half of the displays may come too late for it to wait.
+    /// Each sample would have to be denoised anew. Half of the displays may come too late for the film to wait.
     void aSmoothedFilmWaitsForAHandThatChangesItsBrightness() {
         Reel reel;
         Session session(makeCpuDevice(2), reel.sink());
@@ -128,8 +128,8 @@ class FinerPicturesTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(reel.full(1, 30), test::kPatience);  // and then goes on
     }
 
-    /// The display changes when denoising more samples has begun: what was denoised before is shown on the new one
-    /// first.
+    /// The display changes after denoising of more samples has begun: the previously denoised image is shown on the new
+    /// display first.
     void denoisingIsBrokenOffForAnotherDisplay() {
         const Display dark{.exposure = 4, .smoothed = true};
         Reel reel;
@@ -148,7 +148,8 @@ class FinerPicturesTest : public QObject {
                                  test::kPatience);
     }
 
-    /// As long as it is not there, the coarser one is shown on another display; a first run tells which image it is.
+    /// Until the first full image exists, the coarser one is shown on another display. A first run tells which image it
+    /// is.
     void theFirstFullImageGivesWayToAnotherDisplay() {
         const Display dark{.exposure = 4, .smoothed = true};
         int full = 0;
@@ -199,7 +200,7 @@ class FinerPicturesTest : public QObject {
         QFETCH(QString, device);
         Reel reel;
         Session session(made(device), reel.sink());
-        session.setIterationsPerFrame(10000);  // the next frame is far
+        session.setIterationsPerFrame(10000);  // the next frame is far away
         session.submit(largeScene(1), false);
         QTRY_VERIFY_WITH_TIMEOUT(!reel.of(1).empty(), test::kPatience);
         for (int i = 1; i <= 20; ++i) {
@@ -254,7 +255,7 @@ class FinerPicturesTest : public QObject {
         QVERIFY(test::sameBits(*film, test::render(largeScene(1), film->samplesPerPixel())));
     }
 
-    /// By a clock that makes films as coarse as they may be.
+    /// The clock makes films as coarse as they may be.
     void aMovingPictureIsFinerThanItsFilm() {
         const auto first = [](bool smoothed) {
             Reel reel;
@@ -274,7 +275,7 @@ class FinerPicturesTest : public QObject {
         QCOMPARE(smooth->rgba.size(), std::size_t(4 * smooth->size.x * smooth->size.y));
     }
 
-    /// Nor is it asked again with each brightness of the same film.
+    /// The device is not asked again for each brightness of the same film.
     void aDeviceThatHasNoGuideIsAskedOnce() {
         std::atomic<int> asked = 0;
         std::promise<void> paused;
@@ -303,7 +304,7 @@ class FinerPicturesTest : public QObject {
         Reel reel;
         Session session(makeCpuDevice(2), reel.sink());
         session.submit(largeScene(1), true);
-        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1), test::kPatience / 10);  // what is planted makes it wait as long
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1), test::kPatience / 10);  // short: a planted fault waits this long
         QVERIFY(reel.of(1).front()->coarse && growsNoWorse(reel.of(1)));
     }
 
@@ -319,7 +320,8 @@ class FinerPicturesTest : public QObject {
         QVERIFY(growsNoWorse(reel.of(1)));
     }
 
-    /// A scene that costs a hundred times as much as the one before shows its first picture with what is there in time.
+    /// A scene that costs a hundred times as much as the one before shows its first image with the samples that exist
+    /// in time.
     void aFirstPictureThatWouldBeLateHasFewerSamples() {
         auto mishaps = std::make_shared<test::Mishaps>();
         mishaps->clock = std::make_shared<test::FakeClock>();
@@ -337,7 +339,8 @@ class FinerPicturesTest : public QObject {
   private:
     using Frames = std::vector<std::shared_ptr<const Frame>>;
 
-    /// A device that changes the display of `session`, once: in the first call of that name after two full pictures.
+    /// Returns a device that changes the display of `session` once: in the first call of that name after two full
+    /// images.
     static std::unique_ptr<Device> changingIn(const std::string& name, const Display& display, Session& session,
                                               Reel& reel) {
         auto mishaps = std::make_shared<test::Mishaps>();
@@ -347,7 +350,7 @@ class FinerPicturesTest : public QObject {
         };
         return test::failing(mishaps);
     }
-    /// The first picture on that display, which is waited for, and the one before.
+    /// Waits for the first image on that display; returns it and the one before.
     static std::pair<Frames::value_type, Frames::value_type> around(Reel& reel, const Display& display) {
         const auto isOn = [&](const auto& frame) { return frame->display == display; };
         Frames frames;

@@ -19,7 +19,7 @@ using test::Reel;
 
 namespace {
 
-/// What somebody who looks is told.
+/// The answer to a snapshot request.
 struct Answer {
     std::promise<Result<Film>> film;
     SnapshotObserver look() {
@@ -27,7 +27,7 @@ struct Answer {
             film.set_value(view ? Result<Film>(view->film) : Result<Film>(view.error()));
         };
     }
-    /// Null: nobody has looked for minutes, or there was a film.
+    /// Returns the error that refused the request; null if there was no answer for minutes, or if there was a film.
     std::optional<Error> refusal() {
         auto future = film.get_future();
         if (future.wait_for(1800s) != std::future_status::ready)
@@ -96,7 +96,7 @@ class FirstLookTest : public QObject {
         QVERIFY(test::sameBits(*seen, test::render(largeScene(2), seen->samplesPerPixel())));
     }
 
-    /// The picture of the last move was a first look already.
+    /// The image of the last move was a first image already.
     void aHandAtRestNeedsNoSecondFirstLook() {
         auto mishaps = std::make_shared<test::Mishaps>();
         std::mutex gate;
@@ -114,7 +114,7 @@ class FirstLookTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(!reel.of(1).empty(), test::kPatience);
         std::unique_lock closed(gate);
         QTRY_VERIFY_WITH_TIMEOUT(atTheGate, test::kPatience);
-        const std::size_t before = reel.of(1).size() + 1;  // the launch that is on its way is shown
+        const std::size_t before = reel.of(1).size() + 1;  // the running launch is shown
         session.setPaused(true);
         closed.unlock();
         QTRY_COMPARE_WITH_TIMEOUT(reel.of(1).size(), before, test::kPatience);
@@ -139,7 +139,7 @@ class FirstLookTest : public QObject {
         mishaps->iterationSeconds = 0.05;
         Reel reel;
         Session session(test::failing(mishaps), reel.sink());
-        session.submit(largeScene(1), true);  // it does not rest, so nobody can look
+        session.submit(largeScene(1), true);  // the user still drags, so there is no snapshot
         Answer pending, late;
         session.requestSnapshot(1, pending.look());
         QTest::qWait(100);

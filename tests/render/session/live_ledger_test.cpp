@@ -1,4 +1,4 @@
-/// The ledger of effects is filled beside the picture, which it does not change; and only while somebody looks.
+/// The cost table of effects is filled beside the image, which it does not change, and only while there is an observer.
 
 #include <QTest>
 
@@ -17,7 +17,7 @@ using namespace pdr;
 
 namespace {
 
-/// The same volume in each.
+/// Returns a small scene; all of them share one volume.
 Scene smallScene(std::uint64_t revision) {
     static const Scene first = test::largeScene(1);
     Scene scene = first;
@@ -27,7 +27,7 @@ Scene smallScene(std::uint64_t revision) {
     return scene;
 }
 
-/// Somebody who looks, and counts.
+/// An observer that counts its calls.
 struct Watcher {
     std::atomic<int> opened = 0, launches = 0;
     std::shared_ptr<test::Mishaps> mishaps = std::make_shared<test::Mishaps>();
@@ -46,7 +46,7 @@ struct Watcher {
                     ++times_;
                 }};
     }
-    /// What was told last; nothing: an empty one.
+    /// Returns the table that was reported last; an empty one if there was none.
     EffectLedger told() const {
         const std::lock_guard lock(mutex_);
         return told_ ? *told_ : EffectLedger();
@@ -67,7 +67,7 @@ int trials(const EffectLedger& ledger, bool ofViewBefore) {
         ledger.effects, [&](const TriedEffect& row) { return row.trial && row.ofViewBefore == ofViewBefore; }));
 }
 
-/// A ledger by hand.
+/// A cost table that the test drives itself.
 struct Live {
     Watcher watcher;
     std::shared_ptr<test::FakeClock> clock = std::make_shared<test::FakeClock>();
@@ -181,7 +181,8 @@ class LiveLedgerTest : public QObject {
         QVERIFY(!live.ledger.hasWork());
     }
 
-    /// Held pictures are measured to the end, no frame comes of it, and the film is the same to the last bit.
+    /// While rendering is stopped, measuring runs to its end; it makes no frame, and the film stays the same to the
+    /// last bit.
     void thePictureStaysAsItIs() {
         std::optional<FilmContent> films[2];
         for (const bool watched : {false, true}) {
@@ -206,7 +207,7 @@ class LiveLedgerTest : public QObject {
         QVERIFY(sameBits(*films[0], *films[1]));
     }
 
-    /// Also where it goes on for long, and where nobody looks any more.
+    /// This includes a long rendering, and the time after the observer has left.
     void nothingRunsWhileNobodyLooks() {
         test::Screen screen;
         Watcher watcher;

@@ -1,4 +1,4 @@
-/// A part of the picture gets its samples first, says how good it is, and costs the rest nothing in the end.
+/// A part of the image gets its samples first, says how good it is, and costs the rest nothing in the end.
 
 #include <QTest>
 #include <cmath>
@@ -32,7 +32,7 @@ struct Watched {
     std::shared_ptr<const Frame> reached() {
         return screen.await([](const Frame& frame) { return frame.reached; });
     }
-    /// Copies of what is there.
+    /// Returns a copy of the current film.
     FilmContent film() {
         std::promise<FilmContent> seen;
         session.requestSnapshot(1, [&](const Result<FilmView>& view) { seen.set_value(view->film.content()); });
@@ -104,14 +104,14 @@ class RegionTest : public QObject {
         const FilmStatus said = frame->region->status, now = watched.truth();
         QVERIFY(said.tissuePixels > 100 && said.tissuePixels <= now.tissuePixels);
         QVERIFY(said.samplesPerPixel <= now.samplesPerPixel);
-        // What was said once stays good enough: errors only fall, but for the chance in them.
+        // A stated error stays good enough: errors only fall, apart from their randomness.
         QVERIFY(now.displayError < said.displayError + 4 * said.displayErrorSpread);
         QVERIFY(!frame->region->steps.empty() && !frame->region->history.empty());
     }
 
-    /// Each pixel's samples are those of a picture without a box.
+    /// Each pixel's samples are those of an image without a region.
     void itsBitsAreThoseOfAnyOtherOrder() {
-        Watched watched(1e-3);  // never
+        Watched watched(1e-3);  // this target is never reached
         watched.session.setRegion(kMiddle);
         watched.session.submit(smallScene(), false);
         QVERIFY(watched.screen.await([](const Frame& f) { return f.status.mostSamplesPerPixel >= 80; }));
@@ -135,7 +135,7 @@ class RegionTest : public QObject {
         watched.session.submit(smallScene(), false);
         const auto whole = watched.reached();
         QVERIFY(whole);
-        // The silhouette, say: some part is worse than 95 % of the whole.
+        // Some part is worse than 95 % of the whole, such as the silhouette.
         for (int i = 0; i < 16; ++i) {
             const dvec2 from = 0.25 * dvec2(i % 4, i / 4);
             const Region part{from, from + 0.25};
@@ -143,7 +143,7 @@ class RegionTest : public QObject {
             const auto frame =
                 watched.screen.await([&](const Frame& f) { return f.region && f.region->region == part && f.reached; });
             QVERIFY(frame && frame->region->reached);
-            // What has seen no light for long is dark, and keeps nobody waiting.
+            // A part that has seen no light for long counts as dark, and delays nothing.
             const FilmStatus& status = frame->region->status;
             const bool isDark = status.unlitTissue && std::isinf(status.displayError) && status.samplesPerPixel >= 256;
             QVERIFY(status.tissuePixels == 0 || isDark || status.displayError <= 16);
@@ -163,7 +163,7 @@ class RegionTest : public QObject {
         QCOMPARE(frame->region->status.tissuePixels, 0U);
     }
 
-    /// As soon as it is known that there is nothing to see.
+    /// An empty region is finished as soon as it is known that there is nothing to see.
     void whatIsEmptyIsAsGoodAsItGets() {
         Scene scene = smallScene();
         scene.transferFunction.extinctionPerMm = 0;
@@ -175,7 +175,7 @@ class RegionTest : public QObject {
         QCOMPARE(view.error(), 0.0);
     }
 
-    /// The time of errors is that of a picture without a box: what the box has had, the rest need not get again.
+    /// Times of errors are those of an image without a region: the rest need not repeat what the region has had.
     void whatItGotIsNoTimeLost() {
         constexpr double kIteration = 1;
         auto mishaps = std::make_shared<test::Mishaps>();

@@ -1,4 +1,4 @@
-/// First pictures come in time on any device, and the steps from there to the full film are cheap.
+/// First images come in time on any device, and the steps from there to the full film are cheap.
 
 #include <QTest>
 #include <cmath>
@@ -44,7 +44,7 @@ class ResolutionLadderTest : public QObject {
             }
     }
 
-    /// A display that takes as long as the samples.
+    /// The display takes as long as the samples.
     void whatADisplayCostsIsLeftForIt() {
         const ResolutionLadder quick = measured(4e6);
         ResolutionLadder ladder = quick;
@@ -56,7 +56,7 @@ class ResolutionLadderTest : public QObject {
         QVERIFY(std::abs(ladder.secondsForSamples(pixels) - (ResolutionLadder::kFrameSeconds - pixels * 1e-6)) < 1e-9);
     }
 
-    /// Whole films, which have none, do not pay for it.
+    /// Full films have no guide and leave no time for one.
     void whatAGuideCostsIsLeftForIt() {
         ResolutionLadder ladder = measured(4e6);
         ladder.addDisplay(1e9, 1);
@@ -76,7 +76,7 @@ class ResolutionLadderTest : public QObject {
         QCOMPARE(ResolutionLadder::finer(ResolutionLadder::kCoarsest), ResolutionLadder::kGuide);
     }
 
-    /// Else the full film would have fewer pixels than the picture before it.
+    /// Otherwise the full film would have fewer pixels than the image before it.
     void noPictureIsLargerThanTheFullFilm() {
         for (int size = 100; size < 1100; ++size)
             for (int divider = ResolutionLadder::kCoarsest; divider > 1; divider = ResolutionLadder::next(divider))
@@ -96,7 +96,7 @@ class ResolutionLadderTest : public QObject {
             ladder.addFrame(1e7, 1);
         const int usual = ladder.first(kFilm);
         ladder.addFrame(1e7, 50);
-        ladder.addFrame(1e7, 0);  // a clock that stood still
+        ladder.addFrame(1e7, 0);  // the clock stood still
         QCOMPARE(ladder.first(kFilm), usual);
         for (int i = 0; i < 3; ++i)
             ladder.addFrame(1e7, 9);

@@ -1,4 +1,4 @@
-/// Whatever fails on the device while Exposure Render's order of work runs there: it is said, and nothing is lost.
+/// A failure of the device in Exposure Render's schedule is reported, and nothing is lost.
 
 #include <QTest>
 
@@ -21,7 +21,7 @@ Scene someScene(ivec2 film) {
     return scene;
 }
 
-/// A film of Exposure Render's schedule on a device that fails as `plan` says; all that it needs lives here.
+/// A film of Exposure Render's schedule on a device that fails as `plan` says, with all that the film needs.
 struct Faulty {
     std::shared_ptr<FaultPlan> plan;
     std::shared_ptr<const PreparedScene> scene;
@@ -37,7 +37,7 @@ struct Faulty {
                                                  std::make_unique<CpuFrameSampler>(tracer, gpu, scene));
     }
 
-    /// All that a session does, until something fails.
+    /// Does everything that a session does, until something fails.
     Result<void> used(const Schedule& schedule) {
         auto made = film(schedule);
         if (!made)

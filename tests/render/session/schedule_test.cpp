@@ -1,4 +1,4 @@
-/// The order of work of Exposure Render gives the picture that it is said to give: ours where only the order differs.
+/// Exposure Render's schedule gives the image that it should give: ours if only the order of work differs.
 
 #include <QTest>
 
@@ -15,12 +15,12 @@ using namespace pdr;
 namespace {
 
 constexpr Schedule kOurs{};
-/// Exposure Render's stages, but nothing that changes the picture.
+/// Exposure Render's stages, without anything that changes the image.
 constexpr Schedule kOrderOnly{Schedule::Kind::kroes, false, false, false};
 constexpr Schedule kRunningMean{Schedule::Kind::kroes, false, false, true};
 constexpr Schedule kFiltered{Schedule::Kind::kroes, false, true, true};
 
-/// A tissue with surfaces and shadows, before a visible sky.
+/// A tissue with surfaces and shadows in front of a visible environment.
 Scene someScene(Estimator estimator) {
     Scene scene = test::anyScene(4);
     scene.model = Model::singleScattering;
@@ -60,7 +60,7 @@ struct Made {
     }
 };
 
-/// Frames that a test thinks out: value(x, y, number, channel).
+/// Paints made-up frames: value(x, y, number, channel).
 class Painter final : public FrameSampler {
   public:
     using Value = std::function<float(ivec2 pixel, std::uint64_t number, int channel)>;
@@ -115,7 +115,7 @@ class ScheduleTest : public QObject {
         Scene scene = someScene(estimator);
         scene.model = model;
         Made ours(scene, kOurs), theirs(scene, kOrderOnly);
-        for (const std::uint32_t n : {1u, 5u, 57u, 1u, 70u}) {  // 64, where a block is full, is inside, met and passed
+        for (const std::uint32_t n : {1u, 5u, 57u, 1u, 70u}) {  // before, at and after 64, where a block is full
             accumulated(*ours.film, n);
             accumulated(*theirs.film, n);
             const auto a = *ours.film->film(), b = *theirs.film->film();
@@ -171,7 +171,7 @@ class ScheduleTest : public QObject {
                 }
             QCOMPARE((*film->film())->pixel(0, 0).count, effective[done]);
         }
-        QCOMPARE(mean(*film, 0, 0).x, 0.1f * (4 + 9 + 16 + 25) / 4);  // of the second to the fifth
+        QCOMPARE(mean(*film, 0, 0).x, 0.1f * (4 + 9 + 16 + 25) / 4);  // mean of the second to the fifth
         const FilmStatus status = shown(*film).status;
         QCOMPARE(status.samplesPerPixel, std::uint64_t(5));
         QVERIFY(std::isinf(status.relativeError) && std::isinf((*film->film())->status().relativeError));
@@ -189,8 +189,8 @@ class ScheduleTest : public QObject {
         }
     }
 
-    /// Far too many iterations for any noise, and the edge is as soft as after the first: the limit is the blurred
-    /// truth.
+    /// There are too many iterations for any noise, and the edge is as soft as after the first one: the limit is the
+    /// blurred truth.
     void theFilterNeverAveragesOut() {
         HostGpu gpu;
         const auto checker = [](ivec2 pixel, std::uint64_t, int) {
@@ -283,7 +283,7 @@ class ScheduleTest : public QObject {
         Scene scene = someScene(Estimator::unbiased);
         Made ours(scene, kOurs), theirs(scene, kOrderOnly);
         for (Made* made : {&ours, &theirs}) {
-            Scene wrong = scene;  // it would not pass Scene::check()
+            Scene wrong = scene;  // this scene would not pass Scene::check()
             for (Light& light : wrong.lights)
                 std::visit([](auto& one) { radianceOf(one) = vec3(-1, 1, 1); }, light);
             (void)made->device->upload(wrong);

@@ -57,7 +57,8 @@ class SessionTest : public QObject {
         QVERIFY(spent.seconds() < 2);
     }
 
-    /// What takes longer than a picture may, and is no part of it, is broken off for another display; samples are not.
+    /// Work that takes longer than an image may, and is no part of it, is interrupted for another display; samples are
+    /// not.
     void anotherDisplayEndsWhatIsNoPartOfThePicture() {
         RenderCommands commands;
         commands.submit(someScene(1), false);
@@ -147,18 +148,18 @@ class SessionTest : public QObject {
                 1, [&](const Result<FilmView>& view) { held.set_value(view->film.samplesPerPixel()); });
             return held.get_future().get();
         };
-        const std::uint64_t samples = samplesNow();  // what was under way has come by then
+        const std::uint64_t samples = samplesNow();  // all work in flight has arrived by then
         const auto before = screen.await([&](const Frame& f) { return f.status.samplesPerPixel == samples; });
         QVERIFY(before);
         session.setDisplay({.exposure = 0.01f});
         const auto after = screen.await([&](const Frame& f) { return f.rgba != before->rgba; });
         QVERIFY(after);
         QCOMPARE(after->status.samplesPerPixel, samples);
-        samplesNow();  // it may be told within the step that showed this picture
+        samplesNow();  // it may be reported within the step that showed this image
         QCOMPARE(samplesNow(), samples);
     }
 
-    /// What is saved says the same as the screen, which hears of what was found out for the file.
+    /// A saved image states the same as the screen, which also learns what was found out for the file.
     void aSnapshotAndTheScreenSayTheSame() {
         test::Reel reel;
         Session session(makeCpuDevice(2), reel.sink());
@@ -183,12 +184,12 @@ class SessionTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(says(levels), test::kPatience);
     }
 
-    /// Toggling changes neither the film nor its status; the judgement comes with the samples.
+    /// Toggling denoising changes neither the film nor its status; the judgement comes with the samples.
     void aSmoothedPictureIsToldWithItsErrorAndTheFilmGoesOn() {
         test::Screen screen;
         Session session(makeCpuDevice(), screen.sink());
         session.setDisplay({1, true});
-        session.setIterationsPerFrame(16);  // enough to judge, not enough for the raw picture to be the better one
+        session.setIterationsPerFrame(16);  // enough to judge, not enough for the raw image to be the better one
         Scene scene = someScene(1);
         scene.film = {192, 128};
         session.submit(scene, false);

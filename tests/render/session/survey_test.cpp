@@ -1,4 +1,4 @@
-/// Errors are counted in few of a session's pictures, since they change slowly; samples are told with each.
+/// Errors are counted in few of a session's images, since they change slowly; samples are stated with each.
 
 #include <QTest>
 

@@ -1,4 +1,4 @@
-/// Every pixel of a part gets its samples once a pass, whatever pieces it comes in; what lags behind goes first.
+/// Every pixel of a part gets its samples once per pass, in whatever pieces; pixels that lag behind go first.
 
 #include <QTest>
 
@@ -12,7 +12,7 @@ constexpr Tile kWhole{0, 0, 100, 70};  // its last cells are cut
 constexpr Tile kRegion{20, 16, 30, 20};
 constexpr Tile kRegionCells{16, 16, 48, 32};
 
-/// Carries a pass of n samples out, in pieces of about so many pixels; how many pieces those were.
+/// Carries out a pass of n samples, in pieces of about so many pixels; returns the number of pieces.
 int pass(Sweep& sweep, const Tile& part, std::uint32_t n, double pixels = 1e9) {
     sweep.choose(part);
     sweep.begin(n);
@@ -87,7 +87,7 @@ class SweepTest : public QObject {
         QCOMPARE(sweep.samples(), (SampleCounts{110, 110, 110}));
     }
 
-    /// Another region, which lies on the first one in part.
+    /// Another region overlaps the first one.
     void soDoesWhatLagsWithinAPart() {
         constexpr Tile other{50, 20, 40, 40};
         Sweep sweep{TileProgress(kWhole)};

@@ -1,4 +1,4 @@
-/// Rendering ends by itself where more of it would not be seen, says so, and goes on when it is asked to.
+/// Rendering stops by itself when more of it would not be seen, says so, and continues on request.
 
 #include <QTest>
 #include <cmath>
@@ -57,7 +57,7 @@ class TargetTest : public QObject {
         QVERIFY(held.screen.await([](const Frame& frame) { return frame.reached; }));
     }
 
-    /// However good it seems: as on the command line.
+    /// Too few samples never meet a target, however small the error seems: as on the command line.
     void aFewSamplesAreNeverEnough() {
         Held held;
         held.session.setIterationsPerFrame(4);
@@ -67,7 +67,7 @@ class TargetTest : public QObject {
         QVERIFY(frame->status.samplesPerPixel < kSamplesToStop + 8);
     }
 
-    /// The denoised image where that is shown, and the film once it is shown as it is.
+    /// The denoised image counts if that is shown, and the film once it is shown as it is.
     void theImageOnTheScreenIsHeldByItsOwnError() {
         Held held;
         held.session.setIterationsPerFrame(8);
@@ -104,7 +104,7 @@ class TargetTest : public QObject {
         QVERIFY(next && next->reached);
     }
 
-    /// Also of a picture that is better than that already, which says so at once.
+    /// This includes an image that is already better than the target, which says so at once.
     void renderingHoldsAtTheTargetAndGoesOnToAFinerOne() {
         Held held;
         held.session.setIterationsPerFrame(8);
@@ -164,8 +164,8 @@ class TargetTest : public QObject {
         QVERIFY(later->status.samplesPerPixel > frame->status.samplesPerPixel);
     }
 
-    /// While it is rendered the smoothed picture is judged at each doubling at most; in the end what is said is of what
-    /// is there.
+    /// During rendering the denoised image is judged at each doubling at most; in the end the statement refers to all
+    /// samples.
     void aHeldPictureIsJudgedAsItIs() {
         Held held;
         held.session.setIterationsPerFrame(1);

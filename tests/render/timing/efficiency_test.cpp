@@ -12,7 +12,7 @@ using namespace pdr::test;
 
 namespace {
 
-/// What a figure may be, given the rounding of what it comes from. [s]
+/// Range of a figure, given the rounding of the figures that it is computed from [s].
 struct Range {
     double low, high;
     bool meets(const Printed& ms) const { return low <= 1e-3 * ms.high() && 1e-3 * ms.low() <= high; }
@@ -37,7 +37,7 @@ Range otherRange(const PrintedRow& ofOne, int size, const Range& iteration) {
     return {otherFromFrameRate(rate.high(), iteration.high), otherFromFrameRate(rate.low(), iteration.low)};
 }
 
-/// The printed figures of table 4 that do not follow from table 3: "93.02".
+/// Returns the printed figures of table 4 that do not follow from table 3: "93.02".
 std::string unexplainedIterations(const PaperScenario& scenario) {
     std::string list;
     for (int size = 0; size < kPaperSizes; ++size)
@@ -46,7 +46,8 @@ std::string unexplainedIterations(const PaperScenario& scenario) {
     return list;
 }
 
-/// Those of table 5 that do not follow from table 2 and T_p: of table 3, or as table 4 prints it.
+/// Returns the printed figures of table 5 that do not follow from table 2 and T_p, which is that of table 3 or as table
+/// 4 prints it.
 std::string unexplainedOthers(const PaperScenario& scenario, bool withPrintedIteration) {
     std::string list;
     for (const auto& [rates, others] :
@@ -61,7 +62,7 @@ std::string unexplainedOthers(const PaperScenario& scenario, bool withPrintedIte
     return list;
 }
 
-/// T_p = T0 + alpha R by least squares of the relative errors.
+/// Fits T_p = T0 + alpha R by least squares of the relative errors.
 std::array<double, kMostUnknowns> floorAndSlope(const PaperScenario& scenario) {
     std::vector<Equation> equations;
     for (int size = 0; size < kPaperSizes; ++size) {
@@ -150,7 +151,7 @@ class EfficiencyTest : public QObject {
         QCOMPARE(unexplainedOthers(kGts250, true), std::string(""));
     }
 
-    /// What the paper calls proportional has a floor.
+    /// Times that the paper calls proportional have a floor.
     void iterationOfNoPixelsTakesTime() {
         const auto fast = floorAndSlope(kGtx560Ti), slow = floorAndSlope(kGts250);
         QVERIFY(near(1e3 * fast[0], 0.328, 0.0005));
@@ -159,7 +160,8 @@ class EfficiencyTest : public QObject {
         QVERIFY(near(1e9 * slow[1], 285, 0.5));
     }
 
-    /// The floor of the GTX 560 Ti, one sample a launch as the paper's program takes them: eq. 5 sees nothing of it.
+    /// With the floor of the GTX 560 Ti and one sample a launch, as in the paper's program, eq. 5 does not include the
+    /// floor.
     void manyNodesAreLessEfficientThanThePaperHopes() {
         const FrameTimeModel model{0.328e-3, 46.7e-9, 3.8e-9, 0.92e-3};
         const FrameWork tile{60 * 34, 100, 1};

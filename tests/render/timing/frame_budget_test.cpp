@@ -1,5 +1,5 @@
-/// How many iterations a frame gets: the rate that was asked for, the efficiency that the rate allows, and no picture
-/// that waits behind others.
+/// How many iterations a frame gets: the requested rate, the efficiency that the rate allows, and no image that waits
+/// behind others.
 
 #include <QTest>
 #include <algorithm>
@@ -40,14 +40,14 @@ class Reel {
         double at;
         std::shared_ptr<const Frame> frame;
     };
-    /// As soon as `enough` holds for them.
+    /// Returns the frames as soon as `enough` holds for them.
     template <class Enough>
     std::vector<Shot> shots(Enough&& enough) {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [&] { return enough(shots_); });
         return shots_;
     }
-    /// The first `count`.
+    /// Waits for the first `count` frames and returns them.
     std::vector<Shot> first(std::size_t count) {
         auto all = shots([&](const auto& shots) { return shots.size() >= count; });
         all.resize(count);
@@ -61,12 +61,12 @@ class Reel {
     std::vector<Shot> shots_;
 };
 
-/// Frames a second over the last `count` of them.
+/// Returns the frames per second over the last `count` of them.
 double rate(const std::vector<Reel::Shot>& shots, std::size_t count) {
     return double(count) / (shots.back().at - shots[shots.size() - 1 - count].at);
 }
 
-/// A device on a clock of its own.
+/// A device with a clock of its own.
 struct Trial {
     std::shared_ptr<test::FakeClock> clock = std::make_shared<test::FakeClock>();
     std::shared_ptr<test::Mishaps> mishaps = std::make_shared<test::Mishaps>();
@@ -95,7 +95,7 @@ class FrameBudgetTest : public QObject {
         QCOMPARE(meter.iterations(pace), 1u);
         QCOMPARE(meter.efficiency(), 0.0);
         for (int i = 0; i < 9; ++i)
-            meter.addFrame(10, i == 4 ? 5.0 : 0.020, i == 5 ? 3.0 : 0.004);  // two that another program delayed
+            meter.addFrame(10, i == 4 ? 5.0 : 0.020, i == 5 ? 3.0 : 0.004);  // another program delayed two of them
         QCOMPARE(meter.iterations(pace), 18u);                               // 9 * 4 ms / 2 ms
         QVERIFY(std::abs(meter.efficiency() - 20.0 / 24) < 1e-9);
         QCOMPARE(meter.iterations({.iterations = 77}), 77u);
@@ -157,13 +157,13 @@ class FrameBudgetTest : public QObject {
         const auto shots = trial.reel.first(60);
         const Frame& last = *shots.back().frame;
         QVERIFY2(last.efficiency >= 0.94 && last.efficiency <= 1, qPrintable(QString::number(last.efficiency)));
-        // No more than it takes: 19 * 1 ms / 4 ms.
+        // No more than necessary: 19 * 1 ms / 4 ms
         QCOMPARE(last.iterations, 5u);
         QVERIFY(rate(shots, 4) > 2);
     }
 
-    /// A scene's first picture and those of a moving hand come when they are there, not when the next ones have been
-    /// ordered; at rest the copies overlap the iterations.
+    /// A scene's first image and those during a drag come when they are ready, not when the next ones have been
+    /// requested; at rest the copies overlap the iterations.
     void firstAndMovingPicturesDoNotQueue() {
         Trial trial(0.2, 0, 4);
         const auto session = trial.session();
@@ -177,7 +177,7 @@ class FrameBudgetTest : public QObject {
             const double moved = trial.clock->seconds();
             const auto ofRevision = [&](const Reel::Shot& shot) { return shot.frame->revision == revision; };
             const auto shots = trial.reel.shots([&](const auto& all) { return std::ranges::any_of(all, ofRevision); });
-            // 4 iterations, and what was under way when the user moved.
+            // 4 iterations, and the work in flight when the user moved
             QVERIFY(std::ranges::find_if(shots, ofRevision)->at - moved < 0.45);
         }
     }
@@ -199,7 +199,7 @@ class FrameBudgetTest : public QObject {
         std::size_t i = 0;
         for (; shots[i].frame->status.samplesPerPixel < samples; ++i)
             QCOMPARE(shots[i].frame->status.samplesPerPixel, 3 * (i + 1));
-        QCOMPARE(samples, 3 * (i + 1));  // a held picture may come twice
+        QCOMPARE(samples, 3 * (i + 1));  // an image at rest may come twice
     }
 };
 

@@ -31,7 +31,8 @@ bool near(double value, double expected, double relative) {
     return std::fabs(value - expected) <= relative * std::fabs(expected);
 }
 
-/// Whether `hits` of `rounds` may be 95 %: a false alarm in 1e4 runs, were the seed not fixed, over all such questions.
+/// Returns whether `hits` of `rounds` may be 95 %. With random seeds, all such questions together would give a false
+/// alarm once in 1e4 runs.
 bool ninetyFivePercent(int hits, int rounds) {
     const double z = (hits - 0.95 * rounds) / std::sqrt(rounds * 0.95 * 0.05);
     qInfo("%d of %d hold the truth, z = %.2f", hits, rounds, z);
@@ -96,7 +97,7 @@ class FrameTimeFitTest : public QObject {
         QVERIFY(held >= 0.95 * kRounds);
     }
 
-    /// Times that want T_c far below 0: it is 0 then, but nobody knows it for certain.
+    /// The times call for a T_c far below 0: it is 0 then, but that is not certain.
     void unknownAtItsBoundIsNotCertain() {
         std::mt19937_64 random(9);
         const auto fit = FrameTimeFit::of(measured({3e-3, 47e-9, 4e-9, -2.5e-3}, 0.01, random));
@@ -106,7 +107,7 @@ class FrameTimeFitTest : public QObject {
         QVERIFY(fit->launch().low < fit->model().launch && fit->model().launch < fit->launch().high);
     }
 
-    /// All samples in one launch: T0 and T_c come once a frame each, and nobody can tell them apart.
+    /// All samples are in one launch: T0 and T_c occur once a frame each and cannot be told apart.
     void floorIsPartOfCommunicationWhereEveryFrameIsOneLaunch() {
         std::mt19937_64 random(5);
         const auto fit = FrameTimeFit::of(measured(kTruth, 0, random, 100));
@@ -116,7 +117,7 @@ class FrameTimeFitTest : public QObject {
         QVERIFY(near(fit->model().communication, kTruth.launch + kTruth.communication, 1e-8));
     }
 
-    /// The paper's own times of the GTX 560 Ti: its floor is found, and is not chance.
+    /// The paper's own times of the GTX 560 Ti have a floor, which is found and is not chance.
     void papersTimesHaveAFloor() {
         std::vector<TimedFrame> frames;
         for (int size = 0; size < test::kPaperSizes; ++size)

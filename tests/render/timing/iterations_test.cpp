@@ -43,7 +43,7 @@ class IterationsTest : public QObject {
         QCOMPARE(iterationsPerFrame(0.99, 30, 0, 1), 1u);
     }
 
-    /// A picture that takes a second cannot come 30 times in one; then the time goes into samples.
+    /// An image that takes a second cannot come 30 times in one; the time then goes into samples.
     void aRateThatCannotBeHeldIsNotPaidFor() {
         QCOMPARE(iterationsPerFrame(0.99, 30, 0.1, 1), 40u);
         QCOMPARE(iterationsPerFrame(0.5, 30, 0.1, 1), 10u);

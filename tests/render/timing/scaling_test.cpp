@@ -90,7 +90,7 @@ class ScalingTest : public QObject {
         QVERIFY(scaled(facts, Distribution::sampleFirst, 2).framesPerSecond < most / 4);
     }
 
-    /// Frames that alternate come as often as tiles', but as late as one node's.
+    /// Alternate frames come as often as frames in tiles, but as late as those of one node.
     void alternateFramesAreLate() {
         const ScalingFacts facts = paperFacts(100);
         const ScaledFrames tiles = scaled(facts, Distribution::sortFirst, 10),

@@ -72,7 +72,7 @@ class SplitChoiceTest : public QObject {
         QCOMPARE(choice.split, Split::tiles);
         QCOMPARE(choice.tilesSeconds, choice.samplesSeconds);
         QVERIFY(QString::fromStdString(choice.reason).startsWith("the network takes longest"));
-        slow.bytesPerSecond = 0;  // nothing known of it
+        slow.bytesPerSecond = 0;  // unknown
         QCOMPARE(chooseSplit(slow).split, Split::samples);
     }
 
@@ -83,7 +83,7 @@ class SplitChoiceTest : public QObject {
         QCOMPARE(chooseSplit(alone).reason, std::string("one render node has the whole picture"));
     }
 
-    /// Whatever is chosen is foretold to be the sooner one.
+    /// The chosen way is always the one that is predicted to be sooner.
     void theSoonerOneIsChosen() {
         for (const int nodes : {1, 2, 3, 8, 100, 1000, 100'000})
             for (const std::uint64_t samples : {1u, 64u, 128u, 1000u, 64'000u})

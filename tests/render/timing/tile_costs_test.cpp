@@ -11,7 +11,7 @@ using namespace pdr;
 
 namespace {
 
-/// From 0 to 1, the same on every machine.
+/// Returns a random number from 0 to 1, the same on every machine.
 double chance(std::mt19937& random) {
     return (double(random()) + 0.5) / 4294967296.0;
 }
@@ -30,7 +30,7 @@ std::vector<double> exponential() {
     return costs;
 }
 
-/// A picture half of which is air.
+/// Returns the costs of an image half of which is air.
 std::vector<double> halfAir() {
     std::vector<double> costs(1000, 0.05);
     const std::vector<double> tissue = evenly(1, 2.9);
@@ -38,7 +38,7 @@ std::vector<double> halfAir() {
     return costs;
 }
 
-/// Longest over mean time where `nodes` take tiles from one heap, the mean of many pictures.
+/// Returns the longest over the mean time of a node if `nodes` take tiles from one queue, as a mean over many images.
 double played(const TileCosts& costs, int nodes, int tilesPerNode, int pictures) {
     std::mt19937 random(7);
     double sum = 0;
@@ -98,7 +98,7 @@ class TileCostsTest : public QObject {
             }
     }
 
-    /// A tile each: all wait for the longest.
+    /// If each node has one tile, all wait for the longest.
     void aTileEachTakesAsLongAsTheLongest() {
         for (const TileCosts& costs : {TileCosts(evenly(0.5, 1.5)), TileCosts(halfAir())})
             for (const int nodes : {64, 1000})
