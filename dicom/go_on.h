@@ -1,11 +1,11 @@
 #pragma once
-/// How work that may take long is given up.
+/// Cancels work that may take long.
 
 #include <functional>
 
 namespace pdr::dicom {
 
-/// Asked now and then by whoever works; false: nobody waits for the result any more.
+/// A function that the work calls now and then; false: nobody waits for the result any more.
 using GoOn = std::function<bool()>;
 
 inline bool always() {

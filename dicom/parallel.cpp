@@ -26,6 +26,7 @@ bool onAllCores(std::size_t count, const std::function<void(std::size_t, const G
     std::mutex mutex;
     std::condition_variable finished;
     std::exception_ptr thrown;  // the first one; guarded by mutex
+    // Take one index after the other, and keep the first exception
     const GoOn goOn = [&stop] { return !stop; };
     const auto each = [&] {
         for (std::size_t i = next++; i < count && !stop; i = next++) {
@@ -47,6 +48,7 @@ bool onAllCores(std::size_t count, const std::function<void(std::size_t, const G
             finished.notify_one();
         }
     };
+    // Start a thread for each core
     const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
     std::vector<std::jthread> threads;
     try {
@@ -57,6 +59,7 @@ bool onAllCores(std::size_t count, const std::function<void(std::size_t, const G
             throw;
     }
 
+    // Report progress until all is done
     std::unique_lock lock(mutex);
     while (!finished.wait_for(lock, kReportEvery, [&] { return thrown || done == count; })) {
         if (!progress(double(done) / double(count), step)) {

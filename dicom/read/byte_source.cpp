@@ -59,8 +59,8 @@ bool ByteSource::read(std::uint64_t offset, std::span<std::uint8_t> out) {
 
 namespace {
 
-/// Inflates everything from `offset` on and hands it out piece by piece. False if the stream is damaged or longer than
-/// `limit`, or `goOn` said no.
+/// Inflates everything from `offset` on and passes it to `take` piece by piece. False if the stream is damaged or
+/// longer than `limit`, or `goOn` returned false.
 template <class Take>
 bool inflateEach(ByteSource& source, std::uint64_t offset, std::size_t limit, const GoOn& goOn, Take take) {
     z_stream stream{};
@@ -70,6 +70,7 @@ bool inflateEach(ByteSource& source, std::uint64_t offset, std::size_t limit, co
     int state = Z_OK;
     std::size_t total = 0, asked = 0;
     while (state == Z_OK && total <= limit) {
+        // Read more packed bytes
         if (stream.avail_in == 0) {
             const auto left = offset < source.size() ? source.size() - offset : 0;
             const auto count = std::size_t(std::min<std::uint64_t>(packed.size(), left));
@@ -79,6 +80,7 @@ bool inflateEach(ByteSource& source, std::uint64_t offset, std::size_t limit, co
             stream.next_in = packed.data();
             stream.avail_in = uInt(count);
         }
+        // Inflate them, and pass on the result
         stream.next_out = unpacked.data();
         stream.avail_out = uInt(unpacked.size());
         state = inflate(&stream, Z_NO_FLUSH);

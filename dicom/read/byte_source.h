@@ -19,11 +19,11 @@ class ByteSource {
     explicit ByteSource(const std::filesystem::path& file);
     explicit ByteSource(std::vector<std::uint8_t> bytes);
 
-    /// Errors: it is not there, may not be read, is no plain file.
+    /// Returns whether the file could be opened. Errors: it does not exist, may not be read, is not a plain file.
     const Result<void>& opened() const { return opened_; }
     std::uint64_t size() const { return size_; }
 
-    /// Copies `out.size()` bytes from `offset` on. False if they are not all there.
+    /// Copies `out.size()` bytes from `offset` on. False if some of them do not exist.
     bool read(std::uint64_t offset, std::span<std::uint8_t> out);
 
   private:
@@ -36,8 +36,9 @@ class ByteSource {
     Result<void> opened_;
 };
 
-/// The data set of a deflated file: everything from `offset` on, inflated. Empty if the stream is damaged, inflates to
-/// more than `limit` bytes (a bomb, which costs no memory) or `goOn`, asked in each megabyte, says no.
+/// Returns the data set of a deflated file: everything from `offset` on, inflated. Empty if the stream is damaged,
+/// inflates to more than `limit` bytes (a bomb, which costs no memory), or `goOn`, asked in each megabyte, returns
+/// false.
 std::vector<std::uint8_t> inflateFrom(ByteSource& source, std::uint64_t offset, std::size_t limit,
                                       const GoOn& goOn = always);
 

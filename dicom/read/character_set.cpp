@@ -8,7 +8,8 @@ namespace pdr::dicom {
 
 namespace {
 
-/// DICOM's ISO 2022 IR 87 and 159 are ISO-2022-JP-2 as far as their escape sequences go. Empty on failure.
+/// Converts Japanese text: the escape sequences of DICOM's ISO 2022 IR 87 and 159 are those of ISO-2022-JP-2. Empty on
+/// failure.
 std::string fromJapanese(std::string raw) {
     const iconv_t converter = iconv_open("UTF-8", "ISO-2022-JP-2");
     if (converter == iconv_t(-1))

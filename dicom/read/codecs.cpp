@@ -23,7 +23,7 @@ void prepareToolkit() {
         // Its log lines can carry names and birth dates.
         OFLog::configure(OFLogger::OFF_LOG_LEVEL);
         DecoderWarnings::listen();
-        // Some archives write standard elements as "unknown"; the dictionary knows better.
+        // Some archives write standard elements as "unknown", although the dictionary knows them.
         dcmEnableUnknownVRConversion.set(OFTrue);
         // The group length of the meta header is often wrong, and our own check of the file does not use it either.
         dcmIgnoreFileMetaInformationGroupLength.set(OFTrue);

@@ -4,7 +4,7 @@ namespace pdr::dicom {
 
 namespace {
 
-/// Zero bytes in a row that nothing but constant tissue is coded as.
+/// Smallest number of zero bytes in a row that only constant tissue is coded as.
 constexpr std::size_t kLongRun = 12;
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// The bits of entropy-coded JPEG data, one Huffman code at a time.
+/// Reads the bits of entropy-coded JPEG data, one Huffman code at a time.
 
 #include <array>
 #include <cstdint>
@@ -11,36 +11,36 @@
 
 namespace pdr::dicom {
 
-/// The bits between two markers, their stuffing taken out.
+/// The bits between two markers, without byte stuffing.
 class CodedBits {
   public:
     explicit CodedBits(std::span<const std::uint8_t> stuffed);
 
-    /// The next 16 bits; zeros behind the end.
+    /// Returns the next 16 bits; zeros behind the end.
     unsigned next16() const;
     /// Moves on by `count` bits, in [0, 16], and returns them.
     unsigned take(int count);
 
     std::size_t at() const { return at_; }
     bool overrun() const { return at_ > bits_; }
-    /// Whole bytes that were not read.
+    /// Returns the number of whole bytes that were not read.
     std::size_t bytesLeft() const { return overrun() ? 0 : (bits_ - at_) / 8; }
-    /// Whether all bits from `from` to here lie in one long run of zero bytes.
+    /// Returns whether all bits from `from` to here lie in one long run of zero bytes.
     bool withinZeroRun(std::size_t from);
 
   private:
-    std::vector<std::uint8_t> bytes_;  ///< and four more, so that reading needs no test
+    std::vector<std::uint8_t> bytes_;  ///< the bytes, and four more, so that reading needs no test
     std::size_t bits_ = 0, at_ = 0;
     std::vector<std::pair<std::size_t, std::size_t>> zeroRuns_;  ///< [first, last) in bits
     std::size_t run_ = 0;
 };
 
-/// Looks codes up.
+/// Decodes Huffman codes with a table.
 class HuffmanDecoder {
   public:
     explicit HuffmanDecoder(const HuffmanCode& code);
 
-    /// The symbol that comes next, or -1 where the bits are no code.
+    /// Returns the next symbol, or -1 if the bits are no code.
     int take(CodedBits& bits) const;
 
   private:

@@ -17,7 +17,7 @@ namespace pdr::dicom {
 
 namespace {
 
-/// All fragments of a compressed picture, joined; empty where there are none.
+/// Returns all fragments of a compressed image, joined; empty if there are none.
 std::vector<std::uint8_t> joinedFragments(DcmDataset& data) {
     std::vector<std::uint8_t> joined;
     DcmElement* element = nullptr;
@@ -37,7 +37,7 @@ std::vector<std::uint8_t> joinedFragments(DcmDataset& data) {
     return joined;
 }
 
-/// What the stream itself says, before the decoder may be let loose on it.
+/// Returns the damage that the stream itself shows, before the decoder reads it.
 Text streamDamage(DcmDataset& data, const SliceHeader& header) {
     const std::vector<std::uint8_t> stream = joinedFragments(data);
     if (DcmXfer(data.getOriginalXfer()).getXfer() == EXS_RLELossless)
@@ -49,8 +49,8 @@ Text streamDamage(DcmDataset& data, const SliceHeader& header) {
     return jpegDamage(jpeg);
 }
 
-/// How many decoded pixels hold a number that `format` has no room for. Bits above the stored ones may be copies of the
-/// sign, or an overlay of old files (group 6000) that says so.
+/// Returns how many decoded pixels hold a number that `format` has no room for. Bits above the stored ones may be
+/// copies of the sign, or an overlay of old files that declare it (group 6000).
 template <class Raw>
 std::size_t impossiblePixels(const Raw* raw, std::size_t count, const PixelFormat& format) {
     const unsigned stored = (1u << format.bitsStored) - 1, sign = 1u << (format.bitsStored - 1);
@@ -68,7 +68,7 @@ bool hasOverlayInPixels(DcmDataset& data) {
 
 std::size_t impossiblePixels(DcmDataset& data, const SliceHeader& header) {
     const PixelFormat& format = header.format;
-    // Beside sharp edges, what went through a lossy coding may honestly overshoot.
+    // Lossy coding may overshoot beside sharp edges without being damaged.
     if (codingIsLossy(header.transferSyntaxUid) || format.highBit != format.bitsStored - 1 ||
         format.bitsStored == format.bitsAllocated || hasOverlayInPixels(data))
         return 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// From compressed pixel data to plain pixels, without believing it.
+/// Decompresses pixel data without trusting it.
 
 #include "dicom/read/slice_header.h"
 
@@ -7,8 +7,8 @@ class DcmDataset;
 
 namespace pdr::dicom {
 
-/// Decodes the pixel data of `data` in place, where it is compressed. Returns what is wrong with it, as a phrase
-/// ("the compressed picture cannot be decoded"); empty: nothing that can be told from the outside. Thread-safe.
+/// Decodes the pixel data of `data` in place if it is compressed. Returns what is wrong with it, as a phrase ("the
+/// compressed picture cannot be decoded"); empty if nothing can be seen from the outside. Thread-safe.
 Text decompress(DcmDataset& data, const SliceHeader& header);
 
 }  // namespace pdr::dicom

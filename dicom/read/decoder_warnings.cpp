@@ -10,7 +10,8 @@ namespace pdr::dicom {
 
 namespace {
 
-/// The decoders run on the thread that calls them, so a complaint finds its slice without a lock.
+/// The object that counts in this thread. Decoders run on the thread that calls them, so a warning needs no lock to
+/// find its slice.
 thread_local DecoderWarnings* listening = nullptr;
 
 }  // namespace

@@ -1,12 +1,12 @@
 #pragma once
-/// What the toolkit's decoders complain about. A JPEG decoder that meets nonsense goes on with invented pixels and only
-/// writes a line into a log.
+/// Collects the warnings of the toolkit's decoders. A JPEG decoder that meets invalid data continues with invented
+/// pixels and only writes a line into a log.
 
 #include <string>
 
 namespace pdr::dicom {
 
-/// Counts the complaints of the calling thread for as long as it lives; one at a time in each thread.
+/// Counts the warnings of the calling thread during its lifetime; each thread may have one at a time.
 class DecoderWarnings {
   public:
     DecoderWarnings();
@@ -15,11 +15,11 @@ class DecoderWarnings {
     DecoderWarnings& operator=(const DecoderWarnings&) = delete;
 
     int count() const { return count_; }
-    /// The first one ("Corrupt JPEG data: premature end of data segment"); empty if there was none. The decoders know
-    /// nothing of the patient.
+    /// Returns the first warning ("Corrupt JPEG data: premature end of data segment"); empty if there was none. The
+    /// decoders know nothing of the patient.
     const std::string& first() const { return first_; }
 
-    /// Sends the complaints here from now on. Call once, after the toolkit's log was switched off.
+    /// Sends the warnings here from now on. Must be called once, after the toolkit's log was switched off.
     static void listen();
 
   private:

@@ -38,7 +38,8 @@ Element::Kind kindOf(DcmEVR vr, std::uint32_t tag) {
     return unknown ? Element::Kind::unknown : Element::Kind::plain;
 }
 
-/// Numbers in decimal are none of it: contours may have thousands of them, which nobody asks for.
+/// Returns how the values of a representation are text. Decimal numbers do not count: contours may have thousands of
+/// them, which are never read.
 Element::Text textOf(DcmEVR vr) {
     switch (vr) {
         case EVR_AE:
@@ -77,12 +78,14 @@ std::optional<Element> readElement(ByteSource& source, std::uint64_t at, Encodin
     Element element;
     element.tag = number(&head[0], 2, encoding.bigEndian) << 16 | number(&head[2], 2, encoding.bigEndian);
     element.value = at + 8;
+    // The dictionary knows the representation of implicit elements and of items
     if (!encoding.explicitVr || element.tag >> 16 == 0xFFFE) {
         element.length = number(&head[4], 4, encoding.bigEndian);
         element.kind = kindOf(dictionaryVr(element.tag), element.tag);
         element.text = textOf(dictionaryVr(element.tag));
         return element;
     }
+    // An explicit element states its representation
     const char letters[3] = {char(head[4]), char(head[5]), 0};
     const DcmVR vr(letters);
     element.kind = kindOf(vr.getEVR(), element.tag);

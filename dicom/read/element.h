@@ -1,5 +1,5 @@
 #pragma once
-/// The heads of the elements of a DICOM file, as they lie in it (PS3.5, chapter 7).
+/// The headers of the elements of a DICOM file, as they lie in it (PS3.5, chapter 7).
 
 #include <cstdint>
 #include <optional>
@@ -18,36 +18,37 @@ struct Encoding {
     bool bigEndian = false;
 };
 
-/// The head of one element, as it lies in the file.
+/// The header of one element, as it lies in the file.
 struct Element {
     std::uint32_t tag = 0;  ///< group in the upper half
     enum class Kind {
         plain,
         sequence,
         unknown,          ///< written as "unknown"; a sequence if it has no length
-        unknownSequence,  ///< written as "unknown", but the dictionary knows it for a sequence
+        unknownSequence,  ///< written as "unknown", but a sequence by the dictionary
     };
     Kind kind = Kind::plain;
     enum class Text {
         none,
-        plain,  ///< one value, however long
-        list,   ///< values with a backslash between, of letters
+        plain,  ///< one value of any length
+        list,   ///< values of letters, separated by backslashes
     };
     Text text = Text::none;
     std::uint32_t length = 0;
-    std::uint64_t value = 0;  ///< where its value starts
+    std::uint64_t value = 0;  ///< offset of its value in the file
 };
 
-/// "(7fe0,0010)"
+/// Formats a tag: "(7fe0,0010)".
 std::string hexTag(std::uint32_t tag);
 
-/// The head of the element at `at`, or nothing where the file ends inside it.
+/// Returns the header of the element at `at`; none if the file ends inside it.
 std::optional<Element> readElement(ByteSource& source, std::uint64_t at, Encoding encoding);
 
-/// The coding of a data set that does not say it: by the look of its first element, as the toolkit does.
+/// Detects the coding of a data set that does not state it, from its first element, as the toolkit does.
 Encoding detectEncoding(ByteSource& source, std::uint64_t at);
 
-/// Whether the bytes at `at` can be the first element of a DICOM file: group 0002 or 0008, known, of sensible length.
+/// Returns whether the bytes at `at` can be the first element of a DICOM file: group 0002 or 0008, known, of sensible
+/// length.
 bool looksLikeElement(ByteSource& source, std::uint64_t at);
 
 }  // namespace pdr::dicom

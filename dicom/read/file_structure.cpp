@@ -17,17 +17,18 @@ namespace pdr::dicom {
 namespace {
 
 constexpr std::uint64_t kPreambleBytes = 128;
-/// The toolkit reads values up to this size into memory, and longer ones only when they are asked for.
+/// Largest value that the toolkit reads into memory with the header [bytes]; it reads longer ones only when they are
+/// requested.
 constexpr std::uint32_t kReadAtOnce = 4096;
 
-/// What the toolkit would have to hold of a file, and whether anybody still waits for it.
+/// Counts what the toolkit would have to hold of a file, and asks whether the result is still needed.
 class Allowance {
   public:
     Allowance(const GoOn& goOn, FileStructure& found) : goOn_(goOn), found_(found) {}
 
-    /// Counts one element, item or fragment; false with the damage said.
+    /// Counts one element, item or fragment; if there are too many, sets the damage and returns false.
     bool take(const Element& element) {
-        // Most elements are small: asking after each thousandth is asking within a millisecond.
+        // Most elements are small: a thousand of them take less than a millisecond.
         if (++elements_ % 1000 == 0 && !goOn_())
             found_.damage = phrase("cancelled");
         const bool isRead = element.length <= kReadAtOnce || element.text != Element::Text::none;
@@ -39,7 +40,8 @@ class Allowance {
         return found_.damage.empty();
     }
 
-    /// Counts the values of `element`, which lies within `source`; false with the damage said.
+    /// Counts the values of `element`, which lies within `source`; if there are too many, sets the damage and returns
+    /// false.
     bool takeText(ByteSource& source, const Element& element) {
         if (element.text != Element::Text::list || element.length < kShortText)
             return true;
@@ -59,7 +61,7 @@ class Allowance {
     }
 
   private:
-    /// What is shorter has too few values to count.
+    /// Length below which a text has too few values to count.
     static constexpr std::uint32_t kShortText = 64;
 
     static Text tooManyElements() {
@@ -73,7 +75,7 @@ class Allowance {
     std::size_t bytes_ = 0;
 };
 
-/// Walks one data set with a stack of its own instead of the machine's.
+/// Walks one data set with a stack of its own instead of recursion.
 class Walk {
   public:
     Walk(ByteSource& source, std::uint64_t start, Encoding encoding, Allowance& allowance, FileStructure& found)

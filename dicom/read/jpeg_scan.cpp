@@ -15,19 +15,21 @@ constexpr const char* kBeyondBlock = "a run of it goes beyond its block";
 constexpr const char* kZeros = "a run of zeros stands where tissue changes";
 constexpr const char* kMean = "it holds a value that its samples cannot have";
 
-/// The last bit of a mean that changes is one or zero by chance: so many zeros in a row are met once in 1e9.
+/// Number of zeros in a row that is damage. The last bit of a mean that changes is one or zero by chance: so many zeros
+/// occur once in 1e9.
 constexpr int kZeroBits = 30;
 
 /// One part of a scan, from a restart marker to the next. Each walk reads `units` pixels or blocks.
 class Walk {
   public:
-    /// `changes`: of each block of a progressive picture, whether its mean differs from that of the one before. Written
-    /// by the scan that brings the means, read from `unit` on by those that refine them.
+    /// Prepares the walk. `changes`: for each block of a progressive image, whether its mean differs from that of the
+    /// block before. It is written by the scan that brings the means, and read from `unit` on by those that refine
+    /// them.
     Walk(const JpegStream& stream, const JpegScan& scan, const HuffmanDecoder* dc, const HuffmanDecoder* ac,
          std::span<const std::uint8_t> part, std::vector<bool>& changes, std::size_t unit)
         : stream_(stream), scan_(scan), dc_(dc), ac_(ac), bits_(part), changes_(changes), unit_(unit) {}
 
-    /// The phrase of what is wrong, or null.
+    /// Returns the damage as a phrase, or null.
     const char* over(std::int64_t units) {
         for (std::int64_t i = 0; i < units && !damage_ && !bits_.overrun(); i += step(units - i)) {
         }
@@ -39,7 +41,7 @@ class Walk {
     }
 
   private:
-    /// Reads what comes next and returns for how many units it stood.
+    /// Reads what comes next and returns how many units it stands for.
     std::int64_t step(std::int64_t unitsLeft) {
         if (stream_.kind == JpegStream::Kind::lossless)
             return pixel();
@@ -55,7 +57,7 @@ class Walk {
             damage_ = phrase;
     }
 
-    /// A difference of `category` bits (ISO 10918-1, F.1.2.1).
+    /// Reads a difference of `category` bits (ISO 10918-1, F.1.2.1).
     int difference(int category) {
         if (category == 0)
             return 0;
@@ -109,7 +111,7 @@ class Walk {
         return 1;
     }
 
-    /// The first bits of a band of a progressive picture, or that it is empty in several blocks.
+    /// Reads the first bits of a band of a progressive image, or that it is empty in several blocks.
     std::int64_t band(std::int64_t unitsLeft) {
         const std::int64_t blocks = coefficients(scan_.first, scan_.last);
         if (blocks > unitsLeft)
@@ -117,7 +119,7 @@ class Walk {
         return blocks;
     }
 
-    /// Returns the number of blocks that end here.
+    /// Reads the coefficients of a block and returns the number of blocks that end here.
     std::int64_t coefficients(int first, int last) {
         for (int k = first; k <= last && !damage_ && !bits_.overrun(); ++k) {
             const std::size_t from = bits_.at();
@@ -164,7 +166,8 @@ std::int64_t unitsOf(const JpegStream& stream) {
     return stream.kind == JpegStream::Kind::lossless ? x * y : ((x + 7) / 8) * ((y + 7) / 8);
 }
 
-/// The bits that refine a band depend on those before; constant tissue takes none of them, so long zeros are damage.
+/// Returns whether a scan refines a band. Its bits depend on those before; constant tissue takes none of them, so long
+/// zeros are damage.
 bool refinesBand(const JpegStream& stream, const JpegScan& scan) {
     return stream.kind == JpegStream::Kind::progressive && scan.first > 0 && scan.high > 0;
 }
@@ -185,6 +188,7 @@ const char* refinementDamage(const JpegScan& scan) {
 const char* scanDamage(const JpegStream& stream, const JpegScan& scan, std::vector<bool>& changes) {
     if (refinesBand(stream, scan))
         return refinementDamage(scan);
+    // Check that the scan has its code tables
     const bool needsDc = scan.first == 0 || stream.kind != JpegStream::Kind::progressive;
     const bool refinesMean = stream.kind == JpegStream::Kind::progressive && scan.first == 0 && scan.high > 0;
     const bool needsAc = stream.kind == JpegStream::Kind::sequential || !needsDc;
@@ -194,6 +198,7 @@ const char* scanDamage(const JpegStream& stream, const JpegScan& scan, std::vect
         return "a scan of it does not fit its frame";
     const std::optional<HuffmanDecoder> dc = scan.dc ? std::optional<HuffmanDecoder>(*scan.dc) : std::nullopt;
     const std::optional<HuffmanDecoder> ac = scan.ac ? std::optional<HuffmanDecoder>(*scan.ac) : std::nullopt;
+    // Walk the parts between restart markers
     const std::int64_t all = unitsOf(stream);
     std::int64_t left = all;
     for (const auto& part : scan.parts) {

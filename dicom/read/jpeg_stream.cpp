@@ -24,7 +24,8 @@ JpegStream::Kind kindOf(std::uint8_t marker) {
     }
 }
 
-/// SOF0..SOF15 without DHT, JPG and DAC, which share their range; SOF55 is JPEG-LS.
+/// Returns whether a marker begins a frame: SOF0..SOF15 without DHT, JPG and DAC, which share their range; SOF55 is
+/// JPEG-LS.
 bool isFrameHeader(std::uint8_t marker) {
     const bool inRange = marker >= 0xC0 && marker <= 0xCF;
     return marker == 0xF7 || (inRange && marker != 0xC4 && marker != 0xC8 && marker != 0xCC);
@@ -107,7 +108,7 @@ class Reader {
         found_.size = {word(content, 3), word(content, 1)};
         found_.components = content[5];
         quantisationTable_ = content.size() >= 9 ? content[8] & 3 : 0;
-        // The scans of JPEG-LS have rules of their own, and its decoder keeps to them.
+        // The scans of JPEG-LS have rules of their own, which its decoder checks.
         ended_ = found_.kind == JpegStream::Kind::jpegLs;
     }
 
@@ -117,7 +118,7 @@ class Reader {
                 return damaged(phrase("one of its code tables is cut off"));
             HuffmanCode code;
             std::size_t symbols = 0;
-            unsigned room = 1u << 16;  // of codes of 16 bits
+            unsigned room = 1u << 16;  // room left for codes, in codes of 16 bits
             for (int length = 1; length <= 16; ++length) {
                 code.counts[length] = content[length];
                 symbols += content[length];
@@ -161,7 +162,7 @@ class Reader {
         found_.scans.push_back(std::move(scan));
     }
 
-    /// Everything up to the next marker that is no restart marker.
+    /// Takes everything up to the next marker that is not a restart marker.
     void codedData(JpegScan& scan) {
         std::size_t start = at_;
         for (; at_ + 1 < stream_.size(); ++at_) {

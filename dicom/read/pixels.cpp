@@ -19,12 +19,13 @@ namespace pdr::dicom {
 
 namespace {
 
-/// Some GE scanners store -2000 outside the round field of view without declaring it, or declare another value.
+/// Value that some GE scanners store outside the round field of view without declaring it, or while they declare
+/// another.
 constexpr int kGeOutsideField = -2000;
 constexpr double kGeIntercept = -1024.0;
 
-/// What the system knows of a file. The toolkit opens a file several times, and reads its pixels last: one that was put
-/// in its place meanwhile, or written over it, has another state.
+/// The state of a file in the file system. The toolkit opens a file several times, and reads its pixels last: if it
+/// was replaced or overwritten meanwhile, it has another state.
 struct FileState {
     dev_t device = 0;
     ino_t number = 0;
@@ -34,7 +35,7 @@ struct FileState {
     bool operator==(const FileState&) const = default;
 };
 
-/// That of nothing where the file is gone.
+/// Returns the state of a file; that of no file if it is gone.
 FileState stateOf(const std::filesystem::path& file) {
     struct stat facts {};
     if (::stat(file.c_str(), &facts) != 0)
@@ -47,7 +48,7 @@ Error damaged(const SliceRef& slice, Text what) {
     return {std::move(what), slice.file.string(), phrase("Copy the file again from its source.")};
 }
 
-/// Turns the raw bits of a pixel into the number that they store.
+/// Converts the raw bits of a pixel to the number that they store.
 class StoredValue {
   public:
     explicit StoredValue(const PixelFormat& format)
@@ -60,14 +61,15 @@ class StoredValue {
         return int(bits ^ signBit_) - int(signBit_);
     }
 
-    /// A padding value is written as a number, not as bits of a pixel, and often with the other signedness.
+    /// Converts a padding value, which is written as a number, not as bits of a pixel, and often with the other
+    /// signedness.
     int ofPadding(int sixteenBits) const {
         if (signBit_ == 0)
             return sixteenBits;
         const int asSigned = std::int16_t(sixteenBits);
         if (asSigned >= -int(signBit_) && asSigned < int(signBit_))
             return asSigned;
-        // The bits of a pixel, then, and not a number; what is wider than a pixel stays so and matches none.
+        // These are the bits of a pixel, then, and not a number; what is wider than a pixel stays so and matches none.
         return int(unsigned(sixteenBits) ^ signBit_) - int(signBit_);
     }
 
@@ -99,17 +101,17 @@ class PaddingRule {
     bool geOutside_ = false;
 };
 
-/// HU = stored * slope + intercept, to the nearest.
+/// Computes HU = stored * slope + intercept, rounded to the nearest.
 class Rescale {
   public:
     explicit Rescale(const ValueMeaning& meaning)
         : slope_(meaning.slope.value_or(1.0)), intercept_(meaning.intercept.value_or(0.0)) {
-        // Nearly every CT: no rounding is needed, which takes half of the time.
+        // True for nearly every CT: no rounding is needed, which takes half of the time.
         isShift_ = slope_ == 1.0 && std::abs(intercept_) < 1e6 && intercept_ == std::floor(intercept_);
         shift_ = isShift_ ? int(intercept_) : 0;
     }
 
-    /// Held within a million: far beyond what a slice can hold, and nowhere near the end of int.
+    /// Returns HU, clamped to a million: far beyond what a slice can hold, and nowhere near the end of int.
     int of(int stored) const {
         if (isShift_)
             return stored + shift_;

@@ -11,17 +11,17 @@ namespace pdr::dicom {
 
 struct DecodedSlice {
     ivec2 size{0};                      ///< columns, rows
-    std::vector<std::int16_t> hu;       ///< x fastest; rounded, and held within int16
-    std::size_t clipped = 0;            ///< pixels whose HU lie beyond int16
+    std::vector<std::int16_t> hu;       ///< x fastest; rounded and clamped to int16
+    std::size_t clipped = 0;            ///< number of pixels whose HU lie outside int16
     SliceIdentity identity;             ///< what the file said when its pixels were read
-    std::vector<std::uint8_t> padding;  ///< 1 = nothing measured; empty where there is no such pixel
+    std::vector<std::uint8_t> padding;  ///< 1 = nothing measured; empty if there is no such pixel
 };
 
-/// The error of a `file` that is not the one that the scan has seen.
+/// Returns the error of a `file` that is no longer the one that was scanned.
 Error changedFile(const std::filesystem::path& file);
 
-/// Errors: file gone, damaged, in a coding that cannot be read, or written anew meanwhile; each names the file.
-/// Thread-safe.
+/// Decodes a slice. Errors: file gone, damaged, in a coding that cannot be read, or written anew meanwhile; each names
+/// the file. Thread-safe.
 Result<DecodedSlice> decodeSlice(const SliceRef& slice, Padding padding);
 
 }  // namespace pdr::dicom

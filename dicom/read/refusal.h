@@ -1,5 +1,5 @@
 #pragma once
-/// Which single images are no CT slice that this program can read, and why.
+/// Decides which images are not CT slices that this program can read, and why.
 
 #include <optional>
 
@@ -7,18 +7,19 @@
 
 namespace pdr::dicom {
 
-/// The largest rows and columns taken [pixels]; real CT has up to 2048.
+/// Largest number of rows and of columns that is accepted [pixels]; real CT has up to 2048.
 inline constexpr int kMaxSide = 8192;
 
 struct Refusal {
     Stack stack = Stack::notCt;  ///< notCt or unreadable
-    Text reason;                 ///< without the file's name: equal for all images of a kind
+    Text reason;                 ///< reason without the file's name: equal for all images of a kind
 };
 
-/// Why this image's pixels cannot be decoded into numbers; nothing if they can.
+/// Returns why this image's pixels cannot be decoded into numbers; none if they can.
 std::optional<Refusal> refusePixels(const SliceHeader& header);
 
-/// The same, and everything that is no CT slice: other modalities, colour, localizers.
+/// Returns why this image is not a readable CT slice: as refusePixels(), or other modality, localizer, unusable
+/// rescale.
 std::optional<Refusal> refuseSlice(const SliceHeader& header);
 
 }  // namespace pdr::dicom

@@ -9,7 +9,8 @@ namespace {
 using Bytes = std::span<const std::uint8_t>;
 
 constexpr std::size_t kHeaderBytes = 64;
-/// Equal bytes one by one. The standard allows two; an encoder that gathers runs does not come near this.
+/// Number of equal bytes, coded one by one, that is damage. The standard allows two; an encoder that codes runs does
+/// not come near this.
 constexpr int kSpelledOut = 12;
 
 std::uint32_t number(Bytes bytes, std::size_t at) {
@@ -17,13 +18,13 @@ std::uint32_t number(Bytes bytes, std::size_t at) {
            std::uint32_t(bytes[at + 3]) << 24;
 }
 
-/// What one walk through a segment sees.
+/// The result of one walk through a segment.
 struct Segment {
-    std::size_t decoded = 0;  ///< bytes that it gives
+    std::size_t decoded = 0;  ///< bytes that it decodes to
     std::size_t used = 0;     ///< bytes that were read for them
-    int spelledOut = 0;       ///< the longest stretch of equal bytes that no run was made of
-    bool gathers = false;     ///< the encoder makes runs at all
-    bool cutOff = false;      ///< ends inside a run
+    int spelledOut = 0;       ///< the longest stretch of equal bytes that is not coded as a run
+    bool gathers = false;     ///< whether the encoder codes runs at all
+    bool cutOff = false;      ///< whether it ends inside a run
 };
 
 Segment walk(Bytes coded, std::size_t pixels) {
@@ -52,7 +53,7 @@ Segment walk(Bytes coded, std::size_t pixels) {
     return seen;
 }
 
-/// Segments are of even length; a byte more is what an encoder of whole words leaves.
+/// Returns whether `rest` is padding. Segments are of even length; encoders of whole words leave one more byte.
 bool isPadding(Bytes rest) {
     return rest.size() <= 2 &&
            std::all_of(rest.begin(), rest.end(), [](auto byte) { return byte == 0 || byte == 128; });

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kLongestText = 512;
 
-/// A decimal string that is a number from end to end: "1,5" must not pass as 1.
+/// Returns the value of a decimal string that is a number from end to end: "1,5" must not pass as 1.
 std::optional<double> number(std::string_view written) {
     while (!written.empty() && (written.back() == ' ' || written.back() == '\0'))
         written.remove_suffix(1);
@@ -33,7 +33,7 @@ std::optional<double> number(std::string_view written) {
     return value;
 }
 
-/// The values of a decimal string; nothing if it is absent, shorter or not all numbers.
+/// Returns the values of a decimal string; none if it is absent, shorter or not all numbers.
 template <int Count>
 std::optional<std::array<double, Count>> numbers(DcmItem& item, const DcmTagKey& tag) {
     std::array<double, Count> values;
@@ -71,7 +71,7 @@ std::string text(DcmItem& item, const DcmTagKey& tag) {
     return result;
 }
 
-/// A person's name may end in separators of components that are not there.
+/// Returns a person's name without the separators that may stand at its end for absent components.
 std::string personName(DcmItem& item, const DcmTagKey& tag) {
     std::string name = text(item, tag);
     name.resize(name.find_last_not_of("=^ ") + 1);
@@ -93,7 +93,7 @@ void readFacts(DcmItem& item, SliceHeader& header) {
         *value = readable(*value, characterSet);
 }
 
-/// The padding value may be written US or SS, whatever the pixels are: its 16 bits count.
+/// Returns the 16 bits of a padding value, which may be written US or SS, whatever the pixels are.
 std::optional<int> sixteenBits(DcmItem& item, const DcmTagKey& tag) {
     Uint16 asUnsigned = 0;
     Sint16 asSigned = 0;
@@ -144,7 +144,7 @@ void readPlane(DcmItem& item, SliceHeader& header) {
         header.spacingMm = dvec2((*s)[1], (*s)[0]);
 }
 
-/// Fills `header` from the elements before the pixels. False where the toolkit cannot parse them.
+/// Fills `header` from the elements before the pixels. False if the toolkit cannot parse them.
 bool parseHeader(SliceHeader& header, bool& isDirectory) {
     DcmFileFormat content;
     const E_TransferSyntax coding =

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "IM#" of "IM0007"
+/// Returns the shape of a name: "IM#" for "IM0007".
 std::string withoutNumbers(const std::string& name) {
     std::string shape;
     for (const char c : name) {
@@ -24,14 +24,14 @@ std::string withoutNumbers(const std::string& name) {
     return shape;
 }
 
-/// ".dcm" of "7.DCM"; empty where it is a number, as in a UID.
+/// Returns the ending of a file: ".dcm" for "7.DCM"; empty if it is a number, as in a UID.
 std::string ending(const fs::path& file) {
     std::string text = fileEnding(file);
     const bool isWord = std::ranges::any_of(text, [](char c) { return c >= 'a' && c <= 'z'; });
     return isWord ? text : "";
 }
 
-/// How the slices of a folder are called.
+/// The names of the slices in a folder.
 struct FileNames {
     std::set<std::string> shapes, endings;
 
@@ -47,7 +47,7 @@ bool isEmpty(const fs::path& file) {
 
 using Names = std::vector<std::string>;
 
-/// Every folder that holds slices of the series, or one that does, up to `root`.
+/// Returns every folder that holds slices of the series, and every folder that holds such a folder, up to `root`.
 std::set<fs::path> foldersOf(const Series& series, const fs::path& root) {
     std::set<fs::path> folders;
     for (const SliceRef& slice : series.slices) {
@@ -102,6 +102,7 @@ void noteDamaged(const std::vector<SliceHeader>& damaged, const fs::path& root, 
         Names& names = header.series.uid.empty() ? nameless[header.file.parent_path()] : named[header.series.uid];
         names.push_back(shortName(header.file, root));
     }
+    // Find the folders of each series
     std::vector<std::set<fs::path>> folders;
     folders.reserve(all.size());
     for (const Series& series : all)
@@ -109,6 +110,7 @@ void noteDamaged(const std::vector<SliceHeader>& damaged, const fs::path& root, 
     const auto holdsNone = [&](const fs::path& folder) {
         return std::ranges::none_of(folders, [&](const auto& some) { return some.contains(folder); });
     };
+    // Note each file on the series that may lack it
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (all[i].verdict.stack == Stack::notCt)
             continue;

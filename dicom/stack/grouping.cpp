@@ -53,7 +53,7 @@ bool samePicture(const SliceHeader& a, const SliceHeader& b) {
     return left && right && left->hu == right->hu;
 }
 
-/// The slices that repeat another one; empty as soon as there is one conflict (or the user has lost patience).
+/// Returns the slices that repeat another one; empty as soon as there is one conflict, or the user cancels.
 std::set<int> copiesAmong(const Headers& headers, const StackAnalysis& analysis, const Progress& progress) {
     std::set<int> copies;
     for (const auto& [first, other] : analysis.samePlace) {
@@ -65,7 +65,7 @@ std::set<int> copiesAmong(const Headers& headers, const StackAnalysis& analysis,
     return copies;
 }
 
-/// Judges the stack; copies of slices are taken out of `headers` first, and noted.
+/// Judges the stack; takes copies of slices out of `headers` first, and notes them.
 StackAnalysis analyseWithoutCopies(Headers& headers, const std::filesystem::path& root, const Progress& progress) {
     StackAnalysis analysis = analyseStack(planesOf(headers, root));
     const std::set<int> copies = copiesAmong(headers, analysis, progress);
@@ -95,7 +95,7 @@ Series seriesOf(const Headers& headers, const StackAnalysis& analysis) {
     return series;
 }
 
-/// One entry for images that all share one reason to be refused. They are still sorted where they have a place.
+/// Makes one entry for images that share one reason to be refused. They are still sorted if they have a position.
 Series refusedSeries(const Headers& headers, const Refusal& refusal, const std::filesystem::path& root) {
     StackAnalysis analysis = analyseStack(planesOf(headers, root));
     analysis.geometry = {analysis.geometry.size, dmat4(1.0)};
@@ -108,7 +108,7 @@ Series refusedSeries(const Headers& headers, const Refusal& refusal, const std::
 /// Slices of one series that share a grid.
 struct Part {
     Headers slices;
-    std::size_t elsewhere = 0;  ///< slices of the series that are not in it
+    std::size_t elsewhere = 0;  ///< number of slices of the series that are not in it
     StackAnalysis analysis;
 };
 
@@ -121,7 +121,7 @@ Text pieceReason(const SlicePlane& here, const SlicePlane& there) {
         how, here.name, there.name);
 }
 
-/// Half a patient must not pass for a whole one.
+/// Refuses the pieces of one stack: half a patient must not pass for a whole one.
 void refusePieces(std::vector<Part>& parts, const std::filesystem::path& root) {
     const std::vector<Part> before = parts;
     for (Part& part : parts) {
@@ -141,9 +141,10 @@ void refusePieces(std::vector<Part>& parts, const std::filesystem::path& root) {
     }
 }
 
-/// The entries of CT slices that share a series.
+/// Adds the entries of CT slices that share a series.
 void addStacks(const Headers& headers, const std::filesystem::path& root, const std::set<int>& numbers,
                const Progress& progress, std::vector<Series>& out) {
+    // Judge each part that shares a grid
     std::vector<Part> parts;
     for (const std::vector<int>& indices : splitByGrid(planesOf(headers, root))) {
         Part part;
@@ -155,6 +156,7 @@ void addStacks(const Headers& headers, const std::filesystem::path& root, const 
     }
     if (parts.size() > 1)
         refusePieces(parts, root);
+    // Add the notes, and make an entry of each part
     for (Part& part : parts) {
         GeometryVerdict& verdict = part.analysis.verdict;
         if (verdict.loadable()) {
@@ -173,7 +175,7 @@ void addStacks(const Headers& headers, const std::filesystem::path& root, const 
     }
 }
 
-/// Several entries of one series are told apart by their numbers.
+/// Numbers the entries of each series, to tell them apart.
 void numberParts(std::vector<Series>& all) {
     std::map<std::string, int> seen;
     for (Series& series : all)
@@ -192,6 +194,7 @@ std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, con
         Headers headers;
         std::optional<Refusal> refusal;
     };
+    // Sort the images by series and reason of refusal
     std::map<std::pair<std::string, std::string>, Kind> kinds;
     for (const SliceHeader& header : headers) {
         std::optional<Refusal> refusal = refuseSlice(header);
@@ -199,6 +202,7 @@ std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, con
         kind.headers.push_back(&header);
         kind.refusal = std::move(refusal);
     }
+    // Collect the instance numbers of each series
     std::map<std::string, std::set<int>> numbersOf;
     for (const std::vector<SliceHeader>* some : {&headers, &damaged}) {
         for (const SliceHeader& header : *some) {
@@ -206,6 +210,7 @@ std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, con
                 numbersOf[header.series.uid].insert(*header.instanceNumber);
         }
     }
+    // Make the entries, loadable and larger ones first
     std::vector<Series> all;
     for (auto& [key, kind] : kinds) {
         if (kind.refusal)

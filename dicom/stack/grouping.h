@@ -1,5 +1,5 @@
 #pragma once
-/// From the headers of many files to series with a verdict each.
+/// Groups the headers of many files into series, with a verdict on each.
 
 #include <filesystem>
 #include <vector>
@@ -10,9 +10,9 @@
 namespace pdr::dicom {
 
 /// Sorts `headers` into series and judges each. Slices of one series that cannot share a grid become entries of their
-/// own with the same facts; so do colour pictures, localizers and the like. `damaged` are files and folders that could
-/// not be used, with what could be read of their headers: the series they belong to carries a note, and those that say
-/// of no series are noted on all whose slices lie in the same folder, or else on all. Names in messages are relative to
+/// own with the same facts; so do colour images, localizers and the like. `damaged` are files and folders that could
+/// not be used, with what could be read of their headers. The series they belong to carries a note; those that state no
+/// series are noted on all whose slices lie in the same folder, or else on all. Names in messages are relative to
 /// `root`. Reads pixels only of slices that lie at the same position, to tell copies from conflicts.
 std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, const std::vector<SliceHeader>& damaged,
                                     const std::filesystem::path& root, const Progress& progress);

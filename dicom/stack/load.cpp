@@ -23,7 +23,7 @@ Error outOfMemory(const Series& series, std::uint64_t needed) {
             series.series.description, phrase("Close other programs, or import fewer slices."), ErrorKind::memory};
 }
 
-/// The voxels while they are being filled, one slice at a time and from several threads.
+/// The voxels while several threads fill them, one slice at a time.
 class Filling {
   public:
     Filling(const Series& series, Padding padding)
@@ -50,7 +50,7 @@ class Filling {
     }
     const Error& error() const { return *error_; }
 
-    /// What only the pixels tell.
+    /// Returns what only the pixels show.
     std::vector<Note> notes() const {
         if (clipped_ == 0)
             return {};
@@ -74,7 +74,7 @@ class Filling {
     }
 
   private:
-    /// One word for each kind of note.
+    /// Returns one word for each kind of note.
     std::string codes() const {
         std::set<std::string> all;
         for (const Note& note : series_.verdict.notes)
@@ -129,7 +129,7 @@ Result<Volume> loadSeries(const Series& series, Padding padding, const Progress&
         return Error{series.verdict.reason, series.series.description, phrase("Choose another series.")};
     if (size.x < 1 || size.y < 1 || size.z < 1 || size.z != int(series.slices.size()))
         return Error{phrase("the slices differ in size: %1", series.verdict.reason), series.series.description, ""};
-    // Two bytes a voxel, one for its padding flag until the end, one bit after.
+    // Two bytes per voxel, one for its padding flag until the end, one bit after.
     const std::uint64_t needed = std::uint64_t(series.geometry.voxelCount()) * 3;
     if (needed > freeBytes())
         return outOfMemory(series, needed);

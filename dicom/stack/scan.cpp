@@ -39,14 +39,14 @@ std::optional<Error> refuseFolder(const fs::path& folder) {
     return {};
 }
 
-/// Every regular file below `folder`, each once, whatever links lead to it. What is no link comes first, so that a file
-/// is known by its own name where it has one below `folder`.
+/// Lists every regular file below `folder` once, whatever links lead to it. Files that are no links come first, so that
+/// a file is known by its own name if it has one below `folder`.
 class FileList {
   public:
     FileList(const fs::path& folder, const Progress& progress, ScanResult& result)
         : progress_(progress), result_(result) {
         std::error_code failure;
-        // A link to the folder itself or to what holds it would read the whole disk.
+        // A link to the folder itself or to one that holds it would read the whole disk.
         for (fs::path up = fs::canonical(folder, failure); !failure && up != up.root_path(); up = up.parent_path())
             isNew(up.parent_path());
         isNew(folder);
@@ -59,12 +59,12 @@ class FileList {
         std::sort(files_.begin(), files_.end());
     }
 
-    /// False when progress said stop.
+    /// Returns false if progress requested a stop.
     bool isComplete() const { return complete_; }
     std::vector<fs::path> take() { return std::move(files_); }
 
   private:
-    /// Whether nothing that was seen so far is the same file or folder.
+    /// Returns whether no file or folder that was seen so far is the same.
     bool isNew(const fs::path& path) {
         struct stat facts {};
         return stat(path.c_str(), &facts) != 0 || seen_.emplace(facts.st_dev, facts.st_ino).second;
@@ -125,7 +125,8 @@ HeaderRead readWithinMemory(const fs::path& file, const GoOn& goOn) {
     }
 }
 
-/// `damaged` also receives what has no header: it may have been a slice.
+/// Sorts the headers into usable and damaged ones. `damaged` also receives what has no header: it may have been a
+/// slice.
 void sortOut(std::vector<HeaderRead>& reads, std::vector<SliceHeader>& headers, std::vector<SliceHeader>& damaged,
              ScanResult& result) {
     std::vector<fs::path> foreign;
@@ -147,6 +148,7 @@ void sortOut(std::vector<HeaderRead>& reads, std::vector<SliceHeader>& headers, 
                 break;
         }
     }
+    // Count foreign files that look like slices as damaged
     const std::vector<Problem> spoilt = spoiltFiles(foreign, headers);
     result.notDicom = int(foreign.size() - spoilt.size());
     for (const Problem& problem : spoilt) {
@@ -164,16 +166,19 @@ Result<ScanResult> scanFolder(const fs::path& folder, const Progress& progress) 
     if (!dictionaryIsThere())
         return Error{phrase("the DICOM dictionary is not there, so no file can be read"), "",
                      phrase("Install libdcmtk17 again.")};
+    // List the files
     ScanResult result;
     FileList list(folder, progress, result);
     if (!list.isComplete())
         return cancelled();
     const std::vector<fs::path> files = list.take();
     result.filesSeen = int(files.size());
+    // Read their headers
     std::vector<HeaderRead> reads(files.size());
     const auto readOne = [&](std::size_t i, const GoOn& goOn) { reads[i] = readWithinMemory(files[i], goOn); };
     if (!onAllCores(files.size(), readOne, progress, "reading headers"))
         return cancelled();
+    // Group the usable ones into series
     std::vector<SliceHeader> headers, damaged;
     sortOut(reads, headers, damaged, result);
     if (headers.empty() && result.problems.empty())

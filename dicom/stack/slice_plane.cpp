@@ -30,7 +30,7 @@ Text inMm(double value) {
     return Text::number(result == "-0" ? "0" : result);
 }
 
-/// Empty if the slice says all that is needed to place it; else a sentence.
+/// Returns a sentence that says what is missing or unusable to place the slice; empty if nothing is.
 Text missingGeometry(const SlicePlane& slice) {
     Text missing;
     const auto name = [&](bool there, const Text& what) {

@@ -8,7 +8,7 @@ namespace pdr::dicom {
 
 namespace {
 
-/// The heights of the slices with those left out that repeat the one before.
+/// Returns the slices without those that repeat the height of the one before.
 std::vector<int> differentHeights(const SortedStack& stack) {
     std::vector<int> kept{0};
     for (int k = 1; k < stack.count(); ++k) {
@@ -33,7 +33,7 @@ Text doubledReason(const SortedStack& stack) {
     return doubled > 1 ? phrase("%1; %2 heights are taken twice", reason, doubled) : reason;
 }
 
-/// How far slice k lies beside the straight line from the first slice to the last [mm].
+/// Returns how far slice k lies beside the straight line from the first slice to the last [mm].
 double besideTheLine(const SortedStack& stack, int k) {
     const int last = stack.count() - 1;
     const double fraction = (stack.height(k) - stack.height(0)) / (stack.height(last) - stack.height(0));
@@ -70,12 +70,14 @@ Text gapReason(const SortedStack& stack) {
     const std::size_t last = at.size() - 1;
     if (last < 1)
         return {};
+    // Find the usual gap and the mean one
     std::vector<double> gaps(last);
     for (std::size_t k = 0; k < last; ++k)
         gaps[k] = stack.height(at[k + 1]) - stack.height(at[k]);
     std::vector<double> sorted = gaps;
     std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(last / 2), sorted.end());
     const double usual = sorted[last / 2], mean = (stack.height(at[last]) - stack.height(at[0])) / double(last);
+    // Find the worst gap, and the slice furthest from an even position
     std::size_t worst = 0, furthest = 0;
     const auto off = [&](std::size_t k) {
         return std::abs(stack.height(at[k]) - stack.height(at[0]) - double(k) * mean);

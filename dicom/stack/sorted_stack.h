@@ -1,5 +1,5 @@
 #pragma once
-/// Slices that share a grid, sorted along their normal, and what keeps them from being an even, upright stack.
+/// Slices that share a grid, sorted along their normal, and the reasons why they are not an even, upright stack.
 
 #include <string>
 #include <utility>
@@ -16,7 +16,7 @@ inline constexpr double kDriftTolerance = 1e-4;
 /// One stack of slices that share a grid, sorted.
 class SortedStack {
   public:
-    /// At least one slice, all with geometry; they must outlive this.
+    /// Sorts `slices`: at least one, all with geometry; they must outlive this.
     explicit SortedStack(const std::vector<SlicePlane>& slices);
 
     const std::vector<int>& order() const { return order_; }
@@ -26,11 +26,11 @@ class SortedStack {
     dvec3 position(int k) const { return *slices_[order_[k]].position; }
     double gap() const { return (height(count() - 1) - height(0)) / (count() - 1); }
 
-    /// How far slice k lies sideways of slice 0: along the row, along the column.
+    /// Returns how far slice k lies sideways of slice 0 [mm]: along the row, along the column.
     dvec2 drift(int k) const;
-    /// The grid of the lowest slice, with the mean distance between slices.
+    /// Returns the grid of the lowest slice, with the mean distance between slices.
     VolumeGeometry geometry() const;
-    /// How far a pixel of any slice lies at the most from that grid, for its spacing and directions [mm].
+    /// Returns the largest distance of a pixel of any slice from that grid, due to its spacing and directions [mm].
     double gridDeviationMm() const;
 
   private:
@@ -41,10 +41,10 @@ class SortedStack {
     std::vector<int> order_;
 };
 
-/// Pairs at the same position, each with the first one there.
+/// Returns pairs of slices at the same position, each with the first one there.
 std::vector<std::pair<int, int>> findSamePlace(const SortedStack& stack);
 
-/// Even, or what is wrong first: one slice, doubled heights, tilt, uneven gaps. What else is wrong is named as well.
+/// Returns `even`, or what is wrong first: one slice, doubled heights, tilt, uneven gaps. Gaps are named in addition.
 GeometryVerdict judge(const SortedStack& stack);
 
 }  // namespace pdr::dicom

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kNotedDeviationMm = 0.01;
 
-/// The verdict on slices that cannot share a grid; empty reason if they can.
+/// Returns the verdict on slices that cannot share a grid; the reason is empty if they can.
 GeometryVerdict judgeAgreement(const std::vector<SlicePlane>& slices) {
     const SlicePlane& first = slices.front();
     for (const SlicePlane& slice : slices) {
@@ -54,10 +54,12 @@ StackAnalysis analyseStack(const std::vector<SlicePlane>& slices) {
     if (!std::all_of(slices.begin(), slices.end(),
                      [](const SlicePlane& slice) { return missingGeometry(slice).empty(); }))
         return analysis;
+    // Sort the slices along their normal
     const SortedStack stack(slices);
     analysis.order = stack.order();
     if (!analysis.verdict.loadable())
         return analysis;
+    // Judge an agreeing stack, and note small deviations
     analysis.samePlace = findSamePlace(stack);
     analysis.verdict = judge(stack);
     if (!analysis.verdict.loadable())

@@ -1,5 +1,5 @@
 #pragma once
-/// From where the slices lie to what they are as a stack. Pure geometry: knows no file, no tag, no pixel.
+/// Judges slices as a stack, from their positions. Pure geometry: independent of files, tags and pixels.
 ///   lengths  millimetres, patient space LPS        normal  row direction x column direction
 ///
 /// Tolerances, and why:
@@ -20,23 +20,23 @@ namespace pdr::dicom {
 
 struct StackAnalysis {
     GeometryVerdict verdict;
-    /// Indices of the slices, ascending along the normal of the first; as given where one has no geometry.
+    /// Indices of the slices, ascending along the normal of the first; in the order given if one has no geometry.
     std::vector<int> order;
-    /// Complete for Stack::even; otherwise only `size`, and that only where the slices agree on it.
+    /// Complete for Stack::even; otherwise only `size` is set, if the slices agree on it.
     VolumeGeometry geometry;
-    /// Pairs at the same position (each with the first one there): copies, or two different pictures.
+    /// Pairs at the same position (each with the first one there): copies, or two different images.
     std::vector<std::pair<int, int>> samePlace;
 };
 
-/// `slices` holds at least one.
+/// Judges `slices`, of which there must be at least one.
 StackAnalysis analyseStack(const std::vector<SlicePlane>& slices);
 
-/// Whether two even stacks of one series are pieces of one: parallel, and the one goes on where the other ends or fills
-/// its gaps. Two pictures of the same place are not.
+/// Returns whether two even stacks of one series are pieces of one: parallel, and one continues where the other ends or
+/// fills its gaps. Two images of the same place are not.
 bool continues(const VolumeGeometry& a, const VolumeGeometry& b);
 
-/// Parts slices of one series into those that can share a grid (sameGrid).
-/// Parts with one slice only are gathered in one last part. Indices, in the order given.
+/// Splits the slices of one series into parts that can share a grid (sameGrid). Parts with one slice only are gathered
+/// in one last part. Returns indices, in the order given.
 std::vector<std::vector<int>> splitByGrid(const std::vector<SlicePlane>& slices);
 
 }  // namespace pdr::dicom

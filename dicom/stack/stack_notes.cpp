@@ -53,7 +53,7 @@ void noteLoss(const Slices& slices, std::vector<Note>& notes) {
                          lossy, how)});
 }
 
-/// Slices whose numbers count on along the stack, as scanners number them.
+/// Returns whether the slices' numbers count on along the stack, as scanners number them.
 bool areNumberedInOrder(const Slices& slices) {
     int steps = 0;
     for (std::size_t k = 1; k < slices.size(); ++k) {
@@ -64,7 +64,7 @@ bool areNumberedInOrder(const Slices& slices) {
     return slices.size() > 1 && 10 * std::size_t(steps) >= 9 * (slices.size() - 1);
 }
 
-/// Positions cannot tell of a slice that is missing at an end; its number can.
+/// Notes that slices may be missing. Positions cannot show that a slice is missing at an end; its number can.
 void noteMissingNumbers(const Slices& slices, const std::set<int>& numbers, std::vector<Note>& notes) {
     if (!areNumberedInOrder(slices) || *numbers.rbegin() < 1)
         return;

@@ -1,5 +1,5 @@
 #pragma once
-/// What a user should know about slices that load all the same.
+/// Notes for the user about slices that can be loaded all the same.
 
 #include <filesystem>
 #include <set>
@@ -10,14 +10,14 @@
 
 namespace pdr::dicom {
 
-/// `slices` of one even stack, ascending along its normal. `numbers`: the instance numbers of all files of the series,
-/// whatever became of them.
+/// Returns notes on the `slices` of one even stack, ascending along its normal. `numbers`: the instance numbers of all
+/// files of the series, usable or not.
 std::vector<Note> notesOn(const std::vector<const SliceHeader*>& slices, const std::set<int>& numbers);
 
-/// "a.dcm, b.dcm, c.dcm ...": the first three, and a sign that there are more.
+/// Joins names: "a.dcm, b.dcm, c.dcm ...": the first three, and a sign that there are more.
 std::string listed(const std::vector<std::string>& names);
 
-/// The name of `file` as seen from `root`.
+/// Returns the name of `file` as seen from `root`.
 std::string shortName(const std::filesystem::path& file, const std::filesystem::path& root);
 
 }  // namespace pdr::dicom

@@ -22,13 +22,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What all files of the series share.
+/// The data that all files of the series share.
 struct SeriesIdentity {
     std::string studyUid, seriesUid, frameOfReferenceUid;
     std::string date, time;
 };
 
-/// A random UUID as a UID. The toolkit's own ones carry the address of the network card.
+/// Returns a random UUID as a UID. The toolkit's own UIDs carry the address of the network card.
 std::string newUid() {
     static thread_local std::random_device random;
     OFUUID::BinaryRepresentation bytes{};
@@ -51,7 +51,7 @@ SeriesIdentity newIdentity() {
     return {newUid(), newUid(), newUid(), date, time};
 }
 
-/// A decimal string: as many digits as 16 characters hold.
+/// Returns a decimal string with as many digits as 16 characters hold.
 std::string decimal(double value) {
     char text[40];
     for (int digits = 16; digits > 0; --digits) {
@@ -69,7 +69,7 @@ void put(DcmItem& item, const DcmTagKey& tag, const std::string& value) {
     item.putAndInsertString(tag, value.c_str());
 }
 
-/// A slice lies at right angles to the step between slices; anything else has no honest place in these files.
+/// Returns whether slices lie at right angles to the step between them; these files can represent nothing else.
 bool isUpright(const VolumeGeometry& geometry) {
     const dvec3 row = glm::normalize(dvec3(geometry.patientFromIndex[0]));
     const dvec3 column = glm::normalize(dvec3(geometry.patientFromIndex[1]));
@@ -158,7 +158,7 @@ std::optional<Error> writeSlice(const Volume& volume, const ExportFacts& facts, 
     putImage(data, facts, identity, k);
     putPlane(data, volume.geometry(), k);
     bool written = putPixels(data, volume, k) && content.saveFile(file.c_str(), EXS_LittleEndianExplicit).good();
-    // The toolkit does not look at what closing the file said: a full disk shows in the size.
+    // The toolkit ignores errors when it closes the file: a full disk shows in the size.
     std::error_code failure;
     const std::uintmax_t pixelBytes = 2 * std::uintmax_t(volume.size().x) * std::uintmax_t(volume.size().y);
     written = written && fs::file_size(file, failure) > pixelBytes && !failure;
@@ -195,7 +195,7 @@ std::optional<Error> refuse(const Volume& volume, const fs::path& folder) {
     return {};
 }
 
-/// A new folder beside `place`, with a name that nobody else has. What was not made here is never taken away.
+/// Makes a new folder beside `place`, with a unique name. Only folders that were made here are ever removed.
 std::optional<fs::path> makePartial(const fs::path& place, std::error_code& failure) {
     std::random_device random;
     if (!fs::exists(place.parent_path(), failure))

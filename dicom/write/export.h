@@ -10,18 +10,18 @@
 
 namespace pdr::dicom {
 
-/// What the files say about themselves. Never real patient data.
+/// The facts that the files state about themselves. Never real patient data.
 struct ExportFacts {
     std::string patientName;  ///< DICOM person name, "Family^Given"
     std::string patientId;
     std::string studyDescription;
     std::string seriesDescription;
-    std::string derivation;  ///< where the voxels come from, in a sentence
-    std::string bodyPart{};  ///< one that is no pair, as DICOM calls it: "HEAD"; empty: not known
+    std::string derivation;  ///< origin of the voxels, in a sentence
+    std::string bodyPart{};  ///< unpaired body part as DICOM calls it: "HEAD"; empty: not known
 };
 
-/// Creates `folder` (which must not hold files) and writes size.z files into it. Written beside and renamed into place:
-/// after an error nothing half-written is left.
+/// Creates `folder` (which must not hold files) and writes size.z files into it. They are written beside it and renamed
+/// into place: after an error nothing half-written is left.
 Result<void> writeSeries(const Volume& volume, const ExportFacts& facts, const std::filesystem::path& folder,
                          const Progress& progress);
 

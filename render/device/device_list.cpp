@@ -14,7 +14,7 @@ namespace pdr {
 namespace {
 
 #if !defined(PDR_HAS_CUDA)
-/// What there is without a CUDA compiler.
+/// Returns the error of a program that was built without a CUDA compiler.
 Error withoutCuda() {
     return {phrase("this program was built without CUDA"), "cuda",
             phrase("Render on the CPU, or build it where the CUDA Toolkit is."), ErrorKind::refused};
@@ -27,7 +27,7 @@ Result<std::unique_ptr<Device>> makeCudaDevice(int) {
 }
 #endif
 
-/// Number of the GPU in "cuda" or "cuda:1"; nothing where `name` is something else.
+/// Returns the number of the GPU in "cuda" or "cuda:1"; none if `name` is something else.
 std::optional<int> cudaIndex(const std::string& name) {
     if (name == "cuda")
         return 0;

@@ -10,17 +10,17 @@
 
 namespace pdr {
 
-/// The CPU first, then its GPUs. `name` is what openDevice() takes.
+/// Returns the CPU first, then the GPUs of this machine. `name` is what openDevice() takes.
 std::vector<DeviceInfo> devicesHere();
 
-/// "cpu"; "cuda", the first GPU of NVIDIA's, or "cuda:1", the second; "auto": a GPU where there is one that works, else
-/// the CPU; "emulated", a GPU emulated on the CPU, slow, for tests and prices; "lockstep", the same whose warps go in
-/// step, slower still. `threads`: of the CPU; 0 = one per core. `told` hears why "auto" is the CPU although there is a
-/// GPU. Errors: no such device, with the reason why there is none.
+/// Opens a device: "cpu"; "cuda", the first NVIDIA GPU, or "cuda:1", the second; "auto": a GPU if there is one that
+/// works, else the CPU; "emulated", a GPU emulated on the CPU, slow, for tests and measurements; "lockstep", an
+/// emulated GPU whose warps run in lockstep, slower still. `threads`: threads of the CPU; 0 = one per core. `told` gets
+/// the reason why "auto" is the CPU although there is a GPU. Errors: no such device, with the reason why there is none.
 Result<std::unique_ptr<Device>> openDevice(const std::string& name, int threads = 0, const WhySpare& told = {});
 
-/// As openDevice(), for programs that nobody watches: "auto" goes on on the CPU where the GPU turns out to be too old,
-/// too full or broken, and `told` hears why. A computer without a GPU is nothing to tell.
+/// Opens a device like openDevice(), for programs that run unattended: "auto" continues on the CPU if the GPU turns out
+/// to be too old, too full or broken, and `told` gets the reason. A computer without a GPU is not reported.
 Result<std::unique_ptr<Device>> openDeviceToTheEnd(const std::string& name, int threads, const WhySpare& told);
 
 }  // namespace pdr

@@ -1,5 +1,5 @@
 #pragma once
-/// A GPU as a Device.
+/// Implements Device for any Gpu.
 
 #include <utility>
 
@@ -14,7 +14,7 @@ namespace pdr {
 template <Gpu G>
 class GpuDevice final : public Device {
   public:
-    /// `arguments`: of the GPU's constructor.
+    /// Makes the device; `arguments` go to the GPU's constructor.
     template <class... Arguments>
     explicit GpuDevice(DeviceInfo info, Arguments&&... arguments)
         : info_(std::move(info)), gpu_(std::forward<Arguments>(arguments)...), scene_(gpu_), tile_(gpu_, scene_) {}

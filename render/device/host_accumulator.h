@@ -1,5 +1,5 @@
 #pragma once
-/// A film that lies on the host; nothing goes on behind. How it gets its samples is left to those who derive from it.
+/// A film on the host that works synchronously. Derived classes define how it gets its samples.
 
 #include <deque>
 #include <memory>

@@ -36,12 +36,12 @@ class SpareDevice final : public Device {
         return device_->guide(finer, stop);
     }
 
-    /// Whether the spare device has the scene now. False: it cannot, or need not, do what failed.
+    /// Returns whether the spare device has the scene now. False: it cannot, or need not, do what failed.
     bool takeOver(const Error& error);
     Device& device() { return *device_; }
 
   private:
-    std::unique_ptr<Device> failed_;  ///< outlives its films
+    std::unique_ptr<Device> failed_;  ///< kept, since it must outlive its films
     std::unique_ptr<Device> device_;
     Spare spare_;
     WhySpare told_;
@@ -91,7 +91,7 @@ class SpareFilm final : public Accumulator {
     }
 
   private:
-    /// Whether there is an empty film on the spare device now.
+    /// Returns whether there is now an empty film on the spare device.
     bool beginAnew(const Error& error, const Tile& area) {
         if (!device_.takeOver(error))
             return false;
@@ -132,7 +132,7 @@ Result<std::unique_ptr<Accumulator>> SpareDevice::film(const Tile& area, std::ui
     return std::unique_ptr<Accumulator>(std::make_unique<SpareFilm>(*this, *std::move(film), revision, schedule));
 }
 
-/// What a launch that failed has left of the sums is not known: until one has gone well, they are kept.
+/// Saves the sums until a launch has succeeded, since it is unknown what a failed launch leaves of them.
 Result<void> SpareDevice::trace(const Tile& tile, SampleRange samples, TileSums sums, const std::stop_token& stop) {
     std::vector<PixelSums> before;
     const Health health = *sums.health;

@@ -1,5 +1,5 @@
 #pragma once
-/// A device whose work another one takes over where it fails: too old for this program, too full, or broken.
+/// A device that another one replaces if it fails: too old for this program, too full, or broken.
 
 #include <functional>
 #include <memory>
@@ -8,14 +8,14 @@
 
 namespace pdr {
 
-/// What makes the device that takes over.
+/// A function that makes the device that takes over.
 using Spare = std::function<Result<std::unique_ptr<Device>>()>;
-/// Is told, once, why the other one took over.
+/// A function that is called once with the reason why the other device took over.
 using WhySpare = std::function<void(const Error&)>;
 
-/// `first`, until it fails at an upload, at a film, at samples; then what `spare` makes, for good. Films go over, too,
-/// and begin anew: Accumulator::extend() says so. What is refused or cancelled is passed on, and so is a failure of a
-/// film's accumulate() that has samples, or of its pictures.
+/// Returns a device that uses `first` until it fails at an upload, a film or samples, and from then on what `spare`
+/// makes. Films move as well and begin anew, which Accumulator::extend() reports. Refused and cancelled requests are
+/// passed on as errors; so are failures of accumulate() on a film that has samples, and failures of its images.
 std::unique_ptr<Device> withSpare(std::unique_ptr<Device> first, Spare spare, WhySpare told);
 
 }  // namespace pdr

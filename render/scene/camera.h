@@ -10,20 +10,20 @@ struct Camera {
     enum class Type { perspective, orthographic };
 
     Type type = Type::perspective;
-    dvec3 eyeMm{0, -1000, 0};  ///< each in [-1e15, 1e15]
-    dvec3 targetMm{0, 0, 0};   ///< each in [-1e15, 1e15]; at least 1e-12 mm from the eye
-    dvec3 up{0, 0, 1};         ///< any length but 0; not along the view
+    dvec3 eyeMm{0, -1000, 0};  ///< position of the eye; each coordinate in [-1e15, 1e15]
+    dvec3 targetMm{0, 0, 0};   ///< point in the image's middle; each in [-1e15, 1e15]; at least 1e-12 mm from the eye
+    dvec3 up{0, 0, 1};         ///< upward direction; any length but 0; not along the view
     double fovDegrees = 35;    ///< perspective: vertical field of view; [1e-12, 180)
-    double heightMm = 300;     ///< orthographic: height of what is seen; [1e-12, 1e9]
+    double heightMm = 300;     ///< orthographic: height of the visible area; [1e-12, 1e9]
     double apertureMm = 0;     ///< lens diameter; [0, 200]; 0 = pinhole
-    double focusMm = 0;        ///< distance of the sharp plane from the eye; [1e-12, 1e9]; 0 = the target's
+    double focusMm = 0;        ///< distance of the sharp plane from the eye; [1e-12, 1e9]; 0 = the target's distance
 
-    double focusDistanceMm() const;  ///< focusMm, or else the target's distance
-    double heightInFocusMm() const;  ///< of what is seen, in the sharp plane
+    double focusDistanceMm() const;  ///< focusMm, or the target's distance if focusMm is 0
+    double heightInFocusMm() const;  ///< height of the visible area in the sharp plane
 
-    dvec3 forward() const;  ///< unit
-    dvec3 right() const;    ///< unit; the image's x
-    dvec3 imageUp() const;  ///< unit; against the image's y
+    dvec3 forward() const;  ///< unit vector from the eye to the target
+    dvec3 right() const;    ///< unit vector along the image's x axis
+    dvec3 imageUp() const;  ///< unit vector against the image's y axis
 
     Result<void> check() const;
     bool operator==(const Camera&) const = default;
@@ -32,8 +32,8 @@ struct Camera {
 /// The six anatomical views, named after the side one looks from.
 enum class StandardView { anterior, posterior, left, right, superior, inferior };
 
-/// A perspective camera on that side, far enough to see a sphere of `radiusMm` about `centreMm` in an image `aspect` =
-/// width / height.
+/// Returns a perspective camera on that side, far enough away that a sphere of radius `radiusMm` about `centreMm` fits
+/// into an image with `aspect` = width / height.
 Camera standardView(StandardView view, dvec3 centreMm, double radiusMm, double aspect);
 
 }  // namespace pdr

@@ -1,5 +1,5 @@
 #pragma once
-/// What is cut away of the volume, in patient space (LPS, mm).
+/// The part of the volume that is cut away, in patient space (LPS, mm).
 
 #include <optional>
 #include <string>
@@ -12,55 +12,55 @@
 
 namespace pdr {
 
-/// Only what lies between the two corners stays.
+/// A box along the patient's axes; everything outside it is cut away.
 struct ClipBox {
     dvec3 lowMm{0}, highMm{0};  ///< each in [-1e9, 1e9]; low < high along every axis
     bool operator==(const ClipBox&) const = default;
 };
 
-/// The smallest one around all voxels, their extents included.
+/// Returns the smallest box that contains all voxels, including their extents.
 ClipBox boxAround(const VolumeGeometry& volume);
 
-/// All on the side of the normal is cut away.
+/// A plane; everything on the side that its normal points to is cut away.
 struct ClipPlane {
-    dvec3 pointMm{0};        ///< on the plane; each in [-1e9, 1e9]
+    dvec3 pointMm{0};        ///< a point of the plane; each coordinate in [-1e9, 1e9]
     dvec3 normal{0, -1, 0};  ///< any length but 0
     bool operator==(const ClipPlane&) const = default;
 };
 
-/// Planes that can be added by hand; a file may hold more.
+/// Largest number of planes that a user can add; a file may hold more.
 inline constexpr std::size_t kMostPlanes = 8;
 
-/// A point of a picture, in fractions of its height from its middle.
+/// A point of an image, relative to the image's middle, in units of the image's height.
 struct PicturePoint {
-    double x = 0, y = 0;  ///< to the right and downwards; each in [-1000, 1000]
+    double x = 0, y = 0;  ///< x to the right, y downwards; each in [-1000, 1000]
     bool operator==(const PicturePoint&) const = default;
 };
 
-/// A line drawn on a picture cuts along the view: a cone of what lies behind it, or in a parallel view a prism.
+/// A cut along the view through a closed line drawn on an image: a cone behind the line, or a prism in a parallel view.
 struct FreehandCut {
-    Camera camera;                      ///< of the picture; its lens does not count
-    std::vector<PicturePoint> outline;  ///< the line's corners, three at least; from the last it goes back to the first
-    bool keepInside = false;            ///< else what is inside is cut away
+    Camera camera;                      ///< camera of the image that the line was drawn on; its lens is ignored
+    std::vector<PicturePoint> outline;  ///< corners of the line, at least three; it returns from the last to the first
+    bool keepInside = false;  ///< true: what lies behind the inside stays, all else is cut away; false: the reverse
     bool operator==(const FreehandCut&) const = default;
 };
 
 struct Clip {
     std::optional<ClipBox> box;
     std::vector<ClipPlane> planes;
-    bool shadows = false;  ///< whether what box and planes cut away still throws its shadow
+    bool shadows = false;  ///< whether tissue that box and planes cut away still casts shadows
     std::vector<FreehandCut> freehand;
 
     bool empty() const { return !box && planes.empty() && freehand.empty(); }
-    /// The box's sides and the planes.
+    /// Returns the sides of the box and the planes in one list.
     std::vector<ClipPlane> allPlanes() const;
-    /// Those of them that cut something away of a volume; the others leave all of it.
+    /// Returns those of allPlanes() that cut something away of `volume`.
     std::vector<ClipPlane> planesThrough(const VolumeGeometry& volume) const;
     Result<void> check() const;
     bool operator==(const Clip&) const = default;
 };
 
-/// "box, 2 planes, 1 freehand"; empty: nothing is cut.
+/// Describes the cut in short: "box, 2 planes, 1 freehand"; empty if nothing is cut.
 std::string cutText(const Clip& clip);
 
 }  // namespace pdr

@@ -15,7 +15,7 @@ class FieldCheck {
     static constexpr bool kBranches = false;
     static constexpr bool kReads = false;
 
-    /// The first field out of its range, with its path below `path`: "nodes[3].hu".
+    /// Returns an error for the first field out of its range, with the field's path below `path`: "nodes[3].hu".
     template <class T>
     static Result<void> check(T value, const std::string& path = "") {
         FieldCheck check(path);

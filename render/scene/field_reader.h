@@ -1,5 +1,5 @@
 #pragma once
-/// Reads described structs from JSON objects (field.h). What is absent and not required stays as it is.
+/// Reads described structs (field.h) from JSON objects. Fields that are absent and not required keep their value.
 
 #include <optional>
 #include <vector>
@@ -14,7 +14,7 @@ class FieldReader {
     static constexpr bool kBranches = false;
     static constexpr bool kReads = true;
 
-    /// `fields` must outlive it. All verbs throw FieldError.
+    /// Creates a reader of `fields`, which must outlive it. All visits throw FieldError.
     explicit FieldReader(JsonFields& fields) : fields_(fields) {}
 
     template <class T>
@@ -53,7 +53,7 @@ class FieldReader {
             read(one, values.emplace_back());
     }
 
-    /// All fields of `value`, and no others.
+    /// Reads all fields of `value`; throws FieldError if the object holds any other field.
     template <class T>
     static void read(JsonFields fields, T& value) {
         FieldReader reader(fields);

@@ -1,5 +1,5 @@
 #pragma once
-/// The manual's table of a described struct (field.h), in Markdown.
+/// Makes the manual's table of a described struct (field.h), in Markdown.
 
 #include <optional>
 #include <string>
@@ -14,7 +14,7 @@ class FieldTable {
     static constexpr bool kBranches = true;
     static constexpr bool kReads = false;
 
-    /// Of the fields of a fresh T: name, meaning, range and default; "-" where it must be there.
+    /// Returns the table of a new T's fields: name, meaning, range and default; "-" as the default of a required field.
     template <class T>
     static std::string of(T fresh = {}) {
         FieldTable table;

@@ -1,6 +1,6 @@
 #pragma once
-/// Writes described structs as JSON objects (field.h), so that what is read again is the same to the bit. Numbers of
-/// single precision are written with as few digits as tell them apart.
+/// Writes described structs (field.h) as JSON objects; reading them again gives equal values, to the bit. Numbers of
+/// single precision are written with the fewest digits that identify them.
 
 #include <charconv>
 #include <nlohmann/json.hpp>
@@ -13,7 +13,7 @@
 
 namespace pdr {
 
-/// `fields` as the text of a file of that format, version 1, for readJson().
+/// Returns `fields` as the text of a file of that format, version 1, for readJson().
 std::string jsonText(std::string_view format, const nlohmann::ordered_json& fields);
 
 class FieldWriter {
@@ -25,7 +25,7 @@ class FieldWriter {
     void operator()(const Field& field, const T& value) {
         object_[std::string(field.name)] = json(value);
     }
-    /// An empty text is none: files do not hold it.
+    /// Writes a text; an empty one counts as absent and is left out unless the field is required.
     void operator()(const Field& field, const std::string& value) {
         if (!value.empty() || field.required)
             object_[std::string(field.name)] = value;

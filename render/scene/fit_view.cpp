@@ -8,7 +8,7 @@
 namespace pdr {
 namespace {
 
-/// The corners of the box of all voxels, voxel extents included [mm].
+/// Returns the corners of the box of all voxels, voxel extents included [mm].
 std::vector<dvec3> cornersMm(const VolumeGeometry& geometry) {
     std::vector<dvec3> corners;
     for (int i = 0; i < 8; ++i) {
@@ -37,7 +37,7 @@ Camera nearest(const Camera& camera, const std::vector<dvec3>& places, double as
     return result;
 }
 
-/// Of a slab's other edges: below, what is seen from beside it is a bar.
+/// Largest thickness of a slab, relative to its other edges; seen from the side, a thinner volume is only a bar.
 constexpr double kThin = 1.0 / 3;
 
 }  // namespace

@@ -17,7 +17,7 @@ std::string listed(const std::set<std::string, std::less<>>& names) {
     return line;
 }
 
-/// Refuses a field that is written twice in one object; the parser would keep the last one without a word.
+/// Refuses a field that is written twice in one object; the parser would silently keep the last one.
 class TwinGuard {
   public:
     bool operator()(int, json::parse_event_t event, json& parsed) {
@@ -35,11 +35,11 @@ class TwinGuard {
     std::vector<std::set<std::string>> open_;
 };
 
-constexpr int kDeepest = 64;                    ///< lists and objects in one another; a scene has six
-constexpr std::size_t kMostValues = 1'000'000;  ///< a curve of 4096 nodes with all their fields has 60,000
+constexpr int kDeepest = 64;                    ///< largest depth of nested lists and objects; a scene has six
+constexpr std::size_t kMostValues = 1'000'000;  ///< largest number; 4096 nodes with all their fields have 60,000
 
-/// What would take the parser long or much memory, counted without it: brackets and commas outside texts. Errors in the
-/// grammar are left to the parser.
+/// Refuses text that would cost the parser much time or memory. Counts brackets and commas outside strings, without
+/// parsing; errors of syntax are left to the parser.
 Result<void> checkAmount(std::string_view text) {
     int depth = 0;
     std::size_t values = 0;
@@ -62,7 +62,7 @@ Result<void> checkAmount(std::string_view text) {
     return {};
 }
 
-/// The parser's message without its own name and number in front: "parse error at line 3, column 5: ...".
+/// Returns the parser's message without its own name and number in front: "parse error at line 3, column 5: ...".
 std::string parserMessage(const json::exception& failure) {
     const std::string message = failure.what();
     const std::size_t end = message.find("] ");

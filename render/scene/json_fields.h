@@ -1,8 +1,8 @@
 #pragma once
-/// Reads JSON objects field by field and strictly: a field that is missing, of another kind, unknown or written twice
-/// is an error that names its path ("lights[1].radiance"). Ranges are not its business; the values check themselves.
+/// Reads JSON objects strictly, field by field: a field that is missing, of the wrong kind, unknown or written twice is
+/// an error that names its path ("lights[1].radiance"). Ranges are not checked here; the values check themselves.
 ///
-/// Inside, errors travel as FieldError and are caught where the file was opened: readJson().
+/// Errors are thrown as FieldError; readJson() and readForeignJson() catch them.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -26,15 +26,15 @@ struct FieldError {
 
 class JsonFields {
   public:
-    /// `value` must outlive this. Throws when it is no object.
+    /// Reads from `value`, which must outlive this. Throws FieldError if it is not an object.
     JsonFields(const nlohmann::json& value, std::string path);
 
     const std::string& path() const { return path_; }
     bool has(std::string_view name);
-    /// "lights[1].radiance" for the field `radiance` of the object at "lights[1]".
+    /// Returns the path of a field: "lights[1].radiance" for the field `radiance` of the object at "lights[1]".
     std::string pathOf(std::string_view name) const;
 
-    // Each reads a field that must be there into `value`.
+    // Each of these reads a field that must be present into `value`.
     void required(std::string_view name, double& value);
     void required(std::string_view name, float& value);
     void required(std::string_view name, int& value);
@@ -46,7 +46,7 @@ class JsonFields {
     void required(std::string_view name, vec3& value);   ///< a colour: [r, g, b], or one number for all three
     void required(std::string_view name, std::pair<int, int>& value);
 
-    /// One of a few words.
+    /// Reads a field that holds one of a few words.
     template <class T, std::size_t N>
     void required(std::string_view name, T& value, const Words<T, N>& words) {
         std::vector<std::string_view> known;
@@ -58,7 +58,7 @@ class JsonFields {
     JsonFields object(std::string_view name);
     std::vector<JsonFields> objects(std::string_view name);
 
-    /// Call last: throws when the object holds a field that was never asked for.
+    /// Throws FieldError if the object holds a field that was never asked for. Must be called last.
     void finish() const;
     [[noreturn]] void fail(std::string_view name, const Text& what, const Text& hint = {}) const;
 
@@ -69,16 +69,16 @@ class JsonFields {
 
     const nlohmann::json* value_;
     std::string path_;
-    std::set<std::string, std::less<>> known_;  ///< every field that was asked for
+    std::set<std::string, std::less<>> known_;  ///< all fields that were asked for
 };
 
-/// Refuses texts of more than 64 lists and objects in one another or a million values before they are parsed. Then
-/// parses `text`, checks "format" and "version" (1), and hands the rest to `read`. What is thrown there, and what is no
-/// JSON, becomes an error with `where` put before the field.
+/// Parses `text`, checks "format" and "version" (1), and passes the other fields to `read`. Refuses texts with more
+/// than 64 nested lists and objects or more than a million values before parsing. Errors that `read` throws, and
+/// invalid JSON, are returned as an error with `where` put before the field.
 Result<void> readJson(std::string_view text, std::string_view where, std::string_view format,
                       const std::function<void(JsonFields&)>& read);
-/// The same of files that others define: there is no format or version to check, and fields that are never asked for
-/// are left alone.
+/// Parses `text` like readJson(), for file formats that others define: no format or version is checked, and fields that
+/// are never asked for are ignored.
 Result<void> readForeignJson(std::string_view text, std::string_view where,
                              const std::function<void(JsonFields&)>& read);
 

@@ -8,7 +8,7 @@
 namespace pdr {
 namespace {
 
-/// Turns `a` into the direction of `b`, both unit, on the shortest way.
+/// The shortest rotation from direction `a` to direction `b`, both unit vectors.
 struct Turn {
     dvec3 axis;
     double angle;
@@ -17,7 +17,7 @@ struct Turn {
 Turn turnBetween(dvec3 a, dvec3 b) {
     dvec3 axis = glm::cross(a, b);
     const double angle = std::atan2(glm::length(axis), glm::dot(a, b));
-    if (glm::length(axis) < 1e-12)  // any axis across will do
+    if (glm::length(axis) < 1e-12)  // parallel: any perpendicular axis will do
         axis = glm::cross(a, std::abs(a.x) < 0.9 ? dvec3(1, 0, 0) : dvec3(0, 1, 0));
     return {glm::normalize(axis), angle};
 }

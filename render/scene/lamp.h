@@ -1,5 +1,5 @@
 #pragma once
-/// The panels of a rig that bear one name are one lamp: they are moved, dimmed and enlarged together.
+/// Lamps of a light rig. Panels with the same name form one lamp: they are moved, dimmed and enlarged together.
 
 #include <string>
 #include <vector>
@@ -10,22 +10,22 @@ namespace pdr {
 
 struct Lamp {
     std::string name;
-    dvec3 from;         ///< where it stands: unit, the axes of RigPanel::from; of several panels the mean
-    double irradiance;  ///< that it brings to a plane at the volume's centre that faces it; luminance
-    double edge;        ///< of its first panel [radii of the volume]
-    vec3 colour;        ///< likewise
+    dvec3 from;         ///< direction of the lamp, unit, in the axes of RigPanel::from; the mean of its panels
+    double irradiance;  ///< irradiance on a plane at the volume's centre that faces the lamp; luminance
+    double edge;        ///< edge of its first panel [radii of the volume]
+    vec3 colour;        ///< colour of its first panel
 };
 
-/// In the order in which they come first in the rig.
+/// Returns the lamps of `rig` in the order of their first panels.
 std::vector<Lamp> lampsOf(const LightRig& rig);
 
-// All of these leave a rig without such a lamp as it is.
+// All of these return the rig unchanged if it has no lamp of that name.
 
-/// The lamp at `from`, of any length but 0; its panels stand to each other as before.
+/// Moves a lamp to `from`, of any length but 0; its panels keep their relative positions.
 LightRig withLampFrom(LightRig rig, const std::string& name, dvec3 from);
-/// The lamp with that irradiance, >= 0; a dark one gets it from all its panels alike.
+/// Scales a lamp to that irradiance, >= 0; if it was dark, all its panels get the same radiance.
 LightRig withLampStrength(LightRig rig, const std::string& name, double irradiance);
-/// Its panels with that edge [radii of the volume], > 0, and as strong as before.
+/// Sets the edge of a lamp's panels [radii of the volume], > 0, and keeps their irradiance.
 LightRig withLampEdge(LightRig rig, const std::string& name, double edge);
 
 }  // namespace pdr

@@ -1,5 +1,5 @@
 #pragma once
-/// How tissue looks, whoever's it is: independent of the patient, the view and the size of the picture.
+/// The appearance of tissue, independent of the patient, the view and the size of the image.
 
 #include "render/film/display.h"
 #include "render/scene/light_rig.h"
@@ -9,8 +9,8 @@ namespace pdr {
 
 struct Look {
     TransferFunction transferFunction;
-    float phaseG = 0;          ///< as in Scene
-    float gradientFactor = 0;  ///< likewise
+    float phaseG = 0;          ///< as Scene::phaseG
+    float gradientFactor = 0;  ///< as Scene::gradientFactor
     HuWindow window;
     LightRig rig;
     Environment environment{vec3(0.1f), false};
@@ -19,11 +19,11 @@ struct Look {
     bool operator==(const Look&) const = default;
 };
 
-/// The ranges of all that it holds, with the field's name in `where`.
+/// Checks the ranges of all members; `where` of an error is the field's name.
 Result<void> check(const Look& look);
 
-/// `scene` with that look. What it takes from `scene` is the volume, which must be there, and the camera: they say
-/// where the lights stand.
+/// Returns `scene` with that look. The lights are placed by the volume of `scene`, which must not be null, and by its
+/// camera.
 Scene withLook(Scene scene, const Look& look);
 
 }  // namespace pdr

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kFormat = "pdrender-look";
 constexpr double kTrunkMm = 260, kLungMl = 500, kMetalMl = 1;
-constexpr float kSoftHu = 60, kDenseHu = 1500;  ///< what contrast moves lies between
+constexpr float kSoftHu = 60, kDenseHu = 1500;  ///< contrast agent moves only values between these
 
 Result<void> check(const NamedLook& named) {
     if (auto ok = FieldCheck::check(named); !ok)
@@ -23,7 +23,7 @@ Result<void> check(const NamedLook& named) {
     return check(named.look);
 }
 
-/// Where `hu` lies when blood lies at `wanted` instead of `drawn`: piecewise linear and ascending.
+/// Returns the new place of `hu` if blood lies at `wanted` instead of `drawn`: piecewise linear and ascending.
 float moved(float hu, float drawn, float wanted) {
     if (hu <= kSoftHu || hu >= kDenseHu)
         return hu;
@@ -32,7 +32,7 @@ float moved(float hu, float drawn, float wanted) {
     return kDenseHu - (kDenseHu - hu) * (kDenseHu - wanted) / (kDenseHu - drawn);
 }
 
-/// Away from the patient's middle, towards what is cut away: front, left, head.
+/// Returns the direction from the patient's middle towards what is cut away: front, left or head.
 dvec3 directionOf(CutHint::Plane plane) {
     switch (plane) {
         case CutHint::Plane::coronal:
@@ -45,12 +45,12 @@ dvec3 directionOf(CutHint::Plane plane) {
     return {0, 0, 1};
 }
 
-/// `picture`: a setup or a scene.
+/// Sets model, estimator and cut of `picture`, a PictureSetup or a Scene.
 template <typename Picture>
 void takeModelAndCut(Picture& picture, const NamedLook& look, const VolumeGeometry& bodyBox) {
     picture.model = look.model;
     if (picture.model != Model::singleScattering)
-        picture.estimator = Estimator::unbiased;  // the other knows no other model
+        picture.estimator = Estimator::unbiased;  // kroesMarch supports no other model
     if (look.cut && picture.clip.empty())
         picture.clip.planes = {planeOf(*look.cut, bodyBox)};
 }
@@ -102,7 +102,7 @@ NamedLook fittedTo(NamedLook look, float bloodHu) {
 
 ClipPlane planeOf(const CutHint& cut, const VolumeGeometry& bodyBox) {
     const dvec3 away = directionOf(cut.plane);
-    double reach = 0;  // of the box from its middle
+    double reach = 0;  // half the extent of the box along `away` [mm]
     for (int axis = 0; axis < 3; ++axis)
         reach += 0.5 * bodyBox.size[axis] * std::abs(glm::dot(away, dvec3(bodyBox.patientFromIndex[axis])));
     return {bodyBox.centreMm() + away * (reach * (1 - 2 * double(cut.at))), away};

@@ -13,14 +13,14 @@ namespace {
 
 constexpr vec3 kWarm{1.12f, 0.99f, 0.80f}, kCool{0.94f, 1.00f, 1.12f}, kWhite{1, 1, 1};
 
-/// A panel whose irradiance at the centre is `share` of the rig's strength.
+/// Returns a panel whose irradiance at the centre is `share` of the rig's strength.
 RigPanel panel(const char* name, dvec3 from, double distance, double edge, double share, vec3 colour = kWhite) {
     RigPanel result{name, from, distance, edge, 1, colour};
     result.radiance = float(share / irradianceOf(result));
     return result;
 }
 
-/// One in the middle and six around it, from above the brow; together one lamp.
+/// Returns one panel in the middle and six around it, from above the brow; together they form one lamp.
 std::vector<RigPanel> operatingLamp() {
     constexpr int kAround = 6;
     constexpr double kDistance = 3.5, kEdge = 0.4, kOpening = 0.3;  // slope of the ring as seen from the centre
@@ -35,7 +35,7 @@ std::vector<RigPanel> operatingLamp() {
     return lamp;
 }
 
-/// A rig of strength 1, and the radiance from all around that goes with it.
+/// A rig of strength 1, and the radiance of the environment that goes with it.
 struct Unit {
     std::vector<RigPanel> panels;
     vec3 zenith;
@@ -68,13 +68,14 @@ Unit unitOf(NamedRig name) {
     return {};
 }
 
-/// Light from all around comes to what a panel leaves in shadow, too, so it counts as if from twice the half sphere.
+/// Returns the irradiance that an environment is worth. It also lights what a panel leaves in shadow, so it counts as
+/// if from twice the half sphere.
 double strengthOf(const Environment& environment) {
     const vec3 mean = (environment.radiance + environment.nadir.value_or(environment.radiance)) / 2.0f;
     return 2 * M_PI * luminanceOf(mean);
 }
 
-/// However strong; turned there and back.
+/// Returns whether two panels are equal but for their strength and the rounding of a rotation back and forth.
 bool standsAs(const RigPanel& panel, RigPanel other) {
     if (glm::length(glm::normalize(panel.from) - glm::normalize(other.from)) > 1e-6)
         return false;
@@ -114,8 +115,9 @@ Lighting turned(Lighting lighting, dvec2 drag, const Camera& camera) {
     lighting.rig = turned(lighting.rig, drag, camera);
     if (!lighting.environment.image)
         return lighting;
-    const double upwards = (drag.x * camera.imageUp() + drag.y * camera.right()).z;  // of the turn, in half turns
-    const double turn = lighting.environment.rotationDegrees - 180 * upwards;  // counted from the back to the left
+    // about the patient's axis, in half turns
+    const double upwards = (drag.x * camera.imageUp() + drag.y * camera.right()).z;
+    const double turn = lighting.environment.rotationDegrees - 180 * upwards;  // positive from the back to the left
     lighting.environment.rotationDegrees = std::remainder(turn, 360);
     return lighting;
 }

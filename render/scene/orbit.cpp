@@ -9,10 +9,10 @@
 namespace pdr {
 namespace {
 
-constexpr double kNearestMm = 1;     ///< the eye comes no closer to the target
-constexpr double kFarthestMm = 1e6;  ///< nor goes farther: beyond, a volume is less than a pixel
+constexpr double kNearestMm = 1;     ///< smallest distance of the eye from the target
+constexpr double kFarthestMm = 1e6;  ///< largest distance: beyond it, a volume is smaller than a pixel
 
-/// Height of what is seen at the target's depth [mm].
+/// Returns the height of the visible area at the target's depth [mm].
 double seenHeightMm(const Camera& camera) {
     if (camera.type == Camera::Type::orthographic)
         return camera.heightMm;
@@ -21,14 +21,14 @@ double seenHeightMm(const Camera& camera) {
 
 }  // namespace
 
-/// Rodrigues' formula.
+/// Applies Rodrigues' rotation formula.
 dvec3 turned(dvec3 v, dvec3 axis, double angle) {
     const double c = std::cos(angle);
     return v * c + glm::cross(axis, v) * std::sin(angle) + axis * (glm::dot(axis, v) * (1 - c));
 }
 
-/// Eye and up turn together about one axis of the image plane, so no direction is special and there is no pole. The
-/// axes are made square again each time, so rounding does not add up.
+/// Rotates eye and up vector together about one axis of the image plane, so no direction is special and there is no
+/// pole. The axes are made orthogonal again each time, so rounding errors do not add up.
 Camera orbited(const Camera& camera, dvec2 drag) {
     const double length = glm::length(drag);
     if (length == 0)
@@ -63,7 +63,7 @@ Camera zoomed(const Camera& camera, double factor) {
     const double distance = glm::length(camera.targetMm - camera.eyeMm);
     const double wanted = std::clamp(distance / factor, kNearestMm, std::max(kFarthestMm, distance));
     result.eyeMm = camera.targetMm - camera.forward() * wanted;
-    if (camera.focusMm > 0)  // what is sharp stays so
+    if (camera.focusMm > 0)  // the sharp plane stays where it is
         result.focusMm = std::max(camera.focusMm + wanted - distance, kNearestMm);
     return result;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// The size of a perspective picture.
+/// The size of a perspective image.
 
 #include <glm/trigonometric.hpp>
 
@@ -7,7 +7,7 @@
 
 namespace pdr {
 
-/// How high it is at a depth of 1, for a vertical field of view in (0, 180) degrees.
+/// Returns the visible height at a depth of 1, for a vertical field of view in (0, 180) degrees.
 inline double heightPerDepth(double fovDegrees) {
     return 2 * tangent(glm::radians(fovDegrees) / 2);
 }

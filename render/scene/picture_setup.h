@@ -1,6 +1,6 @@
 #pragma once
-/// All that a user sets up of a picture: what a document remembers and a session saves. The voxels, the window and the
-/// device are not part of it.
+/// Everything that a user sets for an image: the state that a document remembers and a session saves. The voxels, the
+/// window and the device are not part of it.
 
 #include <memory>
 #include <optional>
@@ -14,11 +14,11 @@ namespace pdr {
 
 struct PictureSetup {
     Look look;
-    std::string lookName;      ///< what the user calls it: the name of a look
-    bool lookChanged = false;  ///< it was that look, and has been changed since
-    double stops = 0;          ///< brightness against the look's; one more is twice as bright; [-64, 64]
+    std::string lookName;      ///< name of the look, as the user sees it
+    bool lookChanged = false;  ///< whether the look has been changed since it was chosen
+    double stops = 0;          ///< brightness relative to the look's; one more is twice as bright; [-64, 64]
     Camera camera;
-    std::optional<vec3> background;  ///< as in Scene
+    std::optional<vec3> background;  ///< as Scene::background
     Clip clip;
     Table table = Table::hidden;
     Model model = Model::singleScattering;
@@ -27,28 +27,28 @@ struct PictureSetup {
     bool operator==(const PictureSetup&) const = default;
 };
 
-/// The ranges of all that it holds, with the field's name in `where`.
+/// Checks the ranges of all members; `where` of an error is the field's name.
 Result<void> check(const PictureSetup& setup);
 
-/// What pictures and files say of its look, in every language of the window: "Bone", "Bone (changed)".
+/// Returns the look's title in images and files, the same in every language of the window: "Bone", "Bone (changed)".
 std::string lookTitle(const PictureSetup& setup);
-/// What the title of a changed look ends with.
+/// The ending of a changed look's title.
 inline constexpr std::string_view kChangedLook = " (changed)";
 
-/// The one place that joins a look, a camera and a volume. `volume` is not null, and the one without a table where that
-/// is hidden; `film`: pixels.
+/// Makes the scene of a setup, a volume and a film size [pixels]; the only place that joins them. `volume` must not be
+/// null; it must be the one without a table if the setup hides the table.
 Scene sceneOf(const PictureSetup& setup, std::shared_ptr<const Volume> volume, ivec2 film);
 
-/// `setup` changed so that its scene is `scene`, which is one of `setup` with some things set otherwise; none where no
-/// setup says what `scene` says.
+/// Returns `setup` changed so that its scene is `scene`, which is a scene of `setup` with some settings changed; none
+/// if no setup has this scene.
 std::optional<PictureSetup> setupOf(const Scene& scene, PictureSetup setup);
 
-/// How its pictures are shown.
+/// Returns how images of the setup are displayed.
 Display displayOf(const PictureSetup& setup);
 
 /// Reads a setup from JSON text ("format": "pdrender-session"). `where` is used in error texts.
 Result<PictureSetup> setupFromJson(std::string_view json, std::string_view where);
-/// The text that setupFromJson() reads as an equal setup, to the bit. Pictures of surroundings are not written.
+/// Returns the text that setupFromJson() reads as an equal setup, to the bit. Environment images are not written.
 std::string setupText(PictureSetup setup);
 
 }  // namespace pdr

@@ -49,7 +49,7 @@ Result<void> checkDirection(dvec3 value, const std::string& where) {
     if (value == dvec3(0))
         return Error{phrase("is no direction: it has no length"), where, ""};
     const double length = glm::length(value);
-    if (length >= 1e-100 && length <= 1e100)  // beyond, its square is no number to divide by
+    if (length >= 1e-100 && length <= 1e100)  // outside, its square is not a number to divide by
         return {};
     return Error{phrase("is no direction: its length must be from 1e-100 to 1e+100"), where, ""};
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// The range of a field, and the sentence for a value outside it.
+/// The range of a field, and the error text for a value outside it.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace pdr {
 
-/// The values a field may have. NaN and the infinities never belong to it.
+/// The values that a field may have. NaN and the infinities are always outside.
 struct Range {
     double lowest = 0;
     double highest = 0;
@@ -19,17 +19,17 @@ struct Range {
     Text text() const;  ///< "from 0 to 1e+30", "above -1 and below 1"
 };
 
-/// A number as a person would write it: "0.5", "1e+30".
+/// Formats a number as a person would write it: "0.5", "1e+30".
 std::string numberText(double value, int digits = 9);
 
-/// Success, or an error about the field `where`.
+/// Checks that `value` lies in `range`; an error names the field `where`.
 Result<void> checkRange(double value, const Range& range, const std::string& where);
-/// The same for each of three channels or coordinates.
+/// Checks each of three channels or coordinates; an error names the field `where`.
 Result<void> checkRange(dvec3 value, const Range& range, const std::string& where);
-/// Three finite numbers, and a length from 1e-100 to 1e100.
+/// Checks that `value` is a direction: three finite numbers, and a length from 1e-100 to 1e100.
 Result<void> checkDirection(dvec3 value, const std::string& where);
 
-/// `error` with its field's name put below `parent`: "lights[1]" and "radiance" become "lights[1].radiance".
+/// Returns `error` with its field's name put below `parent`: "lights[1]" and "radiance" become "lights[1].radiance".
 Error below(const std::string& parent, Error error);
 
 }  // namespace pdr

@@ -17,7 +17,7 @@ namespace pdr {
 namespace {
 
 constexpr std::string_view kFormat = "pdrender-scene";
-constexpr std::uint64_t kLargestFile = 16u << 20;  ///< a scene is text; what is larger is something else
+constexpr std::uint64_t kLargestFile = 16u << 20;  ///< a scene is text; a larger file is something else
 
 [[noreturn]] void fail(const std::string& field, const Text& what) {
     throw FieldError{{what, field, ""}};
@@ -105,7 +105,7 @@ std::vector<LightFields> lightFieldsOf(const SceneFile& file) {
     return entries;
 }
 
-/// A scene file as its fields stand in it.
+/// The fields of a scene file, as they stand in it.
 struct FileFields {
     VolumeFields volume;
     std::vector<LightFields> lights;

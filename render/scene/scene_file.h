@@ -31,38 +31,39 @@ struct VolumeSource {
     bool operator==(const VolumeSource&) const = default;
 };
 
-/// A scene whose voxels are still to be fetched (scene.volume is null), and so is a picture of its surroundings.
+/// A scene whose voxels (scene.volume is null) and environment image are still to be loaded.
 struct SceneFile {
     VolumeSource source;
-    std::filesystem::path environmentImage;  ///< empty: none
-    std::string environmentField;            ///< where the file names it: "lights[1].image"
+    std::filesystem::path environmentImage;  ///< path of the environment image; empty: none
+    std::string environmentField;            ///< path of the field that names the image: "lights[1].image"
     Scene scene;
 };
 
-/// Relative paths in the file are taken from the file's folder. Unknown, missing or out-of-range fields are errors that
-/// name the field and its range.
+/// Reads a scene file. Relative paths in it are taken from the file's folder. Unknown, missing or out-of-range fields
+/// are errors that name the field and its range.
 Result<SceneFile> readSceneFile(const std::filesystem::path& path);
 
-/// The same of a text; `where` is used in error texts, relative paths are taken from `folder`.
+/// Reads a scene from a text; `where` is used in error texts, relative paths are taken from `folder`.
 Result<SceneFile> sceneFromText(std::string_view text, const std::string& where, const std::filesystem::path& folder);
-/// The text that sceneFromText() reads as an equal scene, to the bit; without revision and look, which files do not
-/// hold. Paths are written as they are.
+/// Returns the text that sceneFromText() reads as an equal scene, to the bit, except for revision and look name, which
+/// files do not hold. Paths are written as they are.
 std::string sceneText(const SceneFile& file);
-/// A camera as it stands in scene files, on one line.
+/// Returns a camera as scene files write it, on one line.
 std::string cameraText(const Camera& camera);
 
-/// The voxels that a scene shows, and what they came from.
+/// The voxels that a scene shows, and the scan that they come from.
 struct WantedVolume {
-    std::shared_ptr<const Volume> volume;  ///< without the table where that is hidden
-    Framed framed;                         ///< what a view should be filled with: the body where the table is hidden
+    std::shared_ptr<const Volume> volume;  ///< the volume to render, without the table where that is hidden
+    Framed framed;                         ///< content to fill a view with: the body where the table is hidden
     std::shared_ptr<const Volume> scan;    ///< all voxels that were read
-    segment::HiddenTable table;            ///< of them; nothing where it is not to be hidden
+    segment::HiddenTable table;            ///< the hidden table of `scan`; empty where the table is shown
 };
 
-/// `volume` as `source` wants it: clamped, without its table, and then reconstructed. Error: cancelled().
+/// Prepares `volume` as `source` specifies: clamps it, hides its table, then reconstructs it. Error: cancelled().
 Result<WantedVolume> asWanted(Volume volume, const VolumeSource& source, const Progress& progress);
 
-/// The voxels of a raw file, as `source` wants them. Errors: those of loadRaw(), the field named beside the file.
+/// Loads the voxels of a raw file and prepares them as `source` specifies. Errors: those of loadRaw(), with the field's
+/// name added.
 Result<WantedVolume> fetchRawVolume(const VolumeSource& source, const Progress& progress = noProgress);
 
 }  // namespace pdr

@@ -6,7 +6,7 @@
 namespace pdr {
 namespace {
 
-/// Solid angle of a row's texels together [4 pi sr].
+/// Returns the solid angle of a row's texels together [4 pi sr].
 double shareOfRow(int row, int rows) {
     return (std::cos(M_PI * row / rows) - std::cos(M_PI * (row + 1) / rows)) / 2;
 }

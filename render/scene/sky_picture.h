@@ -1,6 +1,6 @@
 #pragma once
-/// A picture of surroundings that is chosen as light, like a rig. How bright its file says it is depends on who made
-/// it, so the one that is chosen is scaled first: `radiance` of its Environment says then how bright it is on average.
+/// Environment images that are chosen as light, like a rig. The brightness in a file depends on its author, so a chosen
+/// image is scaled first; `radiance` of its Environment is then its mean brightness.
 
 #include <memory>
 
@@ -9,17 +9,17 @@
 
 namespace pdr {
 
-/// Its luminance, the mean of all directions. `picture` has passed its check().
+/// Returns the mean luminance of all directions. `picture` has passed its check().
 double meanLuminance(const EnvironmentImage& picture);
 
-/// `picture` with a mean luminance of 1. Error: it is black.
+/// Scales `picture` to a mean luminance of 1. Error: it is black.
 Result<EnvironmentImage> scaledToMeanOne(EnvironmentImage picture);
 
-/// The light of `picture`, scaled to mean one, instead of the rig, about as bright; a lamp beside it is there, but off.
-/// What the rig follows and what is seen behind the volume stays.
+/// Replaces the rig by the light of `picture`, which is scaled to mean one, at about the same brightness; the rig
+/// becomes one lamp, switched off. What the rig follows and what is seen behind the volume stay.
 Lighting litBy(Lighting lighting, std::shared_ptr<const EnvironmentImage> picture);
 
-/// The same light from everywhere instead of a picture, as bright on average.
+/// Removes the image of `environment`; light of the same mean brightness then comes from everywhere.
 Environment withoutPicture(Environment environment);
 
 }  // namespace pdr

@@ -2,7 +2,7 @@
 
 namespace pdr {
 
-/// Whether the scanner's table, the head holder, and all else outside the body is part of the picture.
+/// Whether the scanner's table, the head holder and everything else outside the body are part of the image.
 enum class Table { shown, hidden };
 
 }  // namespace pdr

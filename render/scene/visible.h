@@ -1,25 +1,25 @@
 #pragma once
-/// What of a patient a picture shows. The choice is stored; the mask that it makes of a scan is not
+/// The part of a patient that an image shows. The choice is stored; the mask that it yields for a scan is not
 /// (scene/visible_mask.h).
 
 namespace pdr {
 
-/// Told apart by rules of geometry and density, so that nothing has to be drawn.
+/// Parts of the body that rules of geometry and density tell apart, so that nothing has to be drawn.
 enum class BodyPart {
     everything,
-    lungs,        ///< with their vessels, without the outermost millimetres
-    bones,        ///< crudely: what hangs together with dense bone
-    withoutBones  ///< all but those
+    lungs,        ///< lungs with their vessels, without the outermost millimetres
+    bones,        ///< roughly: everything connected to dense bone
+    withoutBones  ///< everything but `bones`
 };
 inline constexpr BodyPart kBodyParts[] = {BodyPart::everything, BodyPart::lungs, BodyPart::bones,
                                           BodyPart::withoutBones};
 
-/// As files and options write it: "withoutBones".
+/// Returns the part's word in files and options: "withoutBones".
 const char* bodyPartName(BodyPart part);
 
 struct Visible {
     BodyPart part = BodyPart::everything;
-    double peelMm = 0;  ///< so much is taken off all around the body; [0, 50]
+    double peelMm = 0;  ///< thickness that is removed all around the body; [0, 50]
 
     bool all() const { return *this == Visible{}; }
     bool operator==(const Visible&) const = default;

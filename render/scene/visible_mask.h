@@ -1,5 +1,5 @@
 #pragma once
-/// From the choice of what is shown to the mask that shows it.
+/// Makes the mask of the visible part of a scan.
 
 #include <memory>
 
@@ -10,9 +10,9 @@
 
 namespace pdr {
 
-/// The mask of what `visible` shows of a scan whose parts are `parts`, for voxels that lie as `on` says; null:
-/// everything. Errors of kind refused say why a part cannot be told from the rest of this scan. Else cancelled(), or
-/// that memory does not suffice.
+/// Returns the mask of what `visible` shows of a scan whose parts are `parts`, on the voxel grid `on`; null:
+/// everything. An error of kind refused says why a part cannot be told from the rest of this scan. Other errors:
+/// cancelled(), or too little memory.
 segment::PartMask visibleMask(const segment::BodyParts& parts, const Visible& visible, const VolumeGeometry& on,
                               const Progress& progress);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A volume with its values cut to an interval.
+/// Clamps the voxels of a volume to an interval.
 
 #include <optional>
 #include <utility>
@@ -8,8 +8,9 @@
 
 namespace pdr {
 
-/// Every voxel clamped to [first, second] HU, padding included; what is padding stays so. Without an interval the
-/// volume as it is. Moved in, it needs no memory of its own. Needs first <= second, both within int16.
+/// Returns the volume with every voxel clamped to [first, second] HU, padding included; padding stays marked as
+/// padding. Without an interval it returns the volume unchanged. If the volume is moved in, it needs no further memory.
+/// Needs first <= second, both within int16.
 Volume clamped(Volume volume, const std::optional<std::pair<int, int>>& interval);
 
 }  // namespace pdr

@@ -10,11 +10,11 @@
 namespace pdr {
 namespace {
 
-/// Of the blocks of `block` voxels from `first` on.
+/// Returns the geometry of the blocks of `block` voxels.
 VolumeGeometry blocksOf(const VolumeGeometry& geometry, ivec3 block) {
     VolumeGeometry blocks;
     blocks.size = geometry.size / block;
-    const dvec3 middle = dvec3(block - 1) * 0.5;  // of the first one, in voxels
+    const dvec3 middle = dvec3(block - 1) * 0.5;  // middle of the first block, in voxels
     blocks.patientFromIndex[3] = geometry.patientFromIndex * dvec4(middle, 1);
     for (int axis = 0; axis < 3; ++axis)
         blocks.patientFromIndex[axis] = geometry.patientFromIndex[axis] * double(block[axis]);

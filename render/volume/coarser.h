@@ -1,12 +1,13 @@
 #pragma once
-/// A scan with fewer voxels, for pictures so small that nobody could tell.
+/// Reduces the voxels of a scan, for images so small that the difference is not visible.
 
 #include "render/volume/volume.h"
 
 namespace pdr {
 
-/// `volume` in blocks of whole voxels with edges as near to `edgeMm` as can be, each the mean of its voxels; what is
-/// left at the end of an axis is left out. Padding counts as air. The same for any number of threads.
+/// Returns `volume` in blocks of whole voxels with edges as near to `edgeMm` as possible, each the mean of its voxels.
+/// Voxels that are left at the end of an axis are dropped. Padding counts as air. The number of threads does not change
+/// the result.
 Volume coarser(const Volume& volume, double edgeMm);
 
 }  // namespace pdr

@@ -18,7 +18,7 @@ constexpr std::size_t kGrain = std::size_t(1) << 20;
 
 using Counts = std::vector<std::uint64_t>;
 
-/// One for each value that a voxel can have, from kLowestHu on.
+/// Returns a count for each value that a voxel can have, from kLowestHu on.
 Counts countsOf(const Volume& volume) {
     const std::span<const std::int16_t> voxels = volume.voxels();
     const bool padded = volume.paddingCount() > 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// How many voxels of a volume have which Hounsfield units.
+/// Counts the voxels of a volume by their Hounsfield units.
 
 #include <cstdint>
 #include <vector>
@@ -8,26 +8,27 @@ namespace pdr {
 
 class Volume;
 
-/// A voxel of h HU counts as spread evenly over [h - 0.5, h + 0.5), so that ranges may begin and end anywhere.
+/// A histogram of HU. A voxel of h HU counts as spread evenly over [h - 0.5, h + 0.5), so that ranges may begin and end
+/// anywhere.
 class Histogram {
   public:
-    /// Of nothing.
+    /// Makes an empty histogram.
     Histogram() = default;
-    /// Of what was measured: padding is left out. The counts do not depend on the number of threads.
+    /// Counts the measured voxels of `volume`: padding is left out. The counts do not depend on the number of threads.
     explicit Histogram(const Volume& volume);
 
-    /// Voxels that were counted.
+    /// Returns the number of voxels that were counted.
     double total() const { return below_.empty() ? 0 : double(below_.back()); }
-    /// Those in [lowHu, highHu); 0 where the range is empty.
+    /// Returns the number of voxels in [lowHu, highHu); 0 if the range is empty.
     double count(double lowHu, double highHu) const;
-    /// The HU below which `fraction` of the voxels lie; `fraction` in [0, 1], 0: the lowest that there is. 0 of
-    /// nothing.
+    /// Returns the HU below which `fraction` of the voxels lie; `fraction` in [0, 1], 0: the lowest that there is. 0
+    /// for an empty histogram.
     double percentile(double fraction) const;
 
   private:
     double below(double hu) const;
 
-    int lowest_ = 0;                    ///< [HU], of the first voxel
+    int lowest_ = 0;                    ///< lowest HU that was counted
     std::vector<std::uint64_t> below_;  ///< [i]: voxels below lowest_ + i - 0.5; the last one is all
 };
 

@@ -9,7 +9,7 @@
 namespace pdr {
 namespace {
 
-/// Along one axis: the node before a place, the one after it, and how far the place is on the way.
+/// Along one axis: the nodes before and after a place, and the fraction of the way between them at which it lies.
 struct NodePair {
     int low, high;
     double fraction;

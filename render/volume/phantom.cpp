@@ -14,7 +14,8 @@ constexpr double kTable = 1350, kDiploe = 550, kTeeth = 2300;
 constexpr double kNoiseHu = 6;
 constexpr double kDrawnForMm = 250;
 
-/// About the distance to an ellipsoid's surface [mm], negative inside: f / |grad f|, exact to first order there.
+/// Returns about the distance to an ellipsoid's surface [mm], negative inside: f / |grad f|, exact to first order
+/// there.
 double ellipsoid(const dvec3& p, const dvec3& centre, const dvec3& radii) {
     const dvec3 q = (p - centre) / radii;
     const double scaled = glm::length(q);
@@ -23,24 +24,24 @@ double ellipsoid(const dvec3& p, const dvec3& centre, const dvec3& radii) {
     return scaled * (scaled - 1.0) / glm::length(q / radii);
 }
 
-/// The same on both sides of the patient.
+/// Returns the distance to two ellipsoids, one on either side of the patient.
 double pair(const dvec3& p, const dvec3& centre, const dvec3& radii) {
     return ellipsoid(dvec3(std::abs(p.x), p.y, p.z), centre, radii);
 }
 
-/// Distance to an endless cylinder through `through` along `axis` (unit length).
+/// Returns the distance to an endless cylinder through `through` along `axis` (unit length).
 double cylinder(const dvec3& p, const dvec3& through, const dvec3& axis, double radius) {
     const dvec3 q = p - through;
     return glm::length(q - axis * glm::dot(q, axis)) - radius;
 }
 
-/// Union with a rounded seam `width` mm wide.
+/// Returns the distance to a union with a rounded seam, `width` mm wide.
 double joined(double a, double b, double width) {
     const double h = std::max(width - std::abs(a - b), 0.0) / width;
     return std::min(a, b) - h * h * width * 0.25;
 }
 
-/// The head at one point, painted from the outside in; every border is soft over one voxel, as a scanner's is.
+/// The head at one point, painted from the outside in; every border is soft over one voxel, as in a scanner's image.
 class Painter {
   public:
     Painter(const dvec3& point, double softnessMm) : p_(point), softness_(softnessMm) {}
@@ -109,7 +110,7 @@ class Painter {
     double hu_ = kAir;
 };
 
-/// splitmix64: one well-mixed word for each input. Steele, Lea & Flood 2014.
+/// Applies splitmix64: one well-mixed word for each input. Steele, Lea & Flood 2014.
 std::uint64_t mixed(std::uint64_t x) {
     x += 0x9E3779B97F4A7C15u;
     x = (x ^ x >> 30) * 0xBF58476D1CE4E5B9u;
@@ -117,7 +118,7 @@ std::uint64_t mixed(std::uint64_t x) {
     return x ^ x >> 31;
 }
 
-/// Nearly normal, mean 0, deviation 1: four 16-bit uniforms added up.
+/// Returns nearly normal noise, mean 0, deviation 1: the scaled sum of four 16-bit uniforms.
 double noiseAt(std::uint64_t seed, std::size_t index) {
     const std::uint64_t bits = mixed(mixed(seed) ^ index);
     double sum = 0;

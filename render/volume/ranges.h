@@ -1,5 +1,5 @@
 #pragma once
-/// Smallest and largest HU per small cell of a volume: what a bound on the extinction is made from, for any curve.
+/// Smallest and largest HU per small cell of a volume, from which bounds on the extinction are made for any curve.
 ///   cells    base/cells.h    order    x fastest, then y, then z    values    Hounsfield units
 
 #include "render/base/cells.h"
@@ -15,7 +15,7 @@ class CellRanges {
     ivec3 fineSize() const { return coarseSize_ * kFinePerCoarse; }
     ivec3 coarseSize() const { return coarseSize_; }
     const HugePageVector<HuRange>& cells() const { return cells_; }
-    /// Over all cells; what a transfer function's table must span.
+    /// Returns the range over all cells, which a transfer function's table must span.
     HuRange whole() const { return whole_; }
 
   private:

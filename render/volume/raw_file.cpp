@@ -63,7 +63,7 @@ Result<HugePageVector<T>> readAll(const RawFile& file, std::size_t voxels) {
     return values;
 }
 
-/// Reads T and rounds to int16.
+/// Reads values of type T and rounds them to int16.
 template <class T>
 Result<Voxels> readAs(const RawFile& file, std::size_t voxels) {
     Result<HugePageVector<T>> values = readAll<T>(file, voxels);

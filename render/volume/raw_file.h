@@ -1,5 +1,6 @@
 #pragma once
-/// Volumes from headerless files: voxels x fastest, then y, then z; little endian; the values are Hounsfield units.
+/// Loads volumes from headerless files: voxels x fastest, then y, then z; little endian; the values are Hounsfield
+/// units.
 
 #include <filesystem>
 #include <optional>
@@ -20,8 +21,8 @@ struct RawFile {
     bool operator==(const RawFile&) const = default;
 };
 
-/// The file's voxels as int16 HU, floats rounded. Errors: no such file, a size in bytes that the dimensions do not
-/// give, a value that int16 does not hold, not enough memory.
+/// Returns the file's voxels as int16 HU, floats rounded. Errors: no such file, a size in bytes that does not match the
+/// dimensions, a value outside int16, not enough memory.
 Result<Volume> loadRaw(const RawFile& file);
 
 }  // namespace pdr

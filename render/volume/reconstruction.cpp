@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kRemark = "slices interpolated";
 
-/// Half-way between slices k and k + 1.
+/// Computes the slice half-way between slices k and k + 1.
 void interpolate(const Volume& volume, int k, std::int16_t* slice) {
     const std::size_t area = std::size_t(volume.size().x) * volume.size().y;
     const HuRange range = volume.storedRange();
@@ -21,7 +21,7 @@ void interpolate(const Volume& volume, int k, std::int16_t* slice) {
     }
 }
 
-/// Which voxels of the finer grid are padding; empty where none is.
+/// Returns which voxels of the finer grid are padding; empty if none is.
 std::vector<bool> finerPadding(const Volume& volume) {
     if (volume.paddingCount() == 0)
         return {};

@@ -11,7 +11,7 @@
 namespace pdr {
 namespace {
 
-/// The values of some voxels; of none, the lowest lies above the highest.
+/// The ranges of some voxels' values; for no voxels, the lowest lies above the highest.
 struct Ranges {
     HuRange stored{INT16_MAX, INT16_MIN}, measured{INT16_MAX, INT16_MIN};
     std::size_t padding = 0;
@@ -28,7 +28,7 @@ Ranges united(Ranges a, const Ranges& b) {
     return a;
 }
 
-/// Of the voxels [begin, end). `padding` is empty or has a flag for each voxel.
+/// Returns the ranges of the voxels [begin, end). `padding` is empty or has a flag for each voxel.
 Ranges rangesOf(const Voxels& voxels, const std::vector<bool>& padding, std::size_t begin, std::size_t end) {
     Ranges ranges;
     for (std::size_t i = begin; i < end; ++i)

@@ -2,7 +2,7 @@
 /// A CT scan as a regular grid.
 ///   voxels   x fastest, then y, then z; voxel (i,j,k) is centred at patientFromIndex * (i,j,k,1)
 ///   values   Hounsfield units, int16        lengths  millimetres, patient space LPS (+x left, +y posterior, +z head)
-/// Immutable once built. Knows no DICOM, no transfer function, no GPU.
+/// Immutable once built. Independent of DICOM, transfer functions and GPUs.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,54 +17,55 @@
 
 namespace pdr {
 
-/// The least and the largest distance between voxel centres that is taken from a file [mm]. No scanner comes near the
-/// least; below it, steps through the grid are lost in the last place of a float.
+/// Smallest and largest distance between voxel centres that is accepted from a file [mm]. No scanner comes near the
+/// smallest; below it, steps through the grid are lost in the last place of a float.
 inline constexpr double kLowestSpacingMm = 1e-6;
 inline constexpr double kHighestSpacingMm = 1e6;
 
 /// Hounsfield units of a grid, x fastest, then y, then z.
 using Voxels = HugePageVector<std::int16_t>;
 
-/// Where a grid lies in the patient.
+/// The size of a grid and its place in the patient.
 struct VolumeGeometry {
     ivec3 size{0};  ///< voxels along i, j, k; each >= 1
     dmat4 patientFromIndex{
         1.0};  ///< affine, mm; columns 0..2 are one step along i, j, k; column 3 is the centre of voxel (0,0,0)
 
-    /// Distance between voxel centres along i, j, k [mm]; each in [kLowestSpacingMm, kHighestSpacingMm].
+    /// Returns the distance between voxel centres along i, j, k [mm]; each in [kLowestSpacingMm, kHighestSpacingMm].
     dvec3 spacingMm() const;
-    /// i x j x k as a 64-bit count.
+    /// Returns the number of voxels, i x j x k, as a 64-bit count.
     std::size_t voxelCount() const;
-    /// Centre of the box of all voxels (voxel extents included), patient space [mm].
+    /// Returns the centre of the box of all voxels (voxel extents included), patient space [mm].
     dvec3 centreMm() const;
-    /// Half the diagonal of that box [mm].
+    /// Returns half the diagonal of that box [mm].
     double radiusMm() const;
 
-    /// The grid of `size` voxels of this one, from voxel `first` on.
+    /// Returns the grid of `size` voxels of this one, from voxel `first` on.
     VolumeGeometry part(ivec3 first, ivec3 size) const;
 
-    /// A grid whose axes are the patient's, for phantoms and raw files. `originMm` is the centre of voxel (0,0,0).
+    /// Returns a grid whose axes are the patient's, for phantoms and raw files. `originMm` is the centre of voxel
+    /// (0,0,0).
     static VolumeGeometry aligned(ivec3 size, dvec3 spacingMm, dvec3 originMm);
 };
 
-/// Whether voxels may lie so far apart along i, j, k [mm].
+/// Checks that voxels may lie that far apart along i, j, k [mm].
 Result<void> checkSpacing(dvec3 spacingMm);
 
 class Volume {
   public:
-    /// HU of the air that stands where the scanner had nothing to say (padding).
+    /// HU of the air that stands for padding, where the scanner measured nothing.
     static constexpr std::int16_t kAirHu = -1024;
 
-    /// `voxels` holds geometry.voxelCount() values. `padding` is empty or has one flag per voxel: true = the scanner
-    /// measured nothing there. Such voxels should hold kAirHu; statistics leave them out.
-    /// `remarks`, `hidden`: see remarks(), hidden().
+    /// Makes a volume. `voxels` holds geometry.voxelCount() values. `padding` is empty or has one flag per voxel: true
+    /// = the scanner measured nothing there. Such voxels should hold kAirHu; statistics leave them out. `remarks`,
+    /// `hidden`: see remarks(), hidden().
     Volume(VolumeGeometry geometry, Voxels voxels, std::vector<bool> padding = {}, std::string remarks = {},
            std::string hidden = {});
 
-    /// The same volume with every voxel clamped to [lowest, highest] HU, padding included; what is padding stays so. In
-    /// the same memory: *this is then empty. Needs lowest <= highest.
+    /// Returns the volume with every voxel clamped to [lowest, highest] HU, padding included; padding stays marked as
+    /// padding. It uses the same memory: *this is empty afterwards. Needs lowest <= highest.
     Volume clamped(std::int16_t lowest, std::int16_t highest) &&;
-    /// The same scan with other voxels in the places of these, and what is hidden by that.
+    /// Returns the same scan with other voxels in place of these; `hidden` describes what they hide.
     Volume withVoxels(Voxels voxels, std::string hidden) const;
 
     const VolumeGeometry& geometry() const { return geometry_; }
@@ -73,15 +74,15 @@ class Volume {
     bool isPadding(std::size_t index) const { return !padding_.empty() && padding_[index]; }
     std::size_t paddingCount() const { return paddingCount_; }
 
-    /// Smallest and largest HU of what was measured (padding left out; {kAirHu, kAirHu} if all is padding).
+    /// Return the smallest and largest HU of measured voxels (padding left out; {kAirHu, kAirHu} if all is padding).
     std::int16_t lowestHu() const { return lowestHu_; }
     std::int16_t highestHu() const { return highestHu_; }
-    /// The same of all voxels, padding included: what interpolation can meet.
+    /// Returns the smallest and largest HU of all voxels, padding included: the values that interpolation can meet.
     HuRange storedRange() const { return storedRange_; }
-    /// What was remarked when the voxels were read, in words that pictures made of them carry ("lossy clipped").
-    /// Empty: nothing. Never anything of a patient.
+    /// Returns remarks from the reading of the voxels, in words that images of them carry ("lossy clipped"). Empty:
+    /// none. They never contain patient data.
     const std::string& remarks() const { return remarks_; }
-    /// What was scanned and is not in these voxels, in words that pictures made of them carry ("884 ml of 17.7 l").
+    /// Returns what was scanned and is not in these voxels, in words that images of them carry ("884 ml of 17.7 l").
     /// Empty: nothing.
     const std::string& hidden() const { return hidden_; }
 

@@ -95,7 +95,7 @@ class BombsTest : public QObject {
         QVERIFY(structureOf(head() + tag(9, 0x1004) + little(70 << 20, 4) + Bytes(70 << 20, 'x')).damage.empty());
     }
 
-    /// Character set, image type, modality, name, series and description: what is read of a header.
+    /// The elements that are read of a header: character set, image type, modality, name, series and description.
     void listsOfManyValuesAreRefused_data() {
         QTest::addColumn<int>("group");
         QTest::addColumn<int>("element");

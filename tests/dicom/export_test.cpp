@@ -52,7 +52,7 @@ double largestDifference(const dmat4& a, const dmat4& b) {
     return largest;
 }
 
-/// What the program prints.
+/// Returns what the program prints.
 QString outputOf(const QString& program, const QStringList& arguments) {
     QProcess process;
     process.setProcessChannelMode(QProcess::MergedChannels);
@@ -70,7 +70,7 @@ class ExportTest : public QObject {
 
     fs::path place(const char* name) const { return fs::path(root_.path().toStdString()) / name; }
 
-    /// Whether anything beside the places has a name that begins so.
+    /// Returns whether anything beside the places has a name that begins with `start`.
     bool isBeside(const std::string& start) const {
         const fs::directory_iterator all(root_.path().toStdString());
         return std::any_of(begin(all), end(all),

@@ -19,7 +19,7 @@ namespace {
 /// Puts another file in the place of `path` just before it is opened for the n-th time, whoever opens it.
 struct Exchange {
     std::filesystem::path path, other;
-    std::atomic<int> openings = 0;  ///< until then
+    std::atomic<int> openings = 0;  ///< number of openings until the exchange
 
     void opening(const char* opened) {
         if (path == opened && --openings == 0)
@@ -49,11 +49,11 @@ FILE* openedHere64(const char* path, const char* mode) {
 }
 }
 
-/// From a scanned series to its voxels, where something goes wrong between.
+/// Loading of a scanned series where something goes wrong after the scan.
 class LoadTest : public QObject {
     Q_OBJECT
 
-    /// What loading says of a stack whose slice s01 is written anew, as `changed`, after the scan.
+    /// Returns the error of loading a stack whose slice s01 is written anew, changed by `change`, after the scan.
     static Error afterTheScan(const std::function<void(test::SliceFile&)>& change) {
         const test::SliceFolder folder;
         const auto named = [](DcmDataset& data) {
@@ -158,7 +158,7 @@ class LoadTest : public QObject {
         QCOMPARE(refused.error().what, std::string("this is no plain file"));
     }
 
-    /// A slice that the system does not hand out is not damaged.
+    /// A slice that the system does not let the program read is not damaged.
     void theSystemsReasonIsGiven() {
         const test::SliceFolder folder;
         folder.addStack(3);
@@ -175,7 +175,7 @@ class LoadTest : public QObject {
         QVERIFY(refused.error().hint.find("ulimit") != std::string::npos);
     }
 
-    /// What the system lends to nobody in particular is not what this program may take.
+    /// The memory limit of this program counts, however much memory the system has left.
     void limitOfTheProgramCountsForAVolume() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
         QSKIP("sanitizers take the address space");

@@ -13,7 +13,7 @@ using test::SliceFile;
 
 namespace {
 
-/// The text of the note with this code; empty where there is none.
+/// Returns the text of the note with this code; empty if there is none.
 std::string noteOf(const std::vector<Note>& notes, const std::string& code) {
     const auto found = std::find_if(notes.begin(), notes.end(), [&](const Note& note) { return note.code == code; });
     return found == notes.end() ? "" : found->text;

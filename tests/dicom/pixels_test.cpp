@@ -31,7 +31,7 @@ class Folder {
         return loadSeries(scan->series.front(), padding, noProgress);
     }
 
-    /// The first `count` voxels; empty if the stack does not load.
+    /// Returns the first `count` voxels; empty if the stack does not load.
     Values voxels(int count, Padding padding = Padding::maskAsAir) const {
         const Result<Volume> volume = load(padding);
         return volume ? Values(volume->voxels().begin(), volume->voxels().begin() + count) : Values{};

@@ -1,4 +1,4 @@
-/// What is found in real scans.
+/// Findings in real scans.
 
 #include <QTest>
 

@@ -32,8 +32,8 @@ std::vector<Case> casesIn(const std::string& folder) {
     return cases;
 }
 
-/// Solid voxels that are hidden though what is shown encloses them from all four sides of their slice, as a share of
-/// the body: the rule would have taken them out of the patient.
+/// Returns the solid voxels that are hidden although shown voxels enclose them from all four sides of their slice, as a
+/// fraction of the body: the rule would have taken them out of the patient.
 double shareLostInside(const Case& one) {
     const ivec3 size = one.volume.size();
     const std::int16_t *before = one.volume.voxels().data(), *after = one.table.body->voxels().data();
@@ -78,7 +78,7 @@ class RealTablesTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// Millilitres that were measured with another program (Python, the same rule).
+    /// The expected millilitres were measured with another program (Python, the same rule).
     void aChestLosesItsTable() {
         PDR_NEEDS_SHARED_CT();
         const std::vector<Case> cases = casesIn("chest_contrast");

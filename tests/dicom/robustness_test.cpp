@@ -55,7 +55,7 @@ Bytes headOf(Bytes transferSyntax) {
 
 const Bytes kImplicit = "1.2.840.10008.1.2", kExplicit = "1.2.840.10008.1.2.1", kDeflated = "1.2.840.10008.1.2.1.99";
 
-/// `depth` open-ended sequences within each other, then their ends.
+/// Returns `depth` open-ended sequences within each other, followed by their ends.
 Bytes nested(int depth, bool explicitVr) {
     Bytes open, close;
     for (int i = 0; i < depth; ++i) {
@@ -66,7 +66,7 @@ Bytes nested(int depth, bool explicitVr) {
     return open + close;
 }
 
-/// The same with lengths stated, the innermost first.
+/// Returns `depth` sequences within each other with stated lengths; the innermost is written first.
 Bytes nestedWithLengths(int depth) {
     Bytes inner;
     for (int i = 0; i < depth; ++i) {
@@ -90,7 +90,7 @@ Bytes deflated(const Bytes& bytes) {
     return out;
 }
 
-/// The most address space and memory this process has ever had [kB].
+/// Returns the most address space or memory that this process has ever had [kB].
 long peak(const char* field) {
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);) {
@@ -106,7 +106,7 @@ constexpr bool kAddressSpaceIsOurs = false;
 constexpr bool kAddressSpaceIsOurs = true;
 #endif
 
-/// Everything that the import does with a file.
+/// Does everything that the import does with a file.
 void use(const fs::path& file) {
     const HeaderRead header = readSliceHeader(file);
     if (header.kind == HeaderRead::Kind::damaged)

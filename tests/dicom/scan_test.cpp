@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Somebody without root's rights, for as long as it lives.
+/// Drops root's rights during its lifetime.
 class Nobody {
   public:
     Nobody() : wasRoot_(geteuid() == 0) {
@@ -40,7 +40,7 @@ class Nobody {
 class ScanTest : public QObject {
     Q_OBJECT
 
-    /// What is said of files that may be slices of `series`.
+    /// Returns the note on files that may be slices of `series`.
     static std::string unreadOf(const Series& series) {
         for (const Note& note : series.verdict.notes)
             if (note.code == "unread")
@@ -238,7 +238,7 @@ class ScanTest : public QObject {
         QVERIFY2(unreadOf(scan.series[0]).find("s02") != std::string::npos, unreadOf(scan.series[0]).c_str());
     }
 
-    /// A stack is even without its last slice: only a word tells that it was there.
+    /// A stack is even without its last slice: only a note shows that there was one.
     void endSliceThatCannotBeReadIsNamed_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QByteArray>("left");
@@ -273,7 +273,7 @@ class ScanTest : public QObject {
         QVERIFY(!unreadOf(folder.scan().series[0]).empty());
     }
 
-    /// What is damaged elsewhere is no concern of a series, unless it may be of any.
+    /// Damaged files elsewhere are not noted on a series, unless they may belong to any series.
     void damageIsNamedWhereItMayBelong() {
         test::SliceFolder folder;
         for (const char* name : {"one", "two", "three"})

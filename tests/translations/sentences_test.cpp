@@ -1,4 +1,4 @@
-/// What rooms without Qt say is said in every language of the window: notes, refusals, findings, errors.
+/// Texts that rooms without Qt produce exist in every language of the window: notes, refusals, findings, errors.
 
 #include <QTest>
 
@@ -34,7 +34,7 @@ SlicePlane planeAt(const char* name, double z) {
     return {name, {512, 512}, dvec3(0, 0, z), dvec3(1, 0, 0), dvec3(0, 1, 0), dvec2(0.5, 0.7)};
 }
 
-/// Reasons of stacks that are not even.
+/// Adds the reasons of stacks that are not even.
 void addVerdicts(std::vector<Text>& texts) {
     const auto add = [&](std::vector<SlicePlane> slices) {
         texts.push_back(dicom::analyseStack(slices).verdict.reason);
@@ -59,7 +59,7 @@ void addVerdicts(std::vector<Text>& texts) {
     add(tilted);
 }
 
-/// Reasons of images that are no slices.
+/// Adds the reasons of images that are no slices.
 void addRefusals(std::vector<Text>& texts) {
     const auto add = [&](const auto& change) {
         SliceHeader header;
@@ -86,7 +86,7 @@ void addRefusals(std::vector<Text>& texts) {
     add([](SliceHeader& header) { header.meaning.rescaleIsBroken = true; });
 }
 
-/// Of stacks that load all the same.
+/// Adds the notes on stacks that load all the same.
 void addNotes(std::vector<Text>& texts) {
     for (const std::size_t odd : {std::size_t(1), std::size_t(2)}) {
         std::vector<SliceHeader> headers(3);
@@ -122,7 +122,7 @@ void addFindings(std::vector<Text>& texts) {
     texts.push_back(segment::tableText(table));
 }
 
-/// Of a volume of air, which has none, and of one that is all bone.
+/// Adds the texts on parts of a volume of air, which has none, and of one that is all bone.
 void addParts(std::vector<Text>& texts) {
     for (const int hu : {-1000, 40, 1200}) {
         const auto volume = test::makeVolume({24, 24, 24}, dvec3(2), [&](int i, int j, int k) {
@@ -148,7 +148,7 @@ void addErrors(std::vector<Text>& texts) {
         texts.push_back(setupFromJson(json, "plan.json").error().what);
 }
 
-/// Why effects are simulated or left out, in scenes that have all of them, some and none.
+/// Adds the reasons why effects are simulated or left out, in scenes that have all of them, some and none.
 void addEffects(std::vector<Text>& texts) {
     const auto add = [&](const Scene& scene) {
         for (const Effect& effect : needs(scene)) {
@@ -186,7 +186,7 @@ void addFigures(std::vector<Text>& texts) {
         texts.push_back(line);
 }
 
-/// How work is shared out, from one node to many, and from fast ones to slow.
+/// Adds the reasons of splitting work, from one node to many, and from fast ones to slow.
 void addSplits(std::vector<Text>& texts) {
     SplitFacts facts{1e6, 64, 1, 1e-8, 1e-3, 1e-3, 0, 200};
     const auto add = [&] { texts.push_back(chooseSplit(facts).reason); };
@@ -203,7 +203,7 @@ void addSplits(std::vector<Text>& texts) {
     add();
 }
 
-/// What a node has said, by way of the wire.
+/// Adds the reasons that a node reports over the wire.
 void addReasonsOfNodes(std::vector<Text>& texts) {
     for (const Text& reason : {notEnoughMemory(phrase("for the scene: %1", bytesText(13'370'000)), "", "").what,
                                memoryTooSmall("cuda", 3'000'000'000, 20'000'000).text()}) {
@@ -231,7 +231,7 @@ std::vector<Text> everything() {
     return texts;
 }
 
-/// Names and numbers that a text is made of, at any depth.
+/// Collects the names and numbers that a text is made of, at any depth.
 void collect(const Text& text, QStringList& names) {
     if (text.kind() == Text::Kind::words && !text.empty())
         names << QString::fromStdString(text);
@@ -245,7 +245,7 @@ bool hasWords(const std::string& text) {
     return std::ranges::count_if(text, [](unsigned char c) { return std::isalpha(c); }) > 2;
 }
 
-/// Whether a text has no words that would be the same in every language.
+/// Returns whether a text has no words that would be the same in every language.
 bool isTranslated(const Text& text) {
     if (text.kind() == Text::Kind::pattern &&
         ui::inWords(text.pattern().c_str()) == QString::fromStdString(text.pattern()) && hasWords(text.pattern()))

@@ -4,7 +4,7 @@ namespace pdr {
 
 namespace {
 
-/// A sum of one sample is that sample: what was single precision is so again, to the bit.
+/// Converts a sum of one sample to that sample: single-precision values are restored to the bit.
 struct TakeSample {
     PixelSums* sums;
     SampledPixel* frame;

@@ -1,5 +1,5 @@
 #pragma once
-/// Samples for the schedule of Exposure Render, taken by the CPU.
+/// Takes samples for Exposure Render's schedule on the CPU.
 
 #include <vector>
 
@@ -11,7 +11,8 @@ namespace pdr {
 
 class CpuFrameSampler final : public FrameSampler {
   public:
-    /// `scene`: where the device keeps what was uploaded last. All must outlive it.
+    /// Keeps references to its arguments, which must outlive it. `scene` is where the device keeps its last uploaded
+    /// scene.
     CpuFrameSampler(CpuTracer& tracer, HostGpu& gpu, const std::shared_ptr<const PreparedScene>& scene)
         : tracer_(tracer), gpu_(gpu), scene_(scene) {}
 
@@ -27,7 +28,7 @@ class CpuFrameSampler final : public FrameSampler {
     HostGpu& gpu_;
     const std::shared_ptr<const PreparedScene>& scene_;
     Tile area_;
-    std::vector<PixelSums> sums_;  ///< zero between two samples
+    std::vector<PixelSums> sums_;  ///< sums of the current frame; zero between two samples
     Health health_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Samples for the schedule of Exposure Render, taken by a GPU: one of every pixel in a launch.
+/// Takes samples for Exposure Render's schedule on a GPU: one sample of every pixel per launch.
 
 #include <utility>
 
@@ -9,7 +9,7 @@
 
 namespace pdr {
 
-/// For each pixel: its one sample, and whether it counts.
+/// Writes for each pixel its one sample, and whether it counts.
 struct KeepSampleKernel {
     TraceTarget from;
     SampledPixel* frame;
@@ -27,7 +27,7 @@ struct KeepSampleKernel {
 template <Gpu G>
 class GpuFrameSampler final : public FrameSampler {
   public:
-    /// All must outlive it.
+    /// Keeps references to its arguments, which must outlive it.
     GpuFrameSampler(G& gpu, const GpuScene<G>& scene)
         : gpu_(gpu), scene_(scene), radiance_(gpu), paths_(gpu), seen_(gpu), health_(gpu, 1) {}
 

@@ -1,14 +1,14 @@
 #pragma once
-/// A film that is made as Exposure Render (Kroes, Post & Botha 2012) makes its picture, the way that `pd` replaces: for
-/// each iteration, one after the other and the host waiting after each,
+/// A film that is rendered by the schedule of Exposure Render (Kroes, Post & Botha 2012), which `pd` replaces. Each
+/// iteration runs these stages one after the other, and the host waits after each:
 ///   [K0] all parameters sent again -> one sample of every pixel -> [filter along x -> along y] -> mean -> tone map ->
 ///   copy to pageable memory
-/// A resolve() after one iteration is the old frame; n iterations make n copies, of which the last is shown. Left out,
-/// in its favour: the filter on the 8-bit picture that runs for its first 86 iterations.
+/// A resolve() after one iteration is the old frame; n iterations make n copies, of which the last is shown. The filter
+/// on the 8-bit image that Exposure Render runs for its first 86 iterations is left out, in its favour.
 ///
-/// Schedule::runningMean tells nothing about its error: status() then has an infinite relative error and no mean
-/// luminance (0), and film() infinite standard errors. Without it resolve() copies the sums to the host to know them:
-/// not what is to be timed.
+/// With Schedule::runningMean the error is unknown: status() then has an infinite relative error and no mean luminance
+/// (0), and film() infinite standard errors. Without it, resolve() copies the sums to the host to compute them; timings
+/// should not include that.
 
 #include <cassert>
 #include <deque>
@@ -27,13 +27,13 @@ namespace pdr {
 template <Gpu G>
 class KroesAccumulator final : public Accumulator {
   public:
-    /// An empty film of that area; `gpu` must outlive it. Errors: no room for it.
+    /// Makes an empty film of that area; `gpu` must outlive it. Errors: not enough memory.
     static Result<std::unique_ptr<Accumulator>> make(G& gpu, const Tile& area, std::uint64_t revision,
                                                      const Schedule& schedule, std::unique_ptr<FrameSampler> sampler) {
         std::unique_ptr<Accumulator> film(new KroesAccumulator(gpu, schedule, std::move(sampler)));
         if (Result<void> room = film->restart(area, revision); !room)
             return room.error();
-        return Result<std::unique_ptr<Accumulator>>(std::move(film));  // nvcc needs it said
+        return Result<std::unique_ptr<Accumulator>>(std::move(film));  // nvcc needs the explicit type
     }
 
     using Accumulator::accumulate;
@@ -79,7 +79,7 @@ class KroesAccumulator final : public Accumulator {
         return {};
     }
 
-    /// Never smoothed: such pictures are there to be compared with.
+    /// Requests an image that is never denoised, since it serves for comparison.
     Result<void> resolve(const Display& display, std::stop_token) override {
         if (stale_ || display.exposure != display_.exposure) {
             display_ = {display.exposure};
@@ -163,7 +163,7 @@ class KroesAccumulator final : public Accumulator {
 
     std::size_t pixels() const { return std::size_t(area_.width) * std::size_t(area_.height); }
 
-    /// A launch over all pixels, and the wait for it.
+    /// Launches a program over all pixels, and waits for it.
     template <class Program>
     void stage(const Program& program) {
         gpu_.launch(program, std::int64_t(pixels()), GpuStream::compute);
@@ -236,7 +236,7 @@ class KroesAccumulator final : public Accumulator {
                           .relativeError = std::numeric_limits<double>::infinity()};
     }
 
-    /// Of the iterations done the first is not in the mean, unless it is alone.
+    /// Returns the moments of a running mean. The first iteration is not in the mean, unless it is the only one.
     Moments momentsOf(const SampledPixel& mean) const {
         if (mean.counts == 0)
             return {};
@@ -248,21 +248,21 @@ class KroesAccumulator final : public Accumulator {
     std::uint64_t revision_ = 0;
     Schedule schedule_;
     std::unique_ptr<FrameSampler> sampler_;
-    std::uint64_t done_ = 0;  ///< iterations
+    std::uint64_t done_ = 0;  ///< iterations done
     Health health_;
-    Display display_;    ///< that of rgba_
-    bool stale_ = true;  ///< rgba_ is not the picture of what is there
+    Display display_;    ///< display settings of rgba_
+    bool stale_ = true;  ///< whether rgba_ is not the current image
 
     // on the device
-    std::optional<kroes::Constants<G>> constants_;  ///< of K0
+    std::optional<kroes::Constants<G>> constants_;  ///< used by K0
     GpuArray<G, SampledPixel> frame_{gpu_}, blurred_{gpu_};
-    GpuArray<G, SampledPixel> mean_{gpu_};  ///< of runningMean, else ...
+    GpuArray<G, SampledPixel> mean_{gpu_};  ///< used with runningMean; without it, the next two are
     GpuArray<G, Moments> moments_{gpu_};
     GpuArray<G, PixelSums> block_{gpu_};
     GpuArray<G, std::uint8_t> rgbaOnDevice_{gpu_};
     GpuArray<G, double> thresholds_;
 
-    std::vector<std::uint8_t> rgba_;  ///< the last picture
+    std::vector<std::uint8_t> rgba_;  ///< the last image
     std::deque<Picture> pictures_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The stages of an iteration of Exposure Render (Kroes, Post & Botha 2012), as programs; see gpu/kroes_accumulator.h.
+/// The stages of an iteration of Exposure Render (Kroes, Post & Botha 2012), as GPU programs; see kroes_accumulator.h.
 /// Index i is the pixel y * width + x.
 
 #include <cstdint>
@@ -13,12 +13,12 @@
 
 namespace pdr::kroes {
 
-/// Weights of its filter along one axis; they sum up to 1. Of noise it leaves the fraction (centre^2 + 2 beside^2)^2 =
-/// 0.117 of the variance.
+/// Weights of the filter along one axis; centre and both neighbours sum up to 1. The filter leaves the fraction
+/// (centre^2 + 2 beside^2)^2 = 0.117 of the noise's variance.
 inline constexpr float kCentreWeight = 0.4110f, kBesideWeight = 0.2945f;
 
-/// One axis of the filter. Beyond the border there is nothing, and what does not count is not there: the weights of the
-/// rest are made to sum up to 1.
+/// Filters along one axis. Pixels beyond the border and pixels that do not count are left out; the weights of the rest
+/// are scaled to sum up to 1.
 struct Blur {
     const SampledPixel* from;
     SampledPixel* to;
@@ -43,7 +43,8 @@ struct Blur {
     }
 };
 
-/// A += (x - A) / max(N, 1), N = iterations done: the second iteration replaces the first. In single precision.
+/// Updates a running mean in single precision: A += (x - A) / max(N, 1), N = iterations done; the second iteration
+/// replaces the first.
 struct RunningMean {
     const SampledPixel* frame;
     SampledPixel* mean;
@@ -59,7 +60,7 @@ struct RunningMean {
     }
 };
 
-/// The film's own sums instead.
+/// Adds a frame to the film's own sums, without a running mean.
 struct AddToBlock {
     const SampledPixel* frame;
     PixelSums* block;
@@ -82,7 +83,7 @@ struct MergeBlock {
     }
 };
 
-/// What tone mapping needs besides the mean.
+/// The data that tone mapping needs besides the mean.
 struct Levels {
     const double* thresholds;
     double exposure;
@@ -110,7 +111,8 @@ struct ShowSums {
     PDR_HD void operator()(std::int64_t i) const { levels.show(i, merged(moments[i], block[i]).mean); }
 };
 
-/// One thread that marches along the middle of the view until there is opacity: the distance from the box [mm], or -1.
+/// Marches with one thread along the middle of the view until there is opacity. Result: distance from the box [mm], or
+/// -1.
 struct Autofocus {
     FlatScene scene;
     float* distance;

@@ -1,6 +1,6 @@
 #pragma once
-/// What Exposure Render sends to the GPU for each iteration although nothing has changed; see gpu/kroes_accumulator.h.
-/// None of it is read by ours: it is there for the time that it takes.
+/// Data that Exposure Render sends to the GPU for each iteration although nothing has changed; see kroes_accumulator.h.
+/// PD-Render reads none of it: it is sent for the time that this takes.
 
 #include <array>
 
@@ -10,7 +10,7 @@
 
 namespace pdr::kroes {
 
-inline constexpr int kConstants = 34;  ///< copies of single parameters
+inline constexpr int kConstants = 34;  ///< number of copies of single parameters
 inline constexpr int kTables = 5;      ///< opacity, diffuse, specular, roughness, emission
 inline constexpr int kTableSamples = 128;
 
@@ -19,7 +19,7 @@ struct TableEntry {
 };
 using Tables = std::array<std::array<TableEntry, kTableSamples>, kTables>;
 
-/// The transfer function sampled evenly over the HU of 12-bit CT.
+/// Returns the transfer function sampled evenly over the HU of 12-bit CT.
 inline Tables bakedTables(const FlatTransferFunction& function) {
     constexpr float kLowestHu = -1024, kHighestHu = 3071;
     const auto entry = [](vec3 colour) { return TableEntry{{colour.x, colour.y, colour.z, 0}}; };
@@ -36,7 +36,7 @@ inline Tables bakedTables(const FlatTransferFunction& function) {
     return tables;
 }
 
-/// The device memory that is kept from one iteration to the next.
+/// Device memory that is kept from one iteration to the next.
 template <Gpu G>
 struct Constants {
     GpuArray<G, unsigned char> parameters;
@@ -46,8 +46,8 @@ struct Constants {
         : parameters(gpu, sizeof(FlatScene)), tables(gpu, std::size_t(kTables) * kTableSamples) {}
 };
 
-/// 34 + 5 + 3 copies to the device, 3 allocations, one program of one thread with its copy back; what is allocated is
-/// released with it, at the iteration's end.
+/// Does 34 + 5 + 3 copies to the device, 3 allocations, and one program of one thread with its copy back. Its
+/// destructor, at the iteration's end, releases the allocations.
 template <Gpu G>
 class Resend {
   public:

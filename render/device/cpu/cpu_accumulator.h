@@ -1,5 +1,5 @@
 #pragma once
-/// The film of the CPU.
+/// The film of the CPU device.
 
 #include <memory>
 
@@ -11,7 +11,7 @@ namespace pdr {
 
 class CpuAccumulator final : public HostAccumulator {
   public:
-    /// `scene`: where its device keeps what was uploaded last. Both must outlive it.
+    /// Keeps references to `tracer` and `scene`, where the device keeps its last uploaded scene. Both must outlive it.
     CpuAccumulator(CpuTracer& tracer, const std::shared_ptr<const PreparedScene>& scene, const Tile& area,
                    std::uint64_t revision)
         : HostAccumulator(area, revision), tracer_(tracer), scene_(scene) {}

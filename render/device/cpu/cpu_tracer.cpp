@@ -14,8 +14,9 @@ namespace pdr {
 
 namespace {
 
-/// Pixels along an edge of what one of `threads` takes at a time. The last paths of a task leave lanes empty, so it has
-/// some thousand paths, but no thread goes without tasks; a sum along a ray is the same for all samples of a pixel.
+/// Returns the edge of the square of pixels that one of `threads` takes at a time. The last paths of a task leave lanes
+/// empty, so a task has some thousand paths, but no thread goes without tasks. The number of samples does not matter
+/// for projections: the sum along a ray is the same for all samples of a pixel.
 int taskEdge(bool scattering, std::uint32_t samples, const Tile& tile, int threads) {
     constexpr int kPathsPerTask = 4096, kTasksPerThread = 4, kLeast = 16, kProjection = 32;
     const double enoughTasks = double(tile.width) * tile.height / (kTasksPerThread * threads);
@@ -29,7 +30,7 @@ int taskEdge(bool scattering, std::uint32_t samples, const Tile& tile, int threa
 using TileKernel = void (*)(PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples,
                             TileSums sums);
 
-/// The one table from a feature mask to the code compiled for it.
+/// The only table from a feature mask to the code compiled for it.
 template <std::size_t... Masks>
 constexpr std::array<TileKernel, sizeof...(Masks)> tileKernels(std::index_sequence<Masks...>) {
     return {[](PixelBatch& batch, const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums) {

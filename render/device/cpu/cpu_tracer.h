@@ -1,5 +1,5 @@
 #pragma once
-/// Samples taken by the CPU's threads, into sums on the host.
+/// Takes samples with the CPU's threads, into sums on the host.
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
@@ -16,20 +16,20 @@ namespace pdr {
 
 class CpuTracer {
   public:
-    /// 0 = one thread per core.
+    /// Uses `threads` threads; 0 = one thread per core.
     explicit CpuTracer(int threads = 0);
 
     int threads() const { return threads_; }
     /// Adds `samples` of every pixel of `tile` to `sums`, in order. After a stop request it returns early and the sums
-    /// are worthless.
+    /// are invalid.
     void trace(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums,
                const std::stop_token& stop = {});
-    /// See Device::guide().
+    /// Renders a guide; see Device::guide().
     std::shared_ptr<const denoise::Guide> guide(const FlatScene& scene, int finer, const std::stop_token& stop);
 
   private:
     int threads_;
-    tbb::global_control allowed_;  ///< more threads than cores, when asked for
+    tbb::global_control allowed_;  ///< allows more threads than cores, if requested
     tbb::task_arena arena_;
     tbb::enumerable_thread_specific<PixelBatch> batches_;
     tbb::enumerable_thread_specific<ProjectionBatch> projections_;

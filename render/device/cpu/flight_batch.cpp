@@ -2,7 +2,7 @@
 
 namespace pdr {
 
-/// The batch as a list of rays for lanes.
+/// Presents the batch as a list of rays for walkInLanes().
 template <bool Masked>
 struct FlightBatch::InLanes {
     using Walk = FreeFlight<FloatLanes, Masked>;

@@ -1,5 +1,5 @@
 #pragma once
-/// Many free flights, kLanes at a time.
+/// Traces many free flights, kLanes at a time.
 
 #include <array>
 
@@ -8,14 +8,14 @@
 
 namespace pdr {
 
-/// A list of rays, each with the optical depth that it flies, and, after fly(), what became of them.
+/// A list of rays, each with the optical depth that it flies, and, after fly(), their results.
 class FlightBatch {
   public:
     static constexpr int kCapacity = 1024;
 
     void clear() { size_ = 0; }
     int size() const { return size_; }
-    /// See Flight.
+    /// Return the result of a ray; see Flight.
     float distance(int ray) const { return distance_[ray]; }
     float passed(int ray) const { return passed_[ray]; }
 

@@ -10,18 +10,18 @@
 namespace pdr {
 namespace {
 
-/// A place where a ray is looked at, for all that it passes from the layer before up to an opacity.
+/// A place where a ray is evaluated, for all that it passes from the previous layer up to an opacity.
 struct Layer {
-    float depth;  ///< optical
+    float depth;  ///< optical depth
     float upTo;   ///< opacity
 };
 
-/// What is thin in front of what is not, and the rest where half of the light is gone, for which that counts as opaque:
-/// more layers cost more than they bring.
+/// One layer for thin tissue in front of dense tissue, and one for the rest, at the depth where half of the light is
+/// gone; that one counts as opaque. More layers cost more than they gain.
 constexpr Layer kLayers[] = {{0.05129f, 0.15f}, {0.69315f, 1.0f}};
 
-/// See Guide. Depths that differ by as much as a pixel is wide there differ by 1; under perspective pixels grow with
-/// the depth.
+/// Returns the depth as Guide defines it. Depths that differ by the width of a pixel there differ by 1; in perspective,
+/// pixels grow with the depth.
 float depthInPixels(const FlatScene& scene, vec3 position) {
     const FlatCamera& camera = scene.camera;
     const double depth = glm::dot(dvec3(localPosition(scene.volume, position)) - camera.localEye, camera.forward);
@@ -35,7 +35,7 @@ bool canBeGuided(const FlatScene& scene) {
     return scene.optics.model == FlatModel::scattering && !scene.marched && scene.camera.focus == 0;
 }
 
-/// What was met last stands for all up to that opacity.
+/// Lets the last evaluated place stand for everything up to that opacity.
 void GuideBatch::Pixel::settle(float upTo) {
     const float weight = std::max(upTo - opacity, 0.0f);
     seen.radiance += weight * last.radiance;
@@ -67,6 +67,7 @@ void GuideBatch::finish(const FlatScene& scene, denoise::Guide& guide) {
     for (Pixel& pixel : pixels_)
         going_.push_back(&pixel);
     Layer before{0, 0};
+    // Fly to one layer after the other; rays that leave the volume are done
     for (const Layer& layer : kLayers) {
         flights_.clear();
         for (const Pixel* pixel : going_)
@@ -86,6 +87,7 @@ void GuideBatch::finish(const FlatScene& scene, denoise::Guide& guide) {
         });
         before = layer;
     }
+    // Rays that reach the last layer count as opaque
     for (Pixel* pixel : going_)
         pixel->settle(before.upTo);
     for (const Pixel& pixel : pixels_)

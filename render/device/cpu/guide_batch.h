@@ -1,5 +1,5 @@
 #pragma once
-/// The CPU's way to a guide (denoise/guided.h): each of its pixels is looked at along one ray, at a few depths.
+/// Renders guides (denoise/guided.h) on the CPU: one ray for each pixel, evaluated at a few depths.
 
 #include <vector>
 
@@ -11,24 +11,24 @@
 
 namespace pdr {
 
-/// Whether a guide shows what films of the scene show: paths that begin in one point and are not marched.
+/// Returns whether a guide shows what films of the scene show: paths begin in one point and are not marched.
 bool canBeGuided(const FlatScene& scene);
 
-/// Owns the room for the rays, so one per thread.
+/// Renders pixels of a guide. Owns the memory for the rays, so each thread has one.
 class GuideBatch {
   public:
-    /// Looks at the pixels `tile` of the guide of `scene`'s film.
+    /// Renders the pixels `tile` of the guide of `scene`'s film.
     void look(const FlatScene& scene, const Tile& tile, denoise::Guide& guide);
 
   private:
-    /// On the way into its depth.
+    /// A pixel whose ray is being followed into the depth.
     struct Pixel {
         ivec2 place;
         PathSegment segment;
-        float reached = 0;     ///< mm from the ray's origin
-        float opacity = 0;     ///< of what `seen` knows
-        UnshadowedPlace seen;  ///< sums
-        UnshadowedPlace last;  ///< where it was looked at last: counts once it is known how far that goes
+        float reached = 0;     ///< distance so far [mm from the ray's origin]
+        float opacity = 0;     ///< opacity that `seen` covers
+        UnshadowedPlace seen;  ///< weighted sums
+        UnshadowedPlace last;  ///< last evaluated place: counts once its extent is known
 
         void settle(float upTo);
         Ray rest() const;

@@ -1,8 +1,8 @@
 #pragma once
-/// Many rays, kLanes at a time: a lane whose ray has ended takes the next one.
-///   Walk   what a lane does with its ray: going(), step(scene), take(mask, started walk, from)
+/// Walks many rays, kLanes at a time: a lane whose ray has ended takes the next one.
+///   Walk   the state of the lanes: going(), step(scene), take(mask, started walk, from)
 ///   Rays   the list: size(), started(scene, row) with rows [row, row + kLanes) before their first step, and
-///          keep(scene, walk, lane, ray) for what has become of one
+///          keep(scene, walk, lane, ray) to store the result of one
 
 #include <array>
 #include <bit>
@@ -14,19 +14,20 @@
 
 namespace pdr {
 
-/// Lanes read voxels in pairs along x and count them in 32 bits.
+/// Returns whether lanes can read the volume: they read voxels in pairs along x and count them in 32 bits.
 inline bool lanesCanRead(const FlatVolume& volume) {
     const std::int64_t voxels = std::int64_t(volume.size.x) * volume.size.y * volume.size.z;
     return volume.size.x > 1 && voxels <= INT32_MAX;
 }
 
-/// kLanes rays in step. A lane whose ray has ended waits until kIdleLanes do, then they take new rays together.
+/// A group of kLanes rays in lockstep. A lane whose ray has ended waits until kIdleLanes do; then they take new rays
+/// together.
 template <class Walk, class Rays>
 class LaneGroup {
   public:
     LaneGroup(Rays& rays, const FlatScene& scene) : rays_(rays), scene_(scene) {}
 
-    /// One step; false when no ray is left. `next`: the first ray that nobody has taken.
+    /// Makes one step; false if no ray is left. `next`: the first ray that is not taken yet.
     [[gnu::noinline]] bool step(int& next) {
         const std::uint32_t idle = laneBits(!walk_.going());
         if (std::popcount(idle) >= kIdleLanes && next < rays_.size())
@@ -40,7 +41,7 @@ class LaneGroup {
     void keepAll() { keep(kAllLanes); }
 
   private:
-    static constexpr int kIdleLanes = kLanes / 4;  ///< so many lanes wait before new rays are taken
+    static constexpr int kIdleLanes = kLanes / 4;  ///< number of idle lanes at which new rays are taken
     static constexpr std::uint32_t kAllLanes = (1u << kLanes) - 1;
 
     void keep(std::uint32_t lanes) {
@@ -74,11 +75,11 @@ class LaneGroup {
     Rays& rays_;
     const FlatScene& scene_;
     Walk walk_, waiting_;
-    int waitingFrom_ = -1;           ///< the ray that lane 0 of waiting_ stands for
-    IntLanes ray_ = IntLanes{} - 1;  ///< which ray each lane has; -1: none
+    int waitingFrom_ = -1;           ///< the ray in lane 0 of waiting_
+    IntLanes ray_ = IntLanes{} - 1;  ///< the ray of each lane; -1: none
 };
 
-/// All rays to their end. Two groups take turns: while one waits for the memory the other computes.
+/// Walks all rays to their ends. Two groups take turns: while one waits for the memory, the other computes.
 template <class Walk, class Rays>
 void walkInLanes(Rays& rays, const FlatScene& scene) {
     LaneGroup<Walk, Rays> a(rays, scene), b(rays, scene);
@@ -92,7 +93,7 @@ void walkInLanes(Rays& rays, const FlatScene& scene) {
     b.keepAll();
 }
 
-/// Rays by columns, so that they load in step.
+/// Rays stored by columns, so that lanes load them together.
 template <int Capacity>
 struct RayColumns {
     void set(int row, const Ray& ray) {

@@ -6,13 +6,13 @@ namespace pdr {
 
 namespace {
 
-/// kLanes rays on their way, and what the estimator made of them so far.
+/// A group of kLanes rays on their way, with the state of the estimator.
 template <template <class> class Estimator, bool Dense>
 struct TrackingWalk {
     MajorantTraversal<FloatLanes, Dense> flight{};
     Estimator<FloatLanes> estimator;
-    IntLanes overMajorant{};  ///< has met an extinction above its bound
-    IntLanes steps{};         ///< of its ray so far; see kMostSteps
+    IntLanes overMajorant{};  ///< whether the ray has met an extinction above its bound
+    IntLanes steps{};         ///< steps of the ray so far; see kMostSteps
 
     IntLanes going() const { return flight.isActive(); }
     PDR_HD_INLINE void step(const FlatScene& scene) {
@@ -39,7 +39,7 @@ struct TrackingWalk {
 
 }  // namespace
 
-/// The batch as a list of rays for lanes.
+/// Presents the batch as a list of rays for walkInLanes().
 template <template <class> class Estimator, bool Dense>
 struct RayBatch::Tracked {
     using Walk = TrackingWalk<Estimator, Dense>;

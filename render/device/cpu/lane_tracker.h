@@ -1,5 +1,5 @@
 #pragma once
-/// Many rays through the medium, kLanes at a time.
+/// Tracks many rays through the medium, kLanes at a time.
 
 #include <array>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace pdr {
 
-/// A list of rays and, after track(), what became of them. Lanes are arrays, so that rays load and store in step.
+/// A list of rays and, after track(), their results. It stores arrays, so that lanes load and store rays together.
 class RayBatch {
   public:
     static constexpr int kCapacity = 512;
@@ -21,7 +21,7 @@ class RayBatch {
     int size() const { return size_; }
     bool full() const { return size_ == kCapacity; }
     float result(int ray) const { return result_[ray]; }
-    /// Rays that met an extinction above its bound; in no order.
+    /// Returns the rays that met an extinction above its bound, in no order.
     const std::vector<int>& overMajorant() const { return overMajorant_; }
 
     /// Adds a ray; its number is its place in the order of adding.
@@ -32,7 +32,8 @@ class RayBatch {
         ++size_;
     }
 
-    /// Estimator: DeltaTracking or RatioTracking. Compiled apart from the kernels: it is the same for all of them.
+    /// Tracks all rays. Estimator: DeltaTracking or RatioTracking. Compiled apart from the kernels, since all of them
+    /// share it.
     template <template <class> class Estimator>
     void track(const FlatScene& scene);
 

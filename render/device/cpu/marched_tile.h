@@ -1,12 +1,12 @@
 #pragma once
-/// The CPU's way through kernel/kroes_path.h: one sample after the other.
+/// Renders tiles on the CPU with kernel/baseline/kroes_path.h, one sample after the other.
 
 #include "render/base/tile.h"
 #include "render/kernel/flat_scene.h"
 
 namespace pdr {
 
-/// Adds `samples` to each pixel of `tile`. sums.health must be there. For scenes that are marched.
+/// Adds `samples` to each pixel of `tile`. For scenes that are marched. sums.health must not be null.
 void renderMarched(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums);
 
 }  // namespace pdr

@@ -1,6 +1,6 @@
 #pragma once
-/// The CPU's way through kernel/integrator.h: many paths at a time, each on a segment of its own. A path that ends
-/// leaves its place to the next sample, so that the lanes stay full however long some paths are.
+/// Runs kernel/transport/integrator.h on the CPU: many paths at a time, each on a segment of its own. A path that ends
+/// makes room for the next sample, so that the lanes stay full however long some paths are.
 
 #include <vector>
 
@@ -11,10 +11,10 @@
 
 namespace pdr {
 
-/// Renders pixels of one scene; owns the room for the paths, so one per thread.
+/// Renders pixels of one scene. Owns the memory for the paths, so each thread has one.
 class PixelBatch {
   public:
-    /// Adds `samples` to each pixel of `tile`. sums.health must be there.
+    /// Adds `samples` to each pixel of `tile`. sums.health must not be null.
     template <std::uint32_t F>
     void render(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums) {
         samples_.assign(std::size_t(tile.width) * std::size_t(tile.height) * samples.count, {});
@@ -28,7 +28,7 @@ class PixelBatch {
     }
 
   private:
-    /// `index`: of the pixel's first sample in samples_.
+    /// Starts the samples of a pixel; `index` is the position of the first one in samples_.
     template <std::uint32_t F>
     void startPixel(const FlatScene& scene, ivec2 pixel, SampleRange samples, std::size_t index) {
         const vec2 depths = depthBounds(scene, pixel);
@@ -49,7 +49,7 @@ class PixelBatch {
         ++active_;
     }
 
-    /// Every path goes on to its next event and meets the light there; what has not ended stays in order.
+    /// Traces every path to its next event and the light there; paths that continue stay in order.
     template <std::uint32_t F>
     void traceSegments(const FlatScene& scene) {
         traceCollisions(scene);
@@ -124,7 +124,7 @@ class PixelBatch {
         active_ = kept;
     }
 
-    /// In the order of the samples, whichever path ended first.
+    /// Adds the samples in their order, whichever path ended first.
     void addSamples(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums) const {
         const vec3 background = plainBackground(scene);
         const PathSample* found = samples_.data();
@@ -145,7 +145,7 @@ class PixelBatch {
             }
     }
 
-    /// Light on its way to the event of a path.
+    /// Light that may reach the event of a path.
     struct LightOfRow {
         int row;
         vec3 radiance;
@@ -155,18 +155,18 @@ class PixelBatch {
     }
     PathSample& sampleOf(int row) { return samples_[indices_[row]]; }
 
-    std::vector<PathSample> samples_;  ///< of the tile: pixel by pixel, row by row
-    // by path on its way
+    std::vector<PathSample> samples_;  ///< samples of the tile: pixel by pixel, row by row
+    // for each active path
     int active_ = 0;
     std::array<Path, RayBatch::kCapacity> paths_;
     std::array<int, RayBatch::kCapacity> bounces_;
-    std::array<std::size_t, RayBatch::kCapacity> indices_;  ///< in samples_
+    std::array<std::size_t, RayBatch::kCapacity> indices_;  ///< positions in samples_
     std::array<bool, RayBatch::kCapacity> continues_;
-    std::array<float, RayBatch::kCapacity> collision_;  ///< see endSegment()
-    // by ray: of segments first, then of light paths
+    std::array<float, RayBatch::kCapacity> collision_;  ///< distance of the collision; see endSegment()
+    // for each ray: first of segments, then of light paths
     FlightBatch flights_;
     RayBatch rays_;
-    static_assert(FlightBatch::kCapacity >= kMostLightPaths * RayBatch::kCapacity);  // of all paths at once
+    static_assert(FlightBatch::kCapacity >= kMostLightPaths * RayBatch::kCapacity);  // light paths of all paths at once
     std::array<int, RayBatch::kCapacity> rowOfRay_;
     std::array<LightOfRow, FlightBatch::kCapacity> lightOfFlight_;
     std::array<LightOfRow, RayBatch::kCapacity> lightOfRay_;

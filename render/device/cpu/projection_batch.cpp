@@ -15,7 +15,7 @@ RayResult<float> laneOf(const RayResult<FloatLanes>& lanes, int lane) {
 
 }  // namespace
 
-/// The batch as a list of rays for lanes.
+/// Presents the batch as a list of rays for walkInLanes().
 template <FlatModel Model, bool Masked>
 struct ProjectionBatch::InLanes {
     using Walk = RayWalk<FloatLanes, Model, Masked>;

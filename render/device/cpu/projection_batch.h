@@ -1,5 +1,5 @@
 #pragma once
-/// The CPU's way through kernel/projection.h: many rays, kLanes at a time.
+/// Runs kernel/quadrature/projection.h on the CPU: many rays, kLanes at a time.
 
 #include <array>
 
@@ -9,23 +9,24 @@
 
 namespace pdr {
 
-/// Renders pixels of one scene; owns the room for the rays, so one per thread.
+/// Renders pixels of one scene. Owns the memory for the rays, so each thread has one.
 class ProjectionBatch {
   public:
-    /// Adds `samples` to each pixel of `tile`. sums.health must be there. For scenes whose flat model is no scattering.
+    /// Adds `samples` to each pixel of `tile`. For scenes whose flat model is not scattering. sums.health must not be
+    /// null.
     void render(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums);
 
     static constexpr int kCapacity = 1024;
 
     void clear() { size_ = 0; }
     int size() const { return size_; }
-    /// Adds a ray with what lies behind it; its number is its place in the order of adding. There is room for
-    /// kCapacity.
+    /// Adds a ray with what lies behind it; its number is its place in the order of adding. There must be room:
+    /// kCapacity rays.
     void add(const Ray& ray, vec3 behind);
-    /// Takes all rays to their end.
+    /// Walks all rays to their ends.
     template <FlatModel Model>
     void project(const FlatScene& scene);
-    /// What project() found.
+    /// Returns what project() found.
     const Projected& result(int ray) const { return result_[ray]; }
 
   private:

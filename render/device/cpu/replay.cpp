@@ -6,10 +6,10 @@ namespace pdr {
 
 namespace {
 
-/// With all effects compiled in: those that a scene does not call for leave every bit as it is.
+/// All effects are compiled in: those that a scene does not need leave every bit unchanged.
 constexpr std::uint32_t kAll = kFeatureMasks - 1;
 
-/// Writes down what tracePath() tells.
+/// Records what tracePath() reports.
 class PathRecorder {
   public:
     PathRecorder(const FlatScene& scene, dvec3 centreMm, std::vector<ReplayedSegment>& segments)

@@ -1,5 +1,5 @@
 #pragma once
-/// Which sample a path or a ray is, and where it goes.
+/// The origin of a sample, and the sums that it is added to.
 
 #include <cstdint>
 
@@ -16,19 +16,19 @@ struct SampleOrigin {
         : target(&sums), sample(number), pixel(std::uint32_t(at.y * scene.camera.film.x + at.x)) {}
     SampleOrigin() = default;
 
-    /// Adds what it brought, or counts why that is no radiance.
+    /// Adds the radiance of the sample, or counts the fault that makes it invalid.
     PDR_HD_INLINE void add(vec3 radiance, Health& health) const {
         if (!addSample(*target, radiance, sample)) [[unlikely]]
             note(faultOf(radiance), health);
     }
-    /// The same for a sample as the kernel returns it: PathSample or Projected.
+    /// Adds a sample as the kernel returns it: a PathSample or a Projected.
     template <class Sample>
     PDR_HD_INLINE void add(const Sample& found, Health& health) const {
         add(found.radiance, health);
         see(found.tissue ? seenOfTissue(sample) : 0);
         noteFaults(found, [&](Fault fault) { note(fault, health); });
     }
-    /// Tells its pixel what it has seen: kSeen...
+    /// Records in the pixel what the sample has seen: kSeen...
     void see(std::uint32_t what) const { target->seen |= what; }
     void note(Fault fault, Health& health) const { health.add(fault, sample, pixel); }
 };

@@ -38,7 +38,7 @@ std::string versionText(int version) {
     return std::to_string(version / 1000) + "." + std::to_string(version % 1000 / 10);
 }
 
-/// Why there is no GPU to be had.
+/// Returns the reason why no GPU can be used.
 Error noGpu(cudaError_t status) {
     int driver = 0, runtime = 0;
     cudaDriverGetVersion(&driver);
@@ -56,10 +56,10 @@ Error noGpu(cudaError_t status) {
             phrase("Render on the CPU.")};
 }
 
-/// The first generation that nvcc compiles for: 7.5, Turing.
+/// First compute capability that nvcc compiles for: 7.5, Turing.
 constexpr int kOldest = 75;
 
-/// Whether this program has machine code for the GPU, or what its driver can translate.
+/// Checks that this program has machine code for the GPU, or code that its driver can translate.
 Result<void> checkAge(int index) {
     int major = 0, minor = 0;
     const cudaError_t status[] = {cudaDeviceGetAttribute(&major, cudaDevAttrComputeCapabilityMajor, index),
@@ -68,15 +68,16 @@ Result<void> checkAge(int index) {
     const bool isKnown = status[0] == cudaSuccess && status[1] == cudaSuccess;
     if (!isKnown || 10 * major + minor >= kOldest)
         return {};
-    return Error{phrase("the GPU is too old for this program: it is of compute capability %1.%2, 7.5 or later is needed",
-                        major, minor),
-                 kName, phrase("Render on the CPU.")};
+    return Error{
+        phrase("the GPU is too old for this program: it is of compute capability %1.%2, 7.5 or later is needed", major,
+               minor),
+        kName, phrase("Render on the CPU.")};
 }
 
 DeviceInfo infoOf(int index) {
     cudaDeviceProp properties{};
     if (cudaGetDeviceProperties(&properties, index) != cudaSuccess)
-        cudaGetLastError();  // else the next launch is blamed for it
+        cudaGetLastError();  // otherwise the next launch would report this error
     return {index == 0 ? kName : kName + (":" + std::to_string(index)),
             std::string(properties.name) + ", " + bytesText(properties.totalGlobalMem)};
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// GPUs of NVIDIA's as devices.
+/// NVIDIA GPUs as devices.
 
 #include <memory>
 #include <vector>
@@ -8,10 +8,11 @@
 
 namespace pdr {
 
-/// Those that are here, in the runtime's order. Errors: why there is none: no driver, one that is too old, no GPU.
+/// Returns the GPUs of this machine, in the runtime's order. Errors: why there is none: no driver, one that is too old,
+/// no GPU.
 Result<std::vector<DeviceInfo>> cudaDevices();
 
-/// GPU number `index`. Errors: cudaDevices()'s, no such number, or the GPU's own.
+/// Makes the device of GPU number `index`. Errors: cudaDevices()'s, no such number, or the GPU's own.
 Result<std::unique_ptr<Device>> makeCudaDevice(int index = 0);
 
 }  // namespace pdr

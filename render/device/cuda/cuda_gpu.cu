@@ -5,7 +5,8 @@
 namespace pdr {
 namespace {
 
-/// For calls that nothing depends on. The runtime keeps their error, and the next launch would be blamed for it.
+/// Ignores the status of a call that nothing depends on. Clears it in the runtime, too, since the next launch would
+/// report it.
 void ignore(cudaError_t status) {
     if (status != cudaSuccess)
         cudaGetLastError();
@@ -53,7 +54,7 @@ bool CudaGpu::check(cudaError_t status, const char* doing) {
 }
 
 std::optional<Error> CudaGpu::takeError() {
-    cudaGetLastError();  // what is kept by the runtime of a passing error; a lost device stays lost
+    cudaGetLastError();  // clears what the runtime keeps of a passing error; a lost device stays lost
     return std::exchange(error_, std::nullopt);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A GPU of NVIDIA's, through the CUDA runtime: a Gpu (gpu/gpu.h). For files that nvcc compiles.
+/// An NVIDIA GPU through the CUDA runtime: a Gpu (gpu/gpu.h). For files that nvcc compiles.
 
 #include <cuda_runtime.h>
 
@@ -16,7 +16,7 @@
 
 namespace pdr {
 
-/// Program(index) for all indices, one thread each.
+/// Runs program(index) for all indices, one thread each.
 template <class Program>
 __global__ void forEachIndex(const __grid_constant__ Program program, std::int64_t count) {
     const std::int64_t index = std::int64_t(blockIdx.x) * blockDim.x + threadIdx.x;
@@ -24,7 +24,7 @@ __global__ void forEachIndex(const __grid_constant__ Program program, std::int64
         program(index);
 }
 
-/// See gpu/walk_queue.h.
+/// A warp for walkQueue(); see gpu/walk_queue.h.
 struct CudaWarp {
     static constexpr unsigned kAll = 0xFFFFFFFFu;
 
@@ -59,7 +59,7 @@ class CudaGpu {
     static constexpr std::uint32_t kSpecializedFeatures = kFeatureMasks - 1;
     static constexpr std::int64_t kPathsTogether = 1 << 20;
 
-    /// GPU number `index`, from 0.
+    /// Opens GPU number `index`, from 0.
     explicit CudaGpu(int index);
     ~CudaGpu();
     CudaGpu(const CudaGpu&) = delete;
@@ -108,22 +108,22 @@ class CudaGpu {
   private:
     static constexpr int kThreads = 128;
 
-    /// Whether calls are to be made: no error is kept. This thread's calls then go to this GPU.
+    /// Returns whether calls may be made: no error is stored. This thread's calls then go to this GPU.
     bool ready();
-    /// Keeps the first error; `doing`: what was tried, "a launch".
+    /// Stores the first error and returns whether there was none; `doing`: what was tried, "a launch".
     bool check(cudaError_t status, const char* doing);
-    /// Whether textures may be that large; else the error is kept.
+    /// Returns whether textures may be that large; if not, stores the error.
     bool textureFits(ivec3 size);
-    /// A texture object for `array`; 0 after an error.
+    /// Returns a texture object for `array`; 0 after an error.
     cudaTextureObject_t textureOf(cudaArray_t array);
     cudaStream_t of(GpuStream stream) const { return streams_[int(stream)]; }
-    /// Blocks of a kernel that the GPU holds at a time; 0: an error is kept.
+    /// Returns how many blocks of a kernel the GPU holds at a time; 0: an error is stored.
     unsigned residentBlocks(const void* kernel);
 
     int index_;
     std::string name_;
     std::array<cudaStream_t, 2> streams_{};
-    std::uint64_t* next_ = nullptr;  ///< of the queue
+    std::uint64_t* next_ = nullptr;  ///< next index of the queue
     std::map<const void*, unsigned> residentBlocks_;
     std::optional<Error> error_;
 };

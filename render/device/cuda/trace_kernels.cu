@@ -1,4 +1,4 @@
-/// Compiled once for each PDR_FIRST_MASK: 0, 8, 16, 24.
+/// Instantiates the path kernels. Compiled once for each PDR_FIRST_MASK: 0, 8, 16, 24.
 
 #include "render/device/cuda/trace_kernels.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The main kernels, one per set of effects: compiled in files of their own, side by side.
+/// Launches of the path kernels, one for each set of effects, compiled side by side in files of their own.
 
 #include <array>
 
@@ -10,7 +10,8 @@ namespace pdr {
 
 inline constexpr std::uint32_t kMasksPerFile = 8;
 
-/// For the masks from First on. Defined in trace_kernels.cu, which is compiled once for each First.
+/// Returns the launches for the masks from First on. Defined in trace_kernels.cu, which is compiled once for each
+/// First.
 template <std::uint32_t First>
 std::array<TraceLaunch<CudaGpu>, kMasksPerFile> pathLaunchesFrom();
 

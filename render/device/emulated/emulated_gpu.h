@@ -1,6 +1,6 @@
 #pragma once
-/// A GPU that the CPU's threads play: the programs of GPUs, their memory and their texture units. Slow; for tests, and
-/// to learn without a GPU what a choice that only GPUs know does to a picture.
+/// GPUs emulated by the CPU's threads: their programs, their memory and their texture units. Slow; for tests, and to
+/// find out without a GPU what an option that only GPUs have does to an image.
 
 #include <memory>
 
@@ -8,10 +8,10 @@
 
 namespace pdr {
 
-/// `threads` 0 = one per core. Not among devicesHere().
+/// Makes an emulated GPU; `threads` 0 = one per core. devicesHere() does not list it.
 std::unique_ptr<Device> makeEmulatedGpu(int threads = 0);
 
-/// The same whose queues are walked by warps in step, by the text that does so on a GPU. Slower still.
+/// Makes an emulated GPU whose queues are walked by warps in lockstep, with the code that runs on a GPU. Slower still.
 std::unique_ptr<Device> makeLockstepGpu(int threads = 0);
 
 }  // namespace pdr

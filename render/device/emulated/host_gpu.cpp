@@ -21,7 +21,7 @@ namespace pdr {
 namespace {
 
 constexpr std::size_t kAlignment = 256;  ///< bytes
-constexpr std::size_t kGrain = 256;      ///< indices that are worth a task of their own
+constexpr std::size_t kGrain = 256;      ///< number of indices that is worth a task of its own
 
 std::size_t machineMemory() {
     const long pages = sysconf(_SC_PHYS_PAGES), bytes = sysconf(_SC_PAGESIZE);
@@ -40,7 +40,7 @@ struct HostGpu::Threads {
                   std::size_t(std::max(count, tbb::this_task_arena::max_concurrency()))),
           arena(count) {}
 
-    tbb::global_control allowed;  ///< more threads than cores, when asked for
+    tbb::global_control allowed;  ///< allows more threads than cores, if requested
     tbb::task_arena arena;
 };
 

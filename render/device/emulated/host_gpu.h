@@ -1,7 +1,7 @@
 #pragma once
-/// A Gpu (gpu/gpu.h) made of the CPU's threads and memory: what is written for GPUs runs on the CPU too, to be compared
-/// there and to be tested without one. Every order is carried out before the call returns, so that both streams are in
-/// order and every event is reached. The walks of a queue go one by one to their ends, or in warps, as a GPU's do.
+/// A Gpu (gpu/gpu.h) made of the CPU's threads and memory: code for GPUs runs on the CPU too, for comparison and for
+/// tests without a GPU. Every call is carried out before it returns, so both streams are in order and every event is
+/// reached. The walks of a queue run one by one to their ends, or in warps as on a GPU.
 
 #include <cstddef>
 #include <cstdint>
@@ -26,17 +26,17 @@ class HostGpu {
   public:
     struct Event {};
 
-    /// One program with all effects: it need not be fast.
+    /// Effects that programs are specialized for: none. One program has all effects, since it need not be fast.
     static constexpr std::uint32_t kSpecializedFeatures = 0;
-    /// Few, so that pictures of tests take many turns.
+    /// Paths that are under way together: few, so that the images of tests take many turns.
     static constexpr std::int64_t kPathsTogether = 1'000;
 
-    /// A program is sent to a GPU by value, in so many bytes at most.
+    /// Largest size of a program [bytes]: it is sent to a GPU by value.
     static constexpr std::size_t kLargestProgram = 4096;
 
     enum class Walks { oneByOne, inWarps };
 
-    /// `totalBytes` of memory, 0 = all that the machine has; `threads` 0 = one per core.
+    /// Makes a GPU with `totalBytes` of memory, 0 = all that the machine has; `threads` 0 = one per core.
     explicit HostGpu(std::size_t totalBytes = 0, int threads = 0, Walks walks = Walks::oneByOne);
     ~HostGpu();
     HostGpu(const HostGpu&) = delete;
@@ -45,14 +45,14 @@ class HostGpu {
     std::string name() const { return "cpu"; }
     GpuMemory memory() const;
 
-    /// At addresses that 256 divides. Errors: more than memory().free.
+    /// Allocates memory at addresses that 256 divides. Errors: more than memory().free.
     void* allocate(std::size_t bytes);
     void release(void* memory);
-    /// Host memory; it counts as none of the device's.
+    /// Allocates host memory, which does not count as the device's.
     void* allocatePinned(std::size_t bytes);
     void releasePinned(void* memory);
 
-    /// Nothing but bytes that count as taken: the kernel computes from the volume itself what a texture unit would.
+    /// Allocates only the bytes of a texture: the kernel computes from the volume itself what a texture unit would.
     std::uint64_t makeTexture(const std::int16_t* voxels, ivec3 size);
     void releaseTexture(std::uint64_t texture) { release(reinterpret_cast<void*>(texture)); }
 
@@ -83,14 +83,14 @@ class HostGpu {
 
     std::optional<Error> takeError();
 
-    /// What the warps of each queue have done so far, by the queue's name (kName); nothing where there are none.
+    /// Returns what the warps of each queue have done so far, by the queue's name (kName); empty if there are no warps.
     const std::map<std::string, WarpCounts>& warpCounts() const { return warpCounts_; }
 
-    /// Bytes that were allocated, pinned ones too, and not yet released.
+    /// Returns the bytes that are allocated and not yet released, pinned ones included.
     std::size_t allocated() const;
 
   protected:
-    /// Keeps the first error.
+    /// Stores the first error.
     void fail(Error error);
     bool failed() const;
 
@@ -109,7 +109,7 @@ class HostGpu {
         });
     }
 
-    /// As a GPU does it: by the text that runs there. Some warps share the queue.
+    /// Runs a queue as a GPU does, with the code that runs there. Several warps share the queue.
     template <class Program>
     void launchWarps(const Program& program, std::int64_t count) {
         constexpr std::int64_t kWarps = 3;
@@ -136,17 +136,17 @@ class HostGpu {
     /// Calls piece(begin, end) from all threads so that [0, count) is covered.
     void distribute(std::int64_t count, Order order, const std::function<void(std::int64_t, std::int64_t)>& piece);
 
-    /// The memory, or null where the machine has none left.
+    /// Returns new memory, or null if the machine has none left.
     void* taken(std::size_t bytes);
-    /// The bytes that lay there.
+    /// Releases memory and returns its size [bytes].
     std::size_t given(void* memory);
 
     std::size_t total_;
     std::unique_ptr<Threads> threads_;
     Walks walks_;
 
-    mutable std::mutex mutex_;                          ///< of the rest
-    std::unordered_map<void*, std::size_t> allocated_;  ///< bytes by address, pinned ones too
+    mutable std::mutex mutex_;                          ///< protects the rest
+    std::unordered_map<void*, std::size_t> allocated_;  ///< bytes by address, pinned ones included
     std::size_t used_ = 0, pinned_ = 0;                 ///< bytes
     std::map<std::string, WarpCounts> warpCounts_;
     std::optional<Error> error_;

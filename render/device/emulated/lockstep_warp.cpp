@@ -7,10 +7,10 @@ namespace pdr {
 
 namespace {
 
-constexpr std::size_t kStack = 256 << 10;  ///< bytes
+constexpr std::size_t kStack = 256 << 10;  ///< size of a thread's stack [bytes]
 
 thread_local LockstepWarp* starting =
-    nullptr;  ///< the warp whose thread is entered: makecontext() hands over no pointer
+    nullptr;  ///< the warp whose thread is being entered: makecontext() passes on no pointer
 
 }  // namespace
 
@@ -41,6 +41,7 @@ void LockstepWarp::enter() {
 
 bool LockstepWarp::run(const std::function<void(const Lane&)>& thread, const std::function<void()>& afterMeeting) {
     thread_ = &thread;
+    // Give each lane a stack and an entry point
     for (Thread& one : threads_) {
         one.ended = false;
         getcontext(&one.context);
@@ -50,6 +51,7 @@ bool LockstepWarp::run(const std::function<void(const Lane&)>& thread, const std
         makecontext(&one.context, &LockstepWarp::enter, 0);
     }
     std::ptrdiff_t ended = 0;
+    // Run all lanes to their next meeting until some have ended
     while (ended == 0) {
         for (running_ = 0; running_ < kWarp; ++running_) {
             starting = this;

@@ -1,6 +1,7 @@
 #pragma once
-/// A warp of a GPU, played by one thread of the CPU: kWarp threads, each on a stack of its own, that run one after the
-/// other, each up to where they ask each other. Whoever forgets to ask, or asks alone, is seen.
+/// A warp of a GPU, emulated by one thread of the CPU: kWarp threads, each on a stack of its own, run one after the
+/// other, each up to its next exchange with the others. A thread that omits an exchange, or makes one alone, is
+/// detected.
 
 #include <ucontext.h>
 
@@ -16,7 +17,7 @@ namespace pdr {
 
 class LockstepWarp {
   public:
-    /// One of its threads; see walk_queue.h.
+    /// A thread of the warp; see walk_queue.h.
     class Lane {
       public:
         int lane() const { return lane_; }
@@ -35,12 +36,12 @@ class LockstepWarp {
     LockstepWarp(const LockstepWarp&) = delete;
     LockstepWarp& operator=(const LockstepWarp&) = delete;
 
-    /// thread(lane) for all lanes, to their ends. `afterMeeting` is called each time that all have met. Result: whether
-    /// all have ended together, as a GPU needs it.
+    /// Runs thread(lane) for all lanes to their ends. `afterMeeting` is called each time that all have met. Returns
+    /// whether all have ended together, as a GPU requires.
     bool run(const std::function<void(const Lane&)>& thread, const std::function<void()>& afterMeeting);
 
   private:
-    /// What lanes have said since they last met, and before.
+    /// What the lanes have contributed to an exchange: since they last met (saying_), and before (said_).
     struct Said {
         std::uint32_t votes = 0;
         std::uint64_t word = 0;

@@ -1,18 +1,18 @@
 #pragma once
-/// What the warps of a queue do with their time: how many of their 32 walks go on in each step that they make.
+/// Counts of how the warps of a queue spend their time: how many of their 32 walks go on in each step.
 
 #include <cstdint>
 
 namespace pdr {
 
-/// Of one warp since its lanes last met.
+/// Counts of one warp since its lanes last met.
 struct WalkCounts {
     std::uint64_t started = 0, stepped = 0;
 };
 
 struct WarpCounts {
-    std::uint64_t starts = 0, started = 0;  ///< times that a warp started walks, and walks that it started
-    std::uint64_t steps = 0, stepped = 0;   ///< steps of warps, and of walks in them
+    std::uint64_t starts = 0, started = 0;  ///< times that a warp started walks, and the walks that it started
+    std::uint64_t steps = 0, stepped = 0;   ///< steps of warps, and steps of walks in them
 
     void add(const WalkCounts& since) {
         starts += since.started > 0;
@@ -28,7 +28,7 @@ struct WarpCounts {
     }
 };
 
-/// A program for a queue (gpu.h) whose calls are counted.
+/// A program for a queue (gpu.h) with counted calls.
 template <class Program>
 struct CountedWalks {
     using Walk = typename Program::Walk;

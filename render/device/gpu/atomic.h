@@ -1,5 +1,5 @@
 #pragma once
-/// What threads of one program may do to the same number. In any order the result is the same.
+/// Atomic operations of a program's threads on the same number. In any order the result is the same.
 
 #include <atomic>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace pdr {
 
-/// Result: `target` as it was.
+/// Adds `value` to `target`; returns the value before.
 PDR_HD inline std::uint64_t atomicAddTo(std::uint64_t& target, std::uint64_t value) {
 #if defined(__CUDA_ARCH__)
     return atomicAdd(reinterpret_cast<unsigned long long*>(&target), static_cast<unsigned long long>(value));
@@ -25,7 +25,7 @@ PDR_HD inline void atomicAddTo(std::uint32_t& target, std::uint32_t value) {
 #endif
 }
 
-/// Sets bits that are mostly there already: then nobody waits for anybody.
+/// Sets bits that are mostly set already; if they are, no thread waits for another.
 PDR_HD inline void atomicMark(std::uint32_t& target, std::uint32_t bits) {
 #if defined(__CUDA_ARCH__)
     if ((*const_cast<volatile std::uint32_t*>(&target) & bits) != bits)
@@ -70,7 +70,7 @@ PDR_HD inline void atomicRaise(std::int32_t& target, std::int32_t value) {
 #endif
 }
 
-/// `target` as it was, which is then one more.
+/// Adds 1 to `target`; returns the value before.
 PDR_HD inline std::int32_t atomicTakeNext(std::int32_t& target) {
 #if defined(__CUDA_ARCH__)
     return atomicAdd(&target, 1);

@@ -1,6 +1,6 @@
 #pragma once
-/// The acceleration structure, made on the device: ranges, majorants, and the depth bounds of the view. The
-/// same numbers, bit by bit, as scene/majorants and scene/view_bounds make on the host.
+/// Builds the acceleration structure on the device: ranges, majorants, and the depth bounds of the view. The numbers
+/// are bit by bit those that prepare/majorants and prepare/view_bounds make on the host.
 
 #include <climits>
 
@@ -11,7 +11,7 @@
 
 namespace pdr {
 
-/// For each fine cell.
+/// Computes the HU range of each fine cell.
 struct BuildRangesKernel {
     const std::int16_t* voxels;
     ivec3 size, fine;
@@ -22,19 +22,19 @@ struct BuildRangesKernel {
 
 /// What the host must know of the bounds.
 struct BoundsSummary {
-    std::int32_t low[3] = {INT_MAX, INT_MAX, INT_MAX};   ///< fine cells with a bound above 0: the lowest ...
-    std::int32_t high[3] = {INT_MIN, INT_MIN, INT_MIN};  ///< ... and the highest along each axis
-    std::int32_t highest = 0;                            ///< the largest bound, as bits
+    std::int32_t low[3] = {INT_MAX, INT_MAX, INT_MAX};   ///< lowest fine cell with a bound above 0, along each axis
+    std::int32_t high[3] = {INT_MIN, INT_MIN, INT_MIN};  ///< highest fine cell with a bound above 0, along each axis
+    std::int32_t highest = 0;                            ///< bits of the largest bound
 };
 
-/// For each coarse cell: its own bound and those of its fine cells.
+/// Computes for each coarse cell its own bound and those of its fine cells.
 struct BuildMajorantsKernel {
     const HuRange* ranges;
     FlatTransferFunction function;
     float highestOfCurve;
-    bool highestHu;  ///< for maximumIntensity
+    bool highestHu;  ///< whether the bounds are those of HU, for maximumIntensity
     FlatMask mask;
-    ivec3 volume;  ///< voxels
+    ivec3 volume;  ///< size in voxels
     ivec3 coarseGrid;
     float *fine, *coarse;
     BoundsSummary* summary;
@@ -72,7 +72,7 @@ struct BuildMajorantsKernel {
     }
 };
 
-/// Floats as whole numbers in the same order; and back.
+/// Converts floats to whole numbers in the same order, and back.
 PDR_HD inline std::int32_t orderedBits(float x) {
     const std::int32_t bits = bitsOf(x);
     return bits >= 0 ? bits : bits ^ INT_MAX;
@@ -81,7 +81,7 @@ PDR_HD inline float fromOrderedBits(std::int32_t ordered) {
     return floatOf(ordered >= 0 ? ordered : ordered ^ INT_MAX);
 }
 
-/// Depths of a block of pixels as ordered bits, while cells are added to it.
+/// The depths of a block of pixels as ordered bits, while cells are added to it.
 struct OrderedDepths {
     std::int32_t nearest, farthest;
 
@@ -91,16 +91,16 @@ struct OrderedDepths {
     }
 };
 
-/// Cells that cover so many blocks that one thread should not go through them alone.
+/// Counts cells that cover so many blocks that one thread should not go through them alone.
 struct WideCells {
     static constexpr int kRoom = 16384;
     static constexpr int kManyBlocks = 64;
 
     std::int32_t count = 0;
-    std::int32_t behind = 0;  ///< some cell reaches behind the eye
+    std::int32_t behind = 0;  ///< 1: some cell reaches behind the eye
 };
 
-/// For each block: nothing is there yet.
+/// Empties the depths of each block.
 struct ClearDepthsKernel {
     OrderedDepths* depths;
 
@@ -109,7 +109,7 @@ struct ClearDepthsKernel {
     }
 };
 
-/// For each coarse cell: its fine cells are added to the blocks that they cover.
+/// Adds the fine cells of each coarse cell to the blocks that they cover.
 struct ProjectCellsKernel {
     FlatMajorants grid;
     ViewProjection projection;
@@ -117,7 +117,7 @@ struct ProjectCellsKernel {
     ivec2 film, blocks;
     OrderedDepths* depths;
     WideCells* wide;
-    CoveredBlocks* wideCells;  ///< room for WideCells::kRoom
+    CoveredBlocks* wideCells;  ///< room for WideCells::kRoom cells
 
     PDR_HD void cover(const CoveredBlocks& covered) const {
         for (int y = covered.first.y; y <= covered.last.y; ++y)
@@ -153,7 +153,7 @@ struct ProjectCellsKernel {
     }
 };
 
-/// For each block: the wide cells are added, and the depths are as the kernel reads them.
+/// Adds the wide cells to each block, and writes the depths as the kernel reads them.
 struct ViewDepthsKernel {
     const OrderedDepths* ordered;
     const WideCells* wide;

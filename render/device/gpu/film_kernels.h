@@ -1,5 +1,5 @@
 #pragma once
-/// From the film to what is carried to the host: levels, and the sums that its status is made from.
+/// Kernels from the film to what is copied to the host: display levels, and the sums for its status.
 
 #include "render/device/gpu/trace_kernels.h"
 #include "render/film/levels.h"
@@ -7,19 +7,19 @@
 
 namespace pdr {
 
-/// Sums of so many numbers by one thread, then of so many of those by another.
+/// Pixels of one partial sum, and partial sums of one total; one thread adds them up.
 inline constexpr int kPixelsPerSum = 16, kSumsPerTotal = 256;
 
-/// Errors are counted in so many places side by side, so that few threads wait for the same number.
+/// Number of histograms of the errors side by side, so that few threads wait for the same number.
 inline constexpr int kCountPlaces = 16;
 
-/// A picture on its way, one piece of memory: the head, the pixels' errors counted, totals of the status, RGBA8 pixels,
-/// and the tail.
+/// An image on its way, in one piece of memory: the head with the histogram of the pixels' errors, totals of the
+/// status, RGBA8 pixels, and the tail.
 struct FrameLayout {
     std::int64_t pixels;
 
     struct Head {
-        std::uint64_t id;  ///< of the picture; the same at the other end, or it is torn
+        std::uint64_t id;  ///< number of the image; equal to the tail's, or the image is torn
         GpuHealth health;
         ErrorCounts errors;
     };
@@ -32,7 +32,7 @@ struct FrameLayout {
     PDR_HD std::int64_t bytes() const { return tailAt() + std::int64_t(sizeof(std::uint64_t)); }
 };
 
-/// For each kPixelsPerSum pixels: their levels, and their fraction of the status.
+/// Computes for kPixelsPerSum pixels their levels and their part of the status.
 struct ResolveKernel {
     FrameLayout layout;
     const PixelSums* block;
@@ -42,7 +42,7 @@ struct ResolveKernel {
     double exposure;
     std::byte* frame;
     StatusSums* sums;
-    ErrorCounts* errors;  ///< kCountPlaces
+    ErrorCounts* errors;  ///< kCountPlaces histograms
 
     PDR_HD void operator()(std::int64_t index) const {
         StatusSums mine;
@@ -64,7 +64,7 @@ struct ResolveKernel {
     }
 };
 
-/// For each bin of the errors: its count from all places, which are then empty again.
+/// Adds up each bin of the errors over all histograms, and empties them.
 struct CountErrorsKernel {
     ErrorCounts* errors;
     std::byte* frame;
@@ -79,7 +79,7 @@ struct CountErrorsKernel {
     }
 };
 
-/// For each kSumsPerTotal sums: their total; and once, when all else is there, both ends of the frame.
+/// Computes the total of kSumsPerTotal sums; the first thread also writes both ends of the frame.
 struct FinalizeKernel {
     FrameLayout layout;
     const StatusSums* sums;

@@ -1,19 +1,19 @@
 #pragma once
-/// What a GPU is to us: memory of its own, two streams of work, and programs that many threads run. The code in this
+/// The interface of a GPU: memory of its own, two streams of work, and programs that many threads run. The code in this
 /// folder is written for any type that is a Gpu:
-///   CudaGpu  (cuda/cuda_gpu.h)  a GPU of NVIDIA's, through the CUDA runtime
-///   HostGpu  (cpu/host_gpu.h)   the CPU's threads and memory: schedules that are compared on the CPU, and tests
+///   CudaGpu  (cuda/cuda_gpu.h)      an NVIDIA GPU, through the CUDA runtime
+///   HostGpu  (emulated/host_gpu.h)  the CPU's threads and memory: schedules that are compared on the CPU, and tests
 ///
 /// A program is a value with `void operator()(std::int64_t index) const`, marked PDR_HD; it holds numbers and pointers
-/// to device memory, at most 4 KB. Its threads do not know each other; they meet only in atomics (gpu/atomic.h).
-/// A program for a queue, where one index may take long, goes step by step instead, so that threads that run in step
-/// with others can take the next index as soon as they are done with one:
-///   Walk                                         what a thread is at
+/// to device memory, at most 4 KB. Its threads communicate only by atomics (gpu/atomic.h). A program for a queue, where
+/// one index may take long, works step by step instead, so that threads in lockstep with others can take the next index
+/// as soon as they are done with one:
+///   Walk                                         state of a thread
 ///   bool start(std::int64_t index, Walk&) const  false: it is done already
 ///   bool step(Walk&) const                       false: it is done
 ///
-/// The first error is kept, and after it nothing is done any more until it is taken: whoever completes a
-/// step calls takeStatus().
+/// The first error is stored, and after it nothing is done any more until it is taken: the caller that completes a step
+/// calls takeStatus().
 
 #include <concepts>
 #include <cstddef>
@@ -26,7 +26,7 @@
 
 namespace pdr {
 
-/// Work in one stream is done in order. `copy` runs beside `compute`.
+/// Streams of work. The work in one stream is done in order; `copy` runs beside `compute`.
 enum class GpuStream { compute, copy };
 
 struct GpuMemory {
@@ -39,40 +39,40 @@ concept Gpu = requires(G gpu, const G known, void* memory, const void* host, std
                        std::uint64_t texture) {
     /// Effects (kernel/features.h) that programs are compiled with and without.
     { G::kSpecializedFeatures } -> std::convertible_to<std::uint32_t>;
-    /// Paths that are under way together: many times what it has threads for, so that the ends of kernels, where lanes
+    /// Paths that are under way together: many times the number of threads, so that the ends of kernels, where lanes
     /// run empty, are short; each takes some 300 bytes.
     { G::kPathsTogether } -> std::convertible_to<std::int64_t>;
 
     { known.name() } -> std::convertible_to<std::string>;
     { known.memory() } -> std::same_as<GpuMemory>;
 
-    /// Device memory; null after an error. release(nullptr) does nothing; release() works after an error too.
+    /// Allocates device memory; null after an error. release(nullptr) does nothing; release() works after an error too.
     { gpu.allocate(bytes) } -> std::same_as<void*>;
     {gpu.release(memory)};
-    /// Host memory that copies can go to and from behind the host's back.
+    /// Allocates host memory for asynchronous copies.
     { gpu.allocatePinned(bytes) } -> std::same_as<void*>;
     {gpu.releasePinned(memory)};
 
-    /// A texture of a volume in host memory, x fastest, as kernel/texture.h reads it: linearly filtered, clamped, 16
-    /// bits as [-1, 1]. In the order of `compute`. 0 after an error; among them: it is larger than the GPU's textures
-    /// can be. releaseTexture(0) does nothing; it waits for what may still read there.
+    /// Makes a texture of a volume in host memory, x fastest, as kernel/texture.h reads it: linearly filtered, clamped,
+    /// 16 bits as [-1, 1]. In the order of `compute`. 0 after an error; one of them: it is larger than the GPU's
+    /// textures can be. releaseTexture(0) does nothing; else it waits for what may still read the texture.
     { gpu.makeTexture(voxels, size) } -> std::same_as<std::uint64_t>;
     {gpu.releaseTexture(texture)};
 
-    /// In stream order. Of host memory that is not pinned the host waits for the copy's end.
+    /// Copy in stream order. If the host memory is not pinned, the host waits for the copy's end.
     {gpu.copyToDevice(memory, host, bytes, stream)};
     {gpu.copyToHost(memory, host, bytes, stream)};
-    /// Bytes of 0.
+    /// Sets bytes to 0.
     {gpu.clear(memory, bytes, stream)};
 
-    /// A mark in a stream: a place in its order. A fresh Event counts as reached.
+    /// Records a mark in a stream, a place in its order. A fresh Event counts as reached.
     {gpu.record(event, stream)};
-    {gpu.wait(stream, event)};  ///< the stream goes on only when the event is reached
-    {gpu.await(event)};         ///< the host waits
+    {gpu.wait(stream, event)};  ///< the stream waits until the event is reached
+    {gpu.await(event)};         ///< the host waits for the event
     {gpu.awaitAll()};           ///< the host waits for both streams
 
     { gpu.takeError() } -> std::same_as<std::optional<Error>>;
-    /// And, for any program:
+    /// Also required, for any program:
     ///   launch(program, count, stream)       program(i) for all i in [0, count)
     ///   launchQueued(program, count, stream) as many threads as the GPU holds walk through all i in [0, count)
 };

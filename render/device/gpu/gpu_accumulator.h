@@ -1,6 +1,6 @@
 #pragma once
-/// The film in a GPU's memory. Only finished pictures cross the bus: two lie ready in host memory that the GPU copies
-/// to by itself, in a stream of its own, while the next samples are taken.
+/// The film in a GPU's memory. Only finished images cross the bus: the GPU copies them asynchronously, in a stream of
+/// their own, to two buffers in host memory, while the next samples are taken.
 
 #include <algorithm>
 #include <array>
@@ -21,11 +21,11 @@ namespace pdr {
 template <Gpu G>
 class GpuAccumulator final : public Accumulator {
   public:
-    /// `gpu` and `scene` must outlive it. restart() comes first.
+    /// Keeps references to `gpu` and `scene`, which must outlive it. restart() must be called first.
     GpuAccumulator(G& gpu, const GpuScene<G>& scene) : gpu_(gpu), scene_(scene) {}
     ~GpuAccumulator() override {
         gpu_.awaitAll();
-        gpu_.takeError();  // nobody is left to be told
+        gpu_.takeError();  // nobody is left to report it to
     }
 
     using Accumulator::accumulate;
@@ -43,7 +43,7 @@ class GpuAccumulator final : public Accumulator {
   private:
     static constexpr int kMaxInFlight = 2;
 
-    /// A picture on its way.
+    /// An image on its way.
     struct Slot {
         explicit Slot(G& gpu) : onDevice(gpu), onHost(gpu) {}
         void resize(std::size_t bytes) {
@@ -57,7 +57,7 @@ class GpuAccumulator final : public Accumulator {
         std::uint64_t id = 0;
         SampleCounts samples;
         double exposure = 1;
-        std::optional<Picture> smoothed;  ///< made on the host: nothing else of the slot counts
+        std::optional<Picture> smoothed;  ///< denoised image, made on the host: if set, nothing else of the slot counts
     };
 
     std::int64_t pixels() const { return layout_.pixels; }
@@ -76,7 +76,7 @@ class GpuAccumulator final : public Accumulator {
     GpuArray<G, Moments> moments_{gpu_};
     GpuArray<G, vec3> radiance_{gpu_};
     PathListMemory<G> paths_{gpu_};
-    GpuArray<G, std::uint32_t> seen_{gpu_};  ///< what was seen here and is not yet in block_
+    GpuArray<G, std::uint32_t> seen_{gpu_};  ///< what was seen and is not yet in block_
     GpuArray<G, StatusSums> sums_{gpu_};
     GpuArray<G, ErrorCounts> errors_{gpu_};
     GpuArray<G, GpuHealth> health_{gpu_};
@@ -84,14 +84,14 @@ class GpuAccumulator final : public Accumulator {
     GpuArray<G, float> curve_{gpu_};
     std::array<Slot, kMaxInFlight> slots_{Slot(gpu_), Slot(gpu_)};
     std::uint64_t shown_ = 0, taken_ = 0;
-    Development development_;  ///< of pictures that are denoised on the host
+    Development development_;                      ///< denoises images on the host
     std::array<typename G::Event, 2> launched_{};  ///< the ends of the last two launches
     std::uint64_t launches_ = 0;
 };
 
 template <Gpu G>
 Result<void> GpuAccumulator<G>::restart(const Tile& area, std::uint64_t revision) {
-    gpu_.awaitAll();  // nothing may be on its way to what is emptied
+    gpu_.awaitAll();  // no work may be under way on what is emptied
     progress_ = TileProgress(area);
     revision_ = revision;
     layout_ = {std::int64_t(area.width) * area.height};
@@ -130,7 +130,7 @@ void GpuAccumulator<G>::launch(const Tile& tile, SampleRange samples) {
     progress_.advance(tile, samples.end());
 }
 
-/// One launch is under way while the next is ordered, and no more, so that a stop comes within a launch.
+/// Keeps one launch under way while the next is enqueued, and no more, so that a stop takes effect within a launch.
 template <Gpu G>
 Result<void> GpuAccumulator<G>::accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) {
     if (Result<void> scene = scene_.isThere(); !scene)
@@ -158,6 +158,7 @@ Result<void> GpuAccumulator<G>::resolve(const Display& display, std::stop_token 
     slot.id = ++shown_;
     slot.samples = progress_.counts();
     slot.exposure = double(display.exposure);
+    // Develop the image on the device
     std::byte* frame = slot.onDevice.data();
     gpu_.launch(ResolveKernel{layout_, block_.data(), moments_.data(), thresholds_.data(), curve_.data(), slot.exposure,
                               frame, sums_.data(), errors_.data()},
@@ -166,8 +167,9 @@ Result<void> GpuAccumulator<G>::resolve(const Display& display, std::stop_token 
     gpu_.launch(FinalizeKernel{layout_, sums_.data(), health_.data(), slot.id, frame}, layout_.totals(),
                 GpuStream::compute);
     std::memset(slot.onHost.data(), 0,
-                sizeof slot.id);  // what an earlier picture left there must not pass for this one
+                sizeof slot.id);  // what an earlier image left there must not be taken for this one
     std::memset(slot.onHost.data() + layout_.tailAt(), 0, sizeof slot.id);
+    // Copy it to the host beside the next samples
     gpu_.record(slot.developed, GpuStream::compute);
     gpu_.wait(GpuStream::copy, slot.developed);
     gpu_.copyToHost(slot.onHost.data(), frame, std::size_t(layout_.bytes()), GpuStream::copy);

@@ -1,5 +1,5 @@
 #pragma once
-/// Arrays in a GPU's memory, and in the host's memory that a GPU copies to by itself.
+/// Arrays in a GPU's memory, and in host memory for asynchronous copies.
 
 #include <cstring>
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace pdr {
 
-/// Success, or the error that the GPU has kept.
+/// Returns success, or the error that the GPU has stored.
 template <Gpu G>
 Result<void> takeStatus(G& gpu) {
     if (std::optional<Error> error = gpu.takeError())
@@ -18,7 +18,7 @@ Result<void> takeStatus(G& gpu) {
     return {};
 }
 
-/// Who lends an array its memory: the device, or the host, for copies that go to and from there behind its back.
+/// Allocators of an array: device memory, or host memory for asynchronous copies.
 struct DeviceMemory {
     static void* take(auto& gpu, std::size_t bytes) { return gpu.allocate(bytes); }
     static void give(auto& gpu, void* memory) { gpu.release(memory); }
@@ -28,7 +28,7 @@ struct PinnedMemory {
     static void give(auto& gpu, void* memory) { gpu.releasePinned(memory); }
 };
 
-/// `count` values; not set. The GPU must outlive it. Null after an error.
+/// An array of `count` values, uninitialized. The GPU must outlive it. data() is null after an error.
 template <Gpu G, class T, class Memory = DeviceMemory>
 class GpuArray {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -43,7 +43,8 @@ class GpuArray {
     T* data() const { return data_; }
     std::size_t size() const { return count_; }
 
-    /// What was there is lost. Memory is taken anew only where there is too little; nothing may be on its way to it.
+    /// Resizes the array; its content is lost. Memory is allocated anew only if there is too little; no copy to it may
+    /// be under way.
     void resize(std::size_t count) {
         if (count > room_) {
             free();
@@ -57,7 +58,7 @@ class GpuArray {
         room_ = count_ = 0;
     }
 
-    /// From and to host memory, in the order of the compute stream.
+    /// Copy from and to host memory, in the order of the compute stream.
     void assign(std::span<const T> values) requires kOnDevice {
         resize(values.size());
         copyFrom(values.data());
@@ -79,7 +80,7 @@ class GpuArray {
 template <Gpu G, class T>
 using PinnedArray = GpuArray<G, T, PinnedMemory>;
 
-/// A table that is sent again only where it differs from what was sent last, and without the host waiting for it.
+/// A table that is sent only if it differs from the one sent last; the host does not wait for it.
 template <Gpu G, class T>
 class GpuTable {
   public:
@@ -100,14 +101,14 @@ class GpuTable {
         array_.copyFrom(sent_.data());
         gpu_.record(arrived_, GpuStream::compute);
     }
-    /// Whatever comes next is sent: after an error nobody knows what is there.
+    /// Makes the next update() send its table in any case: after an error it is unknown what the device holds.
     void forget() { sent_.resize(0); }
 
   private:
     G& gpu_;
     GpuArray<G, T> array_;
     PinnedArray<G, T> sent_;
-    typename G::Event arrived_{};  ///< what was sent last
+    typename G::Event arrived_{};  ///< end of the last copy
 };
 
 }  // namespace pdr

@@ -1,6 +1,6 @@
 #pragma once
 /// A scene in a GPU's memory. What did not change since the last one is not sent again; its acceleration structure is
-/// made there.
+/// built there.
 
 #include <memory>
 
@@ -18,26 +18,27 @@ class GpuScene {
   public:
     explicit GpuScene(G& gpu) : gpu_(gpu) {}
 
-    /// Takes `scene`, flattened; its acceleration structure is made here. Errors: it does not fit (needed, free), or
+    /// Uploads `scene`, flattened, and builds its acceleration structure. Errors: it does not fit (needed, free), or
     /// the GPU's; then there is no scene.
     Result<void> upload(std::shared_ptr<const PreparedScene> scene);
 
-    /// There is no scene any more, and its memory is given back.
+    /// Forgets the scene and releases its memory.
     Result<void> close();
 
-    /// As it was uploaded; null: there is none.
+    /// Returns the scene as it was uploaded; null if there is none.
     const std::shared_ptr<const PreparedScene>& prepared() const { return scene_; }
-    /// An error where there is none: samples would be of memory that is gone.
+    /// Returns an error if there is no scene: samples would read memory that is gone.
     Result<void> isThere() const {
         if (scene_)
             return {};
         return Error{phrase("there is no scene on the device"), gpu_.name(),
                      phrase("It was refused, or the device failed before.")};
     }
-    /// The scene with all its pointers into the GPU's memory.
+    /// Returns the scene with all its pointers into the GPU's memory.
     const FlatScene& flat() const { return flat_; }
 
-    /// Device memory for a volume of that many voxels and its acceleration structure, without its texture.
+    /// Returns the device memory for a volume of that many voxels and its acceleration structure, without its texture
+    /// [bytes].
     static std::size_t bytesFor(ivec3 voxels);
 
   private:
@@ -95,6 +96,7 @@ Result<void> GpuScene<G>::upload(std::shared_ptr<const PreparedScene> scene) {
     const bool sameVolume = scene_ && scene_->volume == scene->volume;
     const bool sameBounds = scene_ && sameMajorants(*scene_, *scene);
     scene_ = nullptr;
+    // Upload voxels, texture and mask
     if (!sameVolume)
         if (Result<void> fits = takeVolume(*scene); !fits)
             return fits;
@@ -102,6 +104,7 @@ Result<void> GpuScene<G>::upload(std::shared_ptr<const PreparedScene> scene) {
         return fits;
     if (Result<void> fits = takeMask(*scene); !fits)
         return fits;
+    // Let the scene point to device memory
     const FlatMajorants bounds = flat_.majorants;
     flat_ = scene->flat;
     flat_.mask.voxels = weights_.data();
@@ -109,6 +112,7 @@ Result<void> GpuScene<G>::upload(std::shared_ptr<const PreparedScene> scene) {
     flat_.volume.texture = texture_.handle();
     sendTables(*scene);
     sendEnvironment(*scene);
+    // Rebuild the majorants if they have changed
     if (sameBounds)
         flat_.majorants = bounds;
     else if (Result<void> bounded = bound(*scene); !bounded)
@@ -122,7 +126,8 @@ Result<void> GpuScene<G>::upload(std::shared_ptr<const PreparedScene> scene) {
     return {};
 }
 
-/// A texture that cannot hold every voxel would be another volume: then filtering stays exact.
+/// Returns whether a texture is needed. One that cannot hold every voxel would be another volume: filtering stays exact
+/// then.
 template <Gpu G>
 bool GpuScene<G>::wantsTexture(const PreparedScene& scene) {
     return scene.flat.fastFiltering && textureHolds(scene.volume->storedRange());
@@ -170,7 +175,7 @@ Result<void> GpuScene<G>::takeVolume(const PreparedScene& scene) {
     return takeStatus(gpu_);
 }
 
-/// It is kept as long as the volume is, and no longer than it is asked for.
+/// Makes the texture, which is kept as long as the volume is, or releases it if it is not requested any more.
 template <Gpu G>
 Result<void> GpuScene<G>::takeTexture(const PreparedScene& scene) {
     if (!wantsTexture(scene)) {
@@ -186,7 +191,7 @@ Result<void> GpuScene<G>::takeTexture(const PreparedScene& scene) {
     return takeStatus(gpu_);
 }
 
-/// It is kept as long as it is the scene's.
+/// Uploads the mask, which is kept as long as it is the scene's.
 template <Gpu G>
 Result<void> GpuScene<G>::takeMask(const PreparedScene& scene) {
     if (mask_ == scene.mask)
@@ -247,11 +252,13 @@ void GpuScene<G>::sendEnvironment(const PreparedScene& scene) {
     flat.columnSums = columnSums_.data();
 }
 
-/// After an edit of the opacity: nothing but the curve's pieces goes to the GPU, and a few numbers come back.
+/// Builds the majorants. After an edit of the opacity only the curve's pieces go to the GPU, and a few numbers come
+/// back.
 template <Gpu G>
 Result<void> GpuScene<G>::bound(const PreparedScene& scene) {
     const bool highestHu = scene.flat.optics.model == FlatModel::maximumIntensity;
     const ivec3 coarse = coarseCells(scene.volume->size());
+    // Build the bounds on the device, and wait for their summary
     summary_.resize(1);
     summaryHere_.resize(1);
     if (summaryHere_.size() == 1)
@@ -267,6 +274,7 @@ Result<void> GpuScene<G>::bound(const PreparedScene& scene) {
         forget();
         return done;
     }
+    // Find the box around all occupied cells
     const BoundsSummary& summary = *summaryHere_.data();
     const vec3 volumeLow(-0.5f), volumeHigh = vec3(scene.volume->size()) - 0.5f;
     const ivec3 low(summary.low[0], summary.low[1], summary.low[2]);
@@ -316,7 +324,7 @@ void GpuScene<G>::forget() {
     environment_ = nullptr;
 }
 
-/// What grows with the volume, the film or a picture of the surroundings is given back; the tables are small and stay.
+/// Releases what grows with the volume, the film or an environment image; the tables are small and stay.
 template <Gpu G>
 Result<void> GpuScene<G>::close() {
     gpu_.awaitAll();

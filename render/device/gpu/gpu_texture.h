@@ -7,7 +7,7 @@
 
 namespace pdr {
 
-/// None at first. The GPU must outlive it.
+/// A texture of a volume; empty at first. The GPU must outlive it.
 template <Gpu G>
 class GpuTexture {
   public:
@@ -16,13 +16,13 @@ class GpuTexture {
     GpuTexture(const GpuTexture&) = delete;
     GpuTexture& operator=(const GpuTexture&) = delete;
 
-    /// What FlatVolume::texture takes; 0: there is none.
+    /// Returns the value for FlatVolume::texture; 0: there is none.
     std::uint64_t handle() const { return handle_; }
 
     static std::size_t bytesFor(ivec3 voxels) {
         return std::size_t(voxels.x) * voxels.y * voxels.z * sizeof(std::int16_t);
     }
-    /// Of a volume in host memory, in the order of the compute stream. None after an error.
+    /// Makes the texture of a volume in host memory, in the order of the compute stream. There is none after an error.
     void make(const std::int16_t* voxels, ivec3 size) {
         free();
         handle_ = gpu_.makeTexture(voxels, size);

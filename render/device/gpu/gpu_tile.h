@@ -1,5 +1,5 @@
 #pragma once
-/// Samples taken by a GPU for a film that lies elsewhere: the sums of a tile are brought, added to, and taken back.
+/// Takes samples on a GPU for a film that lies elsewhere: the sums of a tile are uploaded, added to, and copied back.
 
 #include <algorithm>
 #include <cassert>
@@ -15,12 +15,12 @@ namespace pdr {
 template <Gpu G>
 class GpuTile {
   public:
-    /// Both must outlive it.
+    /// Keeps references to both, which must outlive it.
     GpuTile(G& gpu, const GpuScene<G>& scene) : gpu_(gpu), scene_(scene) {}
 
-    /// See Device::trace().
+    /// Adds samples to sums on the host; see Device::trace().
     Result<void> trace(const Tile& tile, SampleRange samples, TileSums sums, const std::stop_token& stop);
-    /// Gives its memory back.
+    /// Releases its memory.
     void close();
 
   private:

@@ -1,41 +1,40 @@
 #pragma once
-/// Samples of paths, cut into kernels that do one thing each, so that 32 threads in step do the same, and in few
-/// registers.
+/// Path tracing in kernels that do one thing each, so that 32 threads in lockstep do the same, and in few registers.
 ///
 /// - CameraKernel<Masked>: a sample's camera ray and first flight. A queue: lanes take the next when one has ended.
-/// - ShadeKernel<F>: what is at the end of that flight (endSegment). A thread for each.
-/// - ShadowKernel<Masked>: from there to the lights. A queue likewise.
-/// - OnwardKernel<F>: all that is behind, segment by segment, of paths that go on. A queue.
+/// - ShadeKernel<F>: the event at the end of that flight (endSegment). One thread for each.
+/// - ShadowKernel<Masked>: the flights from there to the lights. A queue.
+/// - OnwardKernel<F>: all further segments of paths that continue, one after the other. A queue.
 ///
-/// They hand on records in lists, in the order in which they come. No picture depends on it: each record knows its
+/// The kernels pass records in lists, in the order in which they come. No image depends on it: each record knows its
 /// sample, and the light of a sample is added by one thread after the other, as traceSegment() does.
 
 #include "render/device/gpu/trace_kernels.h"
 
 namespace pdr {
 
-/// The first segment of a path, and what its flight found.
+/// The first segment of a path, and the result of its flight.
 struct FirstFlight {
     PathSegment segment;
-    float collision;     ///< see endSegment()
-    std::int64_t index;  ///< of the sample in its launch
+    float collision;     ///< distance of the collision; see endSegment()
+    std::int64_t index;  ///< index of the sample in its launch
 };
 
-/// A vertex with light on its way to it.
+/// A vertex with the light paths that lead to it.
 struct LitVertex {
     LightPath light[kMostLightPaths];
-    float depth[kMostLightPaths];  ///< see shadowDepth()
-    std::int64_t place;            ///< of the sample in TraceTarget::radiance
+    float depth[kMostLightPaths];  ///< optical depths; see shadowDepth()
+    std::int64_t place;            ///< place of the sample in TraceTarget::radiance
 };
 
-/// A path that goes on behind its first vertex.
+/// A path that continues behind its first vertex.
 struct OnwardPath {
     Path path;
-    PathSample found;  ///< so far, but for its radiance, which is in the target
+    PathSample found;  ///< sample so far, except its radiance, which is in the target
     TracedSample sample;
 };
 
-/// The lists of some samples of a launch, with room for a record of each.
+/// Lists for some samples of a launch, each with room for one record per sample.
 struct PathLists {
     struct Counts {
         std::int32_t flights = 0, lit = 0, onward = 0;
@@ -46,7 +45,7 @@ struct PathLists {
     Counts* counts;
 };
 
-/// Masked: see PieceWalk.
+/// Traces the camera rays and first flights of samples. Masked: see PieceWalk.
 template <bool Masked>
 struct CameraKernel {
     static constexpr const char* kName = "camera";
@@ -151,7 +150,7 @@ struct ShadowKernel {
     }
 
   private:
-    /// The vertex's next light path that has a way to fly; false: there is none.
+    /// Starts the vertex's next light path that has a way to fly; false if there is none.
     PDR_HD bool startNext(Walk& walk) const {
         const LitVertex& vertex = lists.lit[walk.vertex];
         while (++walk.light < kMostLightPaths) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Memory for what the kernels of paths hand on to each other (path_kernels.h).
+/// Memory for the lists between the kernels of paths (path_kernels.h).
 
 #include "render/device/gpu/gpu_array.h"
 #include "render/device/gpu/path_kernels.h"
@@ -11,7 +11,7 @@ class PathListMemory {
   public:
     explicit PathListMemory(G& gpu) : gpu_(gpu) {}
 
-    /// Empty lists. `onward`: whether paths go on behind their first vertex.
+    /// Returns empty lists with room for `samples` records. `onward`: whether paths continue behind their first vertex.
     PathLists emptied(std::int64_t samples, bool onward) {
         flights_.resize(std::size_t(samples));
         lit_.resize(std::size_t(samples));

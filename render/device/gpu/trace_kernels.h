@@ -1,6 +1,6 @@
 #pragma once
-/// Samples: taken in any order by as many threads as there are, then added to their pixels in order, so that the sums
-/// are those of the CPU.
+/// Kernels that take samples, in any order and by as many threads as there are, and then add them to their pixels in
+/// order, so that the sums are those of the CPU.
 
 #include "render/device/gpu/atomic.h"
 #include "render/film/moments.h"
@@ -11,7 +11,7 @@
 
 namespace pdr {
 
-/// Health as threads count it together. Sample numbers below 2^32.
+/// Health that threads count together. Sample numbers must be below 2^32.
 struct GpuHealth {
     struct Count {
         std::uint64_t count = 0;
@@ -47,8 +47,8 @@ inline GpuHealth toGpuHealth(const Health& health) {
     return counted;
 }
 
-/// The samples of a launch, numbered so that 32 threads in step take the same sample of 8 x 4 neighbours, the next 32
-/// their next sample, and only then come other pixels: they meet the same voxels.
+/// The samples of a launch, numbered so that 32 threads in lockstep take the same sample of 8 x 4 neighbours, and the
+/// next 32 their next sample, before other pixels follow: they read the same voxels.
 struct SampleGrid {
     Tile tile;
     SampleRange samples;
@@ -56,12 +56,13 @@ struct SampleGrid {
     static constexpr int kWide = 8, kHigh = 4;
 
     PDR_HD int blocksPerRow() const { return (tile.width + kWide - 1) / kWide; }
-    /// Some numbers are of no pixel of the tile: its edges cut blocks.
+    /// Returns how many numbers there are. Some belong to no pixel of the tile: its edges cut blocks.
     PDR_HD std::int64_t count() const {
         const int rows = (tile.height + kHigh - 1) / kHigh;
         return std::int64_t(blocksPerRow()) * rows * samples.count * (kWide * kHigh);
     }
-    /// Pixel, from the tile's corner, and sample, from the range's first, of a number; false: there is none.
+    /// Converts a number to its pixel, from the tile's corner, and sample, from the range's first; false if there is
+    /// none.
     PDR_HD bool at(std::int64_t index, ivec2& place, std::uint32_t& sample) const {
         const int inBlock = int(index % (kWide * kHigh));
         const std::int64_t turn = index / (kWide * kHigh);
@@ -81,23 +82,23 @@ struct SampleAddress {
 /// A sample of a launch.
 struct TracedSample {
     SampleAddress from;
-    std::int64_t place;  ///< in TraceTarget::radiance
+    std::int64_t place;  ///< place in TraceTarget::radiance
 };
 
-/// Where the samples of a launch go before they are added: [sample][pixel of the tile].
+/// The buffers for the samples of a launch before they are added: [sample][pixel of the tile].
 struct TraceTarget {
     SampleGrid grid;
     vec3* radiance;  ///< linear Rec. 709
     GpuHealth* health;
-    std::uint32_t* seen;  ///< kSeen... of each pixel of the tile ...
-    int stride;           ///< ... and so many to the next row
+    std::uint32_t* seen;  ///< flags kSeen... of each pixel of the tile
+    int stride;           ///< pixels from one row of `seen` to the next
 
-    /// Of a pixel of the tile, row by row, in `seen` and in a film.
+    /// Returns the position of a pixel of the tile, counted row by row, in `seen` and in a film.
     PDR_HD std::int64_t inFilm(std::int64_t pixel) const {
         return pixel / grid.tile.width * stride + pixel % grid.tile.width;
     }
 
-    /// The sample of that number; false: there is none.
+    /// Finds the sample of that number; false if there is none.
     PDR_HD bool at(std::int64_t index, TracedSample& sample) const {
         ivec2 place;
         std::uint32_t turn;
@@ -108,7 +109,7 @@ struct TraceTarget {
         return true;
     }
 
-    /// What a sample has found. Found: PathSample or Projected.
+    /// Stores what a sample has found. Found: PathSample or Projected.
     template <class Found>
     PDR_HD void keep(const FlatScene& scene, const TracedSample& sample, const Found& found) const {
         const ivec2 pixel = sample.from.pixel;
@@ -123,8 +124,8 @@ struct TraceTarget {
     }
 };
 
-/// For the numbers of a launch's samples, each in one step. How one is taken is told by
-///   Take::sample(scene, SampleAddress)     the PathSample or Projected that it finds
+/// Takes the samples of a launch, by their numbers, each in one step. The type Take defines how:
+///   Take::sample(scene, SampleAddress)     returns the PathSample or Projected that the sample finds
 template <class Take>
 struct TraceKernel {
     FlatScene scene;
@@ -141,7 +142,7 @@ struct TraceKernel {
     }
 };
 
-/// As Exposure Render does.
+/// Takes a sample as Exposure Render does.
 struct MarchSampler {
     PDR_HD static PathSample sample(const FlatScene& scene, const SampleAddress& from) {
         const vec2 depths = depthBounds(scene, from.pixel);
@@ -151,7 +152,7 @@ struct MarchSampler {
     }
 };
 
-/// A sum along the ray.
+/// Takes a sample of a projection: a sum along the ray.
 template <FlatModel Model, bool Masked>
 struct ProjectionSampler {
     PDR_HD static Projected sample(const FlatScene& scene, const SampleAddress& from) {
@@ -163,12 +164,12 @@ struct ProjectionSampler {
     }
 };
 
-/// For each pixel of the tile: its samples are added in order.
+/// Adds the samples of each pixel of the tile in order.
 struct AccumulateKernel {
     TraceTarget from;
     int filmWidth;
-    PixelSums* sums;   ///< of the tile, from.stride pixels to the next row
-    Moments* moments;  ///< likewise: full blocks go there; null: they stay
+    PixelSums* sums;   ///< sums of the tile, from.stride pixels to the next row
+    Moments* moments;  ///< moments in the same layout, to which full blocks are moved; null: blocks stay in `sums`
 
     PDR_HD void operator()(std::int64_t index) const {
         const Tile& tile = from.grid.tile;

@@ -1,5 +1,5 @@
 #pragma once
-/// Launches of samples: the one table from what a scene calls for to the program compiled for it.
+/// Launches of samples: the only table from what a scene needs to the program compiled for it.
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace pdr {
 
-/// Takes the samples of `target`, in the compute stream.
+/// A function that takes the samples of `target`, in the compute stream.
 template <Gpu G>
 using TraceLaunch = void (*)(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& lists);
 
@@ -20,8 +20,8 @@ void launchTrace(G& gpu, const FlatScene& scene, const TraceTarget& target, Path
     gpu.launchQueued(TraceKernel<Take>{scene, target}, target.grid.count(), GpuStream::compute);
 }
 
-/// The kernels of paths that are the same for all effects. Specialised where the compiler takes long over them:
-/// cuda/.
+/// Launch the path kernels that are the same for all effects. They are specialized where the compiler takes long over
+/// them: cuda/.
 template <Gpu G, bool Masked>
 void launchCamera(G& gpu, const CameraKernel<Masked>& kernel, std::int64_t samples) {
     gpu.launchQueued(kernel, samples, GpuStream::compute);
@@ -31,7 +31,7 @@ void launchShadow(G& gpu, const ShadowKernel<Masked>& kernel, std::int64_t sampl
     gpu.launchQueued(kernel, samples, GpuStream::compute);
 }
 
-/// Masked: of the scene, see isMasked().
+/// Launches all kernels of paths. Masked: isMasked() of the scene.
 template <Gpu G, std::uint32_t F, bool Masked>
 void launchPathsOf(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& memory) {
     const std::int64_t all = target.grid.count(), most = G::kPathsTogether;
@@ -56,8 +56,8 @@ void launchPaths(G& gpu, const FlatScene& scene, const TraceTarget& target, Path
         launchPathsOf<G, F, false>(gpu, scene, target, memory);
 }
 
-/// The program for a scene that calls for `needed`: effects that are not told apart are always in it, and change
-/// nothing where they are not called for.
+/// Returns the mask of the program for a scene that needs `needed`. Effects that are not specialized are always in it,
+/// and change nothing where they are not needed.
 constexpr std::uint32_t compiledMask(std::uint32_t specialized, std::uint32_t needed) {
     return (needed & specialized) | ((kFeatureMasks - 1) & ~specialized);
 }
@@ -67,7 +67,7 @@ constexpr std::array<TraceLaunch<G>, sizeof...(Masks)> pathLaunches(std::index_s
     return {launchPaths<G, compiledMask(G::kSpecializedFeatures, std::uint32_t(Masks))>...};
 }
 
-/// The programs for paths that need these effects. Specialised as those above.
+/// Returns the launch for paths that need these effects. It is specialized like those above.
 template <Gpu G>
 TraceLaunch<G> pathLaunch(std::uint32_t needed) {
     static constexpr auto kPaths = pathLaunches<G>(std::make_index_sequence<kFeatureMasks>());
@@ -97,7 +97,7 @@ TraceLaunch<G> traceLaunchFor(const FlatScene& scene) {
     return scene.marched ? launchTrace<G, MarchSampler> : pathLaunch<G>(scene.features);
 }
 
-/// Takes the samples of `target` and adds them to `sums`, and full blocks to `moments`, unless that is null. In the
+/// Takes the samples of `target`, adds them to `sums`, and moves full blocks to `moments` unless that is null. In the
 /// compute stream.
 template <Gpu G>
 void traceAndAdd(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& lists, PixelSums* sums,

@@ -1,10 +1,10 @@
 #pragma once
-/// How the threads of a GPU share a queue of walks (gpu.h). One text for a GPU's warps and for those that are played on
-/// the CPU (emulated/lockstep_warp.h). A Warp is kWarp threads in step, seen by one of them:
-///   int lane() const                               which it is, from 0
-///   std::uint32_t ballot(bool) const               bit l: what lane l says; all wait for all
-///   std::uint64_t broadcast(std::uint64_t) const   what lane 0 says, likewise
-///   static int bitsIn(std::uint32_t)               how many are set
+/// Shares a queue of walks (gpu.h) among the threads of a GPU. The same code serves a GPU's warps and those that are
+/// emulated on the CPU (emulated/lockstep_warp.h). A Warp is kWarp threads in lockstep, seen by one of them:
+///   int lane() const                               its number, from 0
+///   std::uint32_t ballot(bool) const               bit l: the vote of lane l; all wait for all
+///   std::uint64_t broadcast(std::uint64_t) const   the word of lane 0; all wait for all
+///   static int bitsIn(std::uint32_t)               number of bits that are set
 
 #include <cstdint>
 
@@ -13,11 +13,11 @@
 namespace pdr {
 
 inline constexpr int kWarp = 32;
-inline constexpr int kIdleLanes = 8;  ///< so many lanes wait before new walks are taken
+inline constexpr int kIdleLanes = 8;  ///< number of idle lanes at which new walks are taken
 
-/// Threads that stay: a warp goes through its walks step by step. Lanes whose walks have ended wait until kIdleLanes
-/// do, then they take the next indices together, neighbours by neighbours. `next`: the first that nobody has taken; 0
-/// at first.
+/// Runs persistent threads: a warp goes through its walks step by step. Lanes whose walks have ended wait until
+/// kIdleLanes do; then they take the next indices together, neighbouring lanes neighbouring ones. `next`: the first
+/// index that is not taken yet; 0 at first.
 template <class Warp, class Program>
 PDR_HD_INLINE void walkQueue(const Warp& warp, const Program& program, std::int64_t count, std::uint64_t& next) {
     constexpr std::uint32_t kAll = 0xFFFFFFFFu;

@@ -9,18 +9,18 @@
 namespace pdr {
 namespace {
 
-constexpr double kNearestMm = 1;        ///< the sharp plane comes no closer to the eye
-constexpr double kLensPerFocus = 0.04;  ///< the lens that a pinhole gets, over the distance in focus
+constexpr double kNearestMm = 1;        ///< smallest distance of the sharp plane from the eye
+constexpr double kLensPerFocus = 0.04;  ///< diameter of the lens that a pinhole gets, relative to the focus distance
 constexpr double kWidestLensMm = 200;
 
-/// Along the view, so that the sharp plane is `distanceMm` in front of the eye and stays where it is.
+/// Moves the eye along the view until it is `distanceMm` from the sharp plane, which stays where it is.
 Camera steppedBack(Camera camera, double distanceMm) {
     const dvec3 forward = camera.forward();
     const dvec3 inFocus = camera.eyeMm + forward * camera.focusDistanceMm();
     camera.eyeMm = inFocus - forward * distanceMm;
     if (camera.focusMm > 0)
         camera.focusMm = distanceMm;
-    if (glm::dot(camera.targetMm - camera.eyeMm, forward) < kNearestMm)  // the eye would have passed it
+    if (glm::dot(camera.targetMm - camera.eyeMm, forward) < kNearestMm)  // the eye would have passed the target
         camera.targetMm = inFocus;
     return camera;
 }
@@ -55,8 +55,8 @@ Camera focusedAt(const Camera& camera, double depthMm) {
     return other;
 }
 
-/// At the depth d a point is blurred, in the sharp plane, over aperture |d - focus| / d; rays that are parallel in the
-/// middle of the lens spread alike, so there over aperture |d - focus| / focus.
+/// In the sharp plane, a point at the depth d is blurred over aperture |d - focus| / d. In a parallel view, rays that
+/// are parallel in the middle of the lens spread alike, so the point is blurred over aperture |d - focus| / focus.
 SharpDepths sharpDepths(const Camera& camera) {
     constexpr double kParts = 500, kInfinite = std::numeric_limits<double>::infinity();
     if (camera.apertureMm == 0)

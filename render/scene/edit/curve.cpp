@@ -10,7 +10,7 @@ bool isSelected(const CurveSelection& selection, std::size_t index) {
     return std::binary_search(selection.begin(), selection.end(), index);
 }
 
-/// How far the selected points can move in hu, `by` at most, without passing another point or an end.
+/// Returns how far the selected points can move in hu, `by` at most, without passing another point or an end.
 float possibleShift(const Curve& curve, const CurveSelection& selection, float by) {
     for (const std::size_t i : selection) {
         if (by < 0 && !(i > 0 && isSelected(selection, i - 1)))
@@ -21,7 +21,7 @@ float possibleShift(const Curve& curve, const CurveSelection& selection, float b
     return by;
 }
 
-/// The value just left of hu.
+/// Returns the value just left of `hu`.
 float valueBefore(const Curve& curve, float hu) {
     const auto next = std::lower_bound(curve.begin(), curve.end(), hu,
                                        [](const CurvePoint& point, float at) { return point.hu < at; });
@@ -31,7 +31,7 @@ float valueBefore(const Curve& curve, float hu) {
     return a.value + (b.value - a.value) * (hu - a.hu) / (b.hu - a.hu);
 }
 
-/// Where both curves cross between two hu at which neither has a point between; `end` if they do not.
+/// Returns where both curves cross between `begin` and `end`, between which neither has a point; `end` if they do not.
 float crossing(const Curve& a, const Curve& b, float begin, float end) {
     const float before = valueAt(a, begin) - valueAt(b, begin), after = valueBefore(a, end) - valueBefore(b, end);
     return before * after < 0 ? begin + (end - begin) * before / (before - after) : end;
@@ -71,7 +71,7 @@ std::size_t insertPoint(Curve& curve, const CurvePoint& point) {
     return std::size_t(index);
 }
 
-/// The neighbours that stay hold against the rounding of a sum, too.
+/// Clamps the moved points to the neighbours that stay, because the rounding of a sum could make them pass.
 Curve moved(Curve curve, const CurveSelection& selection, CurvePoint by, float top) {
     const float shift = possibleShift(curve, selection, by.hu);
     for (const std::size_t i : selection) {

@@ -1,6 +1,6 @@
 #pragma once
-/// A property of tissue against Hounsfield units: straight between points, as in a TransferFunction. Two points at the
-/// same hu make a step, at which the right-hand one holds; outside the points the first or last one holds.
+/// A property of tissue against Hounsfield units: linear between points, as in a TransferFunction. Two points at the
+/// same hu make a step, at which the right-hand one applies; outside the points the first or last one applies.
 
 #include <cstddef>
 #include <vector>
@@ -14,33 +14,33 @@ struct CurvePoint {
     bool operator==(const CurvePoint&) const = default;
 };
 
-/// At least one point, ascending in hu.
+/// A curve: at least one point, ascending in hu.
 using Curve = std::vector<CurvePoint>;
-/// Points of a curve: indices, ascending.
+/// Selected points of a curve: indices, ascending.
 using CurveSelection = std::vector<std::size_t>;
 
 inline constexpr float kLowestHu = -32768, kHighestHu = 32767;
 
-/// By the rules above.
+/// Returns the value at `hu`, by the rules above.
 float valueAt(const Curve& curve, float hu);
 
-/// The largest value.
+/// Returns the largest value.
 float heightOf(const Curve& curve);
 
-/// The first hu at which the curve has come to `value`, the last point's where it never does.
+/// Returns the first hu at which the curve reaches `value`; the last point's hu if it never does.
 float firstAt(const Curve& curve, float value);
 
-/// `curve` with one point more, behind those of the same hu; returns where it stands.
+/// Inserts a point into `curve`, behind those of the same hu; returns its index.
 std::size_t insertPoint(Curve& curve, const CurvePoint& point);
 
-/// `curve` with the selected points moved, each as far in value as [0, top] lets it. In hu they move as one, up to the
-/// points that stay where they are, which they never pass: there they make a step.
+/// Returns `curve` with the selected points moved by `by`. Each moves in value as far as [0, top] allows. In hu they
+/// move as one, up to the points that stay, which they never pass: there they make a step.
 Curve moved(Curve curve, const CurveSelection& selection, CurvePoint by, float top);
 
-/// `curve` without the selected points. One remains: the first.
+/// Returns `curve` without the selected points. If all are selected, the first remains.
 Curve without(const Curve& curve, const CurveSelection& selection);
 
-/// The larger of both curves everywhere.
+/// Returns the larger of both curves everywhere.
 Curve larger(const Curve& a, const Curve& b);
 
 }  // namespace pdr

@@ -25,7 +25,7 @@ Curve bellCurve(float centre, float width, float top) {
     constexpr int kPieces = 8;
     Curve bell;
     for (int i = 0; i <= kPieces; ++i) {
-        const double place = 2.0 * i / kPieces - 1;  // of the half base, which is as wide as the bell is half-way up
+        const double place = 2.0 * i / kPieces - 1;  // in half bases, each as wide as the bell at half its height
         const double height = 0.5 * (1 + std::cos(place * std::numbers::pi));
         bell.push_back({within(float(centre + place * width)), i % kPieces == 0 ? 0 : float(top * height)});
     }

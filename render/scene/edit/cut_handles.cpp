@@ -8,16 +8,16 @@
 namespace pdr {
 namespace {
 
-constexpr double kThinnestMm = 1;  ///< a box stays as thick as this
+constexpr double kThinnestMm = 1;  ///< smallest thickness of a box
 
 dvec3 middleOf(const ClipBox& box) {
     return (box.lowMm + box.highMm) * 0.5;
 }
 
-/// Where, along `axis` (unit) from `middle`, a line of sight comes nearest [mm]. Nothing where one looks along the
-/// axis.
+/// Returns the place along `axis` (unit, from `middle`) that is nearest to a line of sight [mm]; none if the view is
+/// along the axis.
 std::optional<double> along(dvec3 middle, dvec3 axis, const SightLine& sight) {
-    constexpr double kTooSteep = 0.2;  // sine of the angle in between: the place would run away under the hand
+    constexpr double kTooSteep = 0.2;  // sine of the angle between them; below, places run away from the pointer
     const double cosine = glm::dot(axis, sight.direction), across = 1 - cosine * cosine;
     if (across < kTooSteep * kTooSteep)
         return std::nullopt;
@@ -25,7 +25,8 @@ std::optional<double> along(dvec3 middle, dvec3 axis, const SightLine& sight) {
     return (glm::dot(offset, axis) - glm::dot(offset, sight.direction) * cosine) / across;
 }
 
-/// How far the hand has pulled along an axis [mm]. Where one looks along it, up is away from the viewer.
+/// Returns how far the pointer has pulled along an axis [mm]. If the view is along the axis, up means away from the
+/// viewer.
 double pulled(const CutGrip& grip, dvec3 middle, dvec3 axis, dvec2 to) {
     const auto from = along(middle, axis, grip.view.under(grip.from)), now = along(middle, axis, grip.view.under(to));
     if (from && now)
@@ -34,7 +35,7 @@ double pulled(const CutGrip& grip, dvec3 middle, dvec3 axis, dvec2 to) {
     return away * (grip.from.y - to.y) * grip.view.heightMm(middle);
 }
 
-/// How far the hand has come in the picture's plane at a place's depth [mm].
+/// Returns how far the pointer has moved in the image plane at a place's depth [mm].
 dvec3 carried(const CutGrip& grip, dvec3 place, dvec2 to) {
     const dvec2 drag = (to - grip.from) * dvec2(grip.view.aspect(), 1) * grip.view.heightMm(place);
     return grip.view.camera().right() * drag.x - grip.view.camera().imageUp() * drag.y;
@@ -63,7 +64,7 @@ Clip offsetDragged(const CutGrip& grip, dvec2 to) {
     return clip;
 }
 
-/// As orbited() turns a view, but what is turned is in front of the viewer.
+/// Rotates the plane as orbited() rotates a view, but in the opposite sense: the plane is in front of the viewer.
 Clip tiltDragged(const CutGrip& grip, dvec2 to) {
     const dvec2 drag = (to - grip.from) * dvec2(grip.view.aspect(), 1);
     Clip clip = grip.before;
@@ -76,14 +77,14 @@ Clip tiltDragged(const CutGrip& grip, dvec2 to) {
     return clip;
 }
 
-/// Where the plane cuts the edge between two corners, if it does.
+/// Adds the place where the plane cuts the edge between two corners, if it does.
 void addCrossing(std::vector<dvec3>& places, const ClipPlane& plane, dvec3 a, dvec3 b) {
     const double from = glm::dot(plane.normal, a - plane.pointMm), to = glm::dot(plane.normal, b - plane.pointMm);
     if ((from < 0) != (to < 0))
         places.push_back(glm::mix(a, b, from / (from - to)));
 }
 
-/// Two unit vectors that span the plane.
+/// Computes two unit vectors that span the plane.
 void span(const ClipPlane& plane, dvec3& s, dvec3& t) {
     const dvec3 normal = glm::normalize(plane.normal);
     s = glm::normalize(glm::cross(normal, std::fabs(normal.z) < 0.9 ? dvec3(0, 0, 1) : dvec3(0, 1, 0)));
@@ -133,7 +134,7 @@ Clip withCutOff(const Clip& clip, const Uncut& uncut, int face, double mm) {
     return withBox(clip, box, uncut);
 }
 
-/// Around the plane by the angle: of crossings with a convex body in any order that is the polygon.
+/// Sorts the crossings by their angle in the plane: with a convex body, this order is the polygon's.
 std::vector<dvec3> planeOutline(const ClipPlane& plane, const Uncut& uncut) {
     const auto corner = [&](int i) { return glm::mix(uncut.lowMm, uncut.highMm, dvec3(i & 1, (i >> 1) & 1, i >> 2)); };
     std::vector<dvec3> places;
@@ -165,7 +166,7 @@ dvec3 planeMiddle(const ClipPlane& plane, const Uncut& uncut) {
 
 std::vector<dvec3> tiltRing(const ClipPlane& plane, const Uncut& uncut) {
     constexpr int kParts = 48;
-    constexpr double kRadius = 0.16;  // of the box' diagonal
+    constexpr double kRadius = 0.16;  // relative to the box' diagonal
     const double radius = kRadius * glm::distance(uncut.lowMm, uncut.highMm);
     const dvec3 middle = planeMiddle(plane, uncut);
     dvec3 s, t;
@@ -182,7 +183,7 @@ double planeOffsetMm(const ClipPlane& plane, const Uncut& uncut) {
     return glm::dot(glm::normalize(plane.normal), plane.pointMm - middleOf(uncut));
 }
 
-/// Somewhere it cuts the box still: else it would cut all off, or be lost.
+/// Limits the offset so that the plane still cuts the box: otherwise it would cut everything off, or be lost.
 ClipPlane withOffset(const ClipPlane& plane, const Uncut& uncut, double mm) {
     const dvec3 normal = glm::normalize(plane.normal);
     const double farthest = glm::dot(glm::abs(normal), uncut.highMm - uncut.lowMm) / 2 - kThinnestMm;

@@ -54,7 +54,7 @@ double signedDistance(const std::vector<PicturePoint>& outline, dvec2 place) {
 
 }  // namespace
 
-/// In two halves, from the first corner to the one farthest from it and back.
+/// Simplifies the line in two halves: from the first corner to the one farthest from it, and back.
 std::vector<PicturePoint> simplified(const std::vector<PicturePoint>& outline, double tolerance) {
     if (outline.size() < 3)
         return {};
@@ -85,7 +85,7 @@ OutlineDistance::OutlineDistance(const std::vector<PicturePoint>& outline) {
     }
     const dvec2 edges = high - low;
     step_ = std::max(std::max(edges.x, edges.y) / kCells, 1e-12);
-    low_ = low - step_;  // a row of nodes outside
+    low_ = low - step_;  // one row of nodes outside the outline
     size_ = ivec2(glm::ceil(edges / step_)) + 3;
     distance_.resize(std::size_t(size_.x) * std::size_t(size_.y));
     tbb::parallel_for(0, size_.y, [&](int j) {

@@ -1,5 +1,5 @@
 #pragma once
-/// A closed line drawn on a picture: with fewer corners, and how far away it is.
+/// Simplification, area and distance of a closed line drawn on an image.
 
 #include <vector>
 
@@ -7,26 +7,27 @@
 
 namespace pdr {
 
-/// With as few corners as keep every point of `outline` within `tolerance` [picture heights] of the line (Ramer,
-/// Douglas & Peucker 1972). Fewer than three where there is no more to it than a line.
+/// Returns `outline` with fewer corners, such that every point of it stays within `tolerance` [image heights] of the
+/// line (Ramer, Douglas & Peucker 1972). Empty if fewer than three corners would remain.
 std::vector<PicturePoint> simplified(const std::vector<PicturePoint>& outline, double tolerance);
 
-/// The area inside [picture heights squared]; parts that the line goes around the other way count against it.
+/// Returns the area inside [image heights squared]; parts that the line goes around the other way are subtracted.
 double areaInside(const std::vector<PicturePoint>& outline);
 
-/// The distance from a closed line, on a grid that is looked up. Inside is where a ray to the outside crosses the line
-/// an odd number of times.
+/// The distance from a closed line, tabulated on a grid. A point is inside if a ray from it to the outside crosses the
+/// line an odd number of times.
 class OutlineDistance {
   public:
-    /// At least three corners.
+    /// Tabulates the distance from `outline`, which has at least three corners.
     explicit OutlineDistance(const std::vector<PicturePoint>& outline);
 
-    /// Picture heights, positive inside. It is off by less than gridStep(); far outside it is a lower bound.
+    /// Returns the distance [image heights], positive inside. Its error is below gridStep(); far outside it is a lower
+    /// bound.
     double at(dvec2 place) const;
     double gridStep() const { return step_; }
 
   private:
-    static constexpr int kCells = 256;  ///< along the outline's longer side
+    static constexpr int kCells = 256;  ///< cells along the outline's longer side
 
     float node(int i, int j) const { return distance_[std::size_t(j) * std::size_t(size_.x) + std::size_t(i)]; }
 

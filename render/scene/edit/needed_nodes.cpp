@@ -8,7 +8,7 @@ namespace pdr {
 namespace {
 
 constexpr std::size_t kNumbers = 11;
-constexpr double kStraight = 1e-6;  ///< of the largest value: some times the rounding of a float
+constexpr double kStraight = 1e-6;  ///< tolerance relative to the largest value: several times the rounding of a float
 
 using Numbers = std::array<double, kNumbers>;
 
@@ -27,7 +27,7 @@ struct Place {
     Numbers values;
 };
 
-/// All lines from one place that miss none of those after it by more than the tolerance.
+/// All lines from one place that miss none of the places after it by more than the tolerance.
 class Cone {
   public:
     Cone(const Place& from, const Numbers& tolerance, unsigned properties)
@@ -36,7 +36,7 @@ class Cone {
         highest_.fill(std::numeric_limits<double>::infinity());
     }
 
-    /// Whether a straight line to `place` is one of them.
+    /// Returns whether a straight line to `place` is one of them.
     bool reaches(const Place& place) const {
         const double distance = place.hu - from_.hu;
         for (std::size_t n = 0; n < kNumbers; ++n) {
@@ -49,7 +49,7 @@ class Cone {
         return true;
     }
 
-    /// From now on only those that do not miss `place`.
+    /// Restricts the cone to lines that do not miss `place`.
     void pass(const Place& place) {
         const double distance = place.hu - from_.hu;
         for (std::size_t n = 0; n < kNumbers && distance > 0; ++n) {
@@ -80,8 +80,8 @@ Numbers toleranceOf(const std::vector<TransferNode>& nodes) {
 
 }  // namespace
 
-/// From each node that is needed as far as one straight line goes. What holds outside the nodes is told by a place far
-/// away on either side.
+/// Extends a straight line from each needed node as far as it goes. A place far away on either side stands for the
+/// constant values outside the nodes.
 std::vector<bool> neededBy(const std::vector<TransferNode>& nodes, unsigned properties) {
     constexpr double kFar = 1e9;  // [HU]: a line from there is level
     std::vector<Place> places{{nodes.front().hu - kFar, numbersOf(nodes.front())}};

@@ -1,6 +1,6 @@
 #pragma once
-/// Where tissues lie on the scale of CT, to find one's way by: never a classification, since they overlap and shift
-/// with the tube's voltage.
+/// Ranges of tissues on the scale of CT, for orientation only: they overlap and shift with the tube's voltage, so they
+/// are never a classification.
 ///   fat              Mitsiopoulos et al. 1998, J Appl Physiol 85:115
 ///   muscle           of normal attenuation: Goodpaster et al. 2000, J Appl Physiol 89:104
 ///   lung, bone       Kalender, Computed Tomography, 3rd ed. 2011; bone from the lowest compact one to enamel

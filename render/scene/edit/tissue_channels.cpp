@@ -13,7 +13,7 @@ float largest(vec3 colour) {
     return std::max({colour.x, colour.y, colour.z});
 }
 
-/// The same hue, as strong as `value`.
+/// Returns a colour of the same hue whose largest channel is `value`; black becomes grey.
 vec3 scaledTo(vec3 colour, float value) {
     const float strength = largest(colour);
     return strength > 0 ? glm::min(colour * (value / strength), vec3(value)) : vec3(value);
@@ -51,7 +51,7 @@ TransferNode withValue(TransferNode node, TissueChannel channel, float value) {
     }
 }
 
-/// Nodes that `property` needs; for opacity also those that none needs. At least one.
+/// Returns the nodes that `property` needs; for opacity also those that no property needs. At least one.
 std::vector<bool> pointsOf(const std::vector<TransferNode>& nodes, NodeProperty::Bits property) {
     std::vector<bool> points = neededBy(nodes, property);
     if (property == NodeProperty::opacity) {
@@ -64,7 +64,7 @@ std::vector<bool> pointsOf(const std::vector<TransferNode>& nodes, NodeProperty:
     return points;
 }
 
-/// Where `property` is replaced, the nodes that stay because of what is not.
+/// Returns the places of the nodes that stay where `property` is replaced, because other properties need them.
 std::vector<float> placesWithout(const std::vector<TransferNode>& nodes, NodeProperty::Bits property) {
     std::vector<bool> stays = neededBy(nodes, NodeProperty::all & ~property);
     if (property != NodeProperty::opacity) {
@@ -78,7 +78,8 @@ std::vector<float> placesWithout(const std::vector<TransferNode>& nodes, NodePro
     return places;
 }
 
-/// At each of `places` what `take` makes of the function and of `replacement`, on either side of a step.
+/// Returns a node for each of `places` and of the replacement's nodes, made by `take` from both functions; two at a
+/// step.
 template <class Take>
 std::vector<TransferNode> joined(const TransferFunction& function, const TransferFunction& replacement,
                                  std::vector<float> places, const Take& take) {

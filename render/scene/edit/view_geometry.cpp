@@ -7,7 +7,7 @@
 namespace pdr {
 namespace {
 
-/// A perspective view begins here [mm before the eye]: nearer, a place is seen anywhere.
+/// Smallest depth of a visible place [mm before the eye]: nearer, it could be seen anywhere.
 constexpr double kNearestMm = 1e-3;
 
 }  // namespace

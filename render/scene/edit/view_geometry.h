@@ -1,5 +1,6 @@
 #pragma once
-/// Where places are in a camera's picture, and what lies under its points. Of a pinhole: what is sharp in a lens.
+/// Maps places to points of a camera's image, and points to lines of sight. The lens is ignored: the camera is a
+/// pinhole.
 
 #include <optional>
 #include <utility>
@@ -8,13 +9,13 @@
 
 namespace pdr {
 
-/// All that lies under one point of a picture.
+/// The line of all places under one point of an image.
 struct SightLine {
-    dvec3 originMm;   ///< the eye, or where a parallel view starts
+    dvec3 originMm;   ///< the eye, or where the line starts in a parallel view
     dvec3 direction;  ///< unit, away from the viewer
 };
 
-/// Points of the picture are fractions of its width and height, (0, 0) is its upper left corner.
+/// The projection of a camera. Image points are fractions of its width and height; (0, 0) is its upper left corner.
 class ViewGeometry {
   public:
     /// `aspect` = width / height > 0.
@@ -22,12 +23,12 @@ class ViewGeometry {
 
     const Camera& camera() const { return camera_; }
     double aspect() const { return aspect_; }
-    /// Where a place is seen, also outside the picture; nothing at and behind the eye.
+    /// Returns where a place is seen, also outside the image; none at and behind the eye.
     std::optional<dvec2> at(dvec3 placeMm) const;
-    /// Both ends of a line as it is seen; without what lies behind the eye, and nothing where all of it does.
+    /// Returns both ends of a line as it is seen, without what lies behind the eye; none if all of it does.
     std::optional<std::pair<dvec2, dvec2>> lineAt(dvec3 fromMm, dvec3 toMm) const;
     SightLine under(dvec2 point) const;
-    /// What the picture's height is at a place's depth [mm]; 0 at and behind the eye.
+    /// Returns the height of the image at a place's depth [mm]; 0 at and behind the eye.
     double heightMm(dvec3 placeMm) const;
 
   private:
@@ -35,7 +36,7 @@ class ViewGeometry {
 
     Camera camera_;
     double aspect_;
-    double heightPerDepth_;  ///< perspective
+    double heightPerDepth_;  ///< for a perspective view
     dvec3 forward_, right_, up_;
 };
 

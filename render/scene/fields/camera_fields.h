@@ -1,5 +1,5 @@
 #pragma once
-/// What the fields of camera and film are called, which range they have, and what they mean.
+/// Names, ranges and meanings of the fields of camera and film.
 
 #include "render/base/image_size.h"
 #include "render/scene/camera.h"

@@ -1,5 +1,5 @@
 #pragma once
-/// What the fields of what is cut away are called, which range they have, and what they mean.
+/// Names, ranges and meanings of the fields of cuts.
 
 #include "render/scene/clip.h"
 #include "render/scene/fields/camera_fields.h"

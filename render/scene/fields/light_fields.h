@@ -1,5 +1,5 @@
 #pragma once
-/// What the fields of lights and of the environment are called, which range they have, and what they mean.
+/// Names, ranges and meanings of the fields of lights and of the environment.
 
 #include <optional>
 #include <string>
@@ -35,7 +35,7 @@ void describe(Visit& visit, SphereLight& light) {
     visit({"visible", "whether the camera sees it"}, light.visible);
 }
 
-/// The environment as files write it: its picture is a path there.
+/// The environment as files write it, where its image is a path.
 struct EnvironmentFields {
     Environment environment;
     std::optional<std::string> image;

@@ -1,5 +1,5 @@
 #pragma once
-/// What the fields of looks and sessions are called, which range they have, and what they mean.
+/// Names, ranges and meanings of the fields of looks and sessions.
 
 #include "render/scene/fields/rig_fields.h"
 #include "render/scene/fields/scene_fields.h"

@@ -1,5 +1,5 @@
 #pragma once
-/// What the fields of files of looks are called, which range they have, and what they mean.
+/// Names, ranges and meanings of the fields in files of looks.
 
 #include "render/scene/fields/look_fields.h"
 #include "render/scene/named_look.h"

@@ -1,5 +1,5 @@
 #pragma once
-/// What the fields of rigs of light are called, which range they have, and what they mean.
+/// Names, ranges and meanings of the fields of light rigs.
 
 #include <optional>
 #include <vector>
@@ -27,13 +27,13 @@ void describe(Visit& visit, RigPanel& panel) {
     visit({"colour", "of its light", {0, 1000}}, panel.colour);
 }
 
-/// The rig and what lights the rest.
+/// The rig and the environment, which files store as one object.
 struct RigFields {
     LightRig& rig;
     Environment& environment;
 };
 
-/// Files list all panels, or say how bright the standard ones are.
+/// Describes the panels: files list all of them, or give the brightness of the standard ones.
 template <class Visit>
 void describePanels(Visit& visit, LightRig& rig) {
     constexpr Range kScale{0, RigPanel::kBrightest};

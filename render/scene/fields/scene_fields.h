@@ -1,5 +1,5 @@
 #pragma once
-/// What the fields of scene files are called, which range they have, and what they mean.
+/// Names, ranges and meanings of the fields of scene files.
 
 #include "render/scene/fields/camera_fields.h"
 #include "render/scene/fields/clip_fields.h"
@@ -36,7 +36,7 @@ void describe(Visit& visit, Schedule& schedule) {
 
 inline constexpr Words<Filtering, 2> kFilteringWords{{{"exact", Filtering::exact}, {"fast", Filtering::fast}}};
 
-/// A Scene's own fields, but for the lights, which files list together with the environment.
+/// Describes a Scene's own fields except the lights, which files list together with the environment.
 template <class Visit>
 void describe(Visit& visit, Scene& scene) {
     PhaseField phase{scene.phaseG};

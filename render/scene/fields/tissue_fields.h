@@ -1,5 +1,5 @@
 #pragma once
-/// What the fields of tissue are called, which range they have, and what they mean.
+/// Names, ranges and meanings of the fields of tissue.
 
 #include "render/scene/fields/ranges.h"
 #include "render/scene/scene.h"
@@ -37,7 +37,7 @@ void describe(Visit& visit, HuWindow& window) {
     visit({"highHu", "shown white [HU]; above `lowHu`", kHounsfield, kRequired}, window.highHu);
 }
 
-/// How tissue scatters, and how readily its edges reflect: two objects in files, two numbers here.
+/// The scattering and the surface reflection of tissue: two objects in files, two numbers here.
 struct PhaseField {
     float& g;
 };

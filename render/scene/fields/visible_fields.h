@@ -1,5 +1,5 @@
 #pragma once
-/// What the fields of what is shown of a patient are called, which range they have, and what they mean.
+/// Names, ranges and meanings of the fields of the visible part of a patient.
 
 #include "render/scene/fields/ranges.h"
 #include "render/scene/visible.h"

@@ -1,5 +1,5 @@
 #pragma once
-/// What the fields of the volume are called, which range they have, and what they mean.
+/// Names, ranges and meanings of the fields of the volume.
 
 #include <optional>
 #include <string>
@@ -19,7 +19,7 @@ inline constexpr Words<Reconstruction, 2> kReconstructionWords{
 
 inline constexpr Words<Table, 2> kTableWords{{{"shown", Table::shown}, {"hidden", Table::hidden}}};
 
-/// Where the voxels come from, as files write it.
+/// The origin of the voxels, as files write it.
 struct VolumeFields {
     std::optional<std::string> dicom, series, raw;
     RawFile file;  ///< its path is `raw`

@@ -9,10 +9,10 @@
 namespace pdr::slicer {
 namespace {
 
-constexpr double kOpaque = 0.995;      ///< what counts as 1, whose extinction would be infinite
-constexpr float kLongestStep = 0.25f;  ///< of opacity between two points of extinction
-constexpr float kShadedEdges = 3;      ///< gradient factor of what Slicer shades
-constexpr double kDielectric = 0.2;    ///< reflectance of Slicer's specular 1: its 0.2 is that of tissue, 0.04
+constexpr double kOpaque = 0.995;      ///< opacity that counts as 1, whose extinction would be infinite
+constexpr float kLongestStep = 0.25f;  ///< largest step of opacity between two points of extinction
+constexpr float kShadedEdges = 3;      ///< gradient factor of shaded volumes
+constexpr double kDielectric = 0.2;    ///< reflectance of Slicer's specular 1: its 0.2 then is that of tissue, 0.04
 
 Result<void> checkAscending(const auto& points, const char* what) {
     const std::string where(what);
@@ -49,7 +49,7 @@ Result<void> check(const VolumeProperty& property) {
     return checkRange(property.specularPower, {0, 1e6}, "specular power");
 }
 
-/// With points between those that lie far apart in value.
+/// Returns the curve with points added between those that lie far apart in value.
 Curve finer(const Curve& opacity) {
     Curve curve;
     for (const CurvePoint& point : opacity) {
@@ -66,7 +66,7 @@ Curve finer(const Curve& opacity) {
     return curve;
 }
 
-/// A surface whose highlight is about as wide as that of Phong's cosine to that power.
+/// Returns the roughness whose highlight is about as wide as that of Phong's cosine to that power.
 float roughnessOf(double power) {
     return float(std::clamp(std::pow(2 / (power + 2), 0.25), 0.0, 1.0));
 }
@@ -84,9 +84,11 @@ Result<NamedLook> lookOf(const VolumeProperty& property, const std::string& name
     named.look = base.look;
     if (property.simplified)
         named.doesNotShow = "Made from a file of 3D Slicer that says more: opacity by gradient, or bent curves.";
+    // Map the shading to a surface
     TransferNode tissue;
     tissue.roughness = roughnessOf(property.specularPower);
     tissue.specular = vec3(property.shade ? float(kDielectric * property.specular) : 0);
+    // Convert opacity of a unit distance to extinction
     Curve extinction = finer(property.opacity);
     for (CurvePoint& point : extinction)
         point.value = float(-std::log1p(-std::min(double(point.value), kOpaque)) / property.unitDistanceMm);
@@ -97,6 +99,7 @@ Result<NamedLook> lookOf(const VolumeProperty& property, const std::string& name
         tissue.opacity = std::min(point.value / top, 1.0f);
         function.nodes.push_back(tissue);
     }
+    // Convert the colours of a screen to linear ones
     std::vector<ColourStop> colours = property.colours;
     for (ColourStop& stop : colours)
         for (int channel = 0; channel < 3; ++channel)

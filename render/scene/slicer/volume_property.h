@@ -1,5 +1,5 @@
 #pragma once
-/// What 3D Slicer says of a volume's look, and how it becomes a look of ours. Its opacity is that of a unit distance,
+/// A volume property of 3D Slicer, and its conversion to and from a look. Slicer's opacity is that of a unit distance,
 /// ours is extinction; its colours are those of a screen, ours are linear.
 
 #include <string>
@@ -15,19 +15,19 @@ struct VolumeProperty {
     bool shade = true;
     double ambient = 0.1, diffuse = 0.9, specular = 0.2;  ///< [0, 1]
     double specularPower = 10;                            ///< >= 0
-    double unitDistanceMm = 1;                            ///< of the opacity; > 0
-    double anisotropy = 0;                                ///< of scattering; [-1, 1]
-    Curve opacity;                                        ///< of a unit distance; [0, 1]
+    double unitDistanceMm = 1;                            ///< distance that `opacity` refers to; > 0
+    double anisotropy = 0;                                ///< anisotropy of scattering; [-1, 1]
+    Curve opacity;                                        ///< opacity of a unit distance; [0, 1]
     std::vector<ColourStop> colours;                      ///< sRGB, each channel in [0, 1]
-    bool simplified = false;  ///< the file says more: opacity by gradient, or curves that are not straight
+    bool simplified = false;  ///< whether the file holds more: opacity by gradient, or curves that are not straight
 };
 
-/// `property` in the light and at the brightness of `base`. Between two points an opacity stands for a bent extinction,
-/// which gets points of its own. What is simplified, the look says. Errors: no points, points that do not ascend,
-/// values out of range.
+/// Converts `property` to a look with the light and brightness of `base`. Between two points, a straight opacity curve
+/// stands for a bent extinction curve, which gets additional points. The look's `doesNotShow` says what is simplified.
+/// Errors: no points, points that do not ascend, values out of range.
 Result<NamedLook> lookOf(const VolumeProperty& property, const std::string& name, const NamedLook& base);
 
-/// The other way round. What Slicer does not know is lost: lights, cut, model, emission.
+/// Converts a look to a volume property. What Slicer cannot represent is lost: lights, cut, model, emission.
 VolumeProperty propertyOf(const NamedLook& look);
 
 }  // namespace pdr::slicer

@@ -18,7 +18,7 @@ void readIfThere(JsonFields& fields, std::string_view name, auto& value) {
         fields.required(name, value);
 }
 
-/// Whether a curve goes straight from this point to the next.
+/// Returns whether a curve is straight from this point to the next.
 bool isStraight(JsonFields& point) {
     double middle = 0.5, sharpness = 0;
     readIfThere(point, "midpoint", middle);

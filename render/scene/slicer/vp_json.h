@@ -1,5 +1,5 @@
 #pragma once
-/// Slicer's file of volume properties in JSON, `.vp.json`. Source: volume-property-schema-v1.0.0.json in 3D Slicer's
+/// 3D Slicer's JSON format of volume properties, `.vp.json`. Source: volume-property-schema-v1.0.0.json in 3D Slicer's
 /// repository.
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace pdr::slicer {
 
-/// The first component of the first property. `where` is used in error texts, beside the field's path.
+/// Reads the first component of the first property. `where` is used in error texts, beside the field's path.
 Result<VolumeProperty> propertyFromJson(std::string_view text, std::string_view where);
 std::string jsonOf(const VolumeProperty& property);
 

@@ -15,12 +15,12 @@ struct VpError {
     Error error;
 };
 
-/// The lines that hold something, one after the other.
+/// Reads the lines that hold something, one after the other.
 class Lines {
   public:
     explicit Lines(std::string_view text) : rest_(text) {}
 
-    /// The numbers of the next line, called `what`; at least `least` of them.
+    /// Returns the numbers of the next line, called `what`; at least `least` of them.
     std::vector<double> numbers(const std::string& what, std::size_t least) {
         std::string_view line;
         do {
@@ -41,7 +41,7 @@ class Lines {
         return numbers;
     }
     double number(const std::string& what) { return numbers(what, 1)[0]; }
-    /// The values of a curve with `width` numbers a point.
+    /// Returns the values of a curve with `width` numbers per point.
     std::vector<double> points(const std::string& what, std::size_t width) {
         std::vector<double> values = numbers(what, 1);
         const double told = values[0];

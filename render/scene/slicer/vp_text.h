@@ -1,6 +1,6 @@
 #pragma once
-/// Slicer's older text file of a volume property, `.vp`: a line each of interpolation, shade, diffuse, ambient,
-/// specular, power, then opacity, opacity by gradient and colour as the number of values and the values themselves.
+/// 3D Slicer's older text format of a volume property, `.vp`: one line each for interpolation, shade, diffuse, ambient,
+/// specular and power, then opacity, opacity by gradient and colour as the number of values and the values themselves.
 /// Source: 3D Slicer's developer guide, "Format of Volume Property (.vp) file".
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace pdr::slicer {
 
-/// `where` is used in error texts, beside the line's name.
+/// Reads a volume property from its text; `where` is used in error texts, beside the line's name.
 Result<VolumeProperty> propertyFromText(std::string_view text, std::string_view where);
 std::string textOf(const VolumeProperty& property);
 

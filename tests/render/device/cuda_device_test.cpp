@@ -5,8 +5,8 @@
 
 using namespace pdr;
 
-/// The CUDA device where there is one; else that its absence is told. All that it computes is tested without a GPU too:
-/// gpu_device_test.
+/// Tests the CUDA device if there is one, and otherwise that its absence is reported. gpu_device_test tests all that it
+/// computes, without a GPU, too.
 class CudaDeviceTest : public QObject {
     Q_OBJECT
 

@@ -1,4 +1,4 @@
-/// Whatever a device throws ends as a sentence for the user, and the next scene is rendered.
+/// Any exception of a device becomes an error text for the user, and the next scene is rendered.
 
 #include <QTest>
 #include <new>

@@ -31,7 +31,7 @@ bool same(const Film& a, const Film& b) {
     return sameBits(a.content(), b.content());
 }
 
-/// `samples` by way of a live film, n at a time.
+/// Renders `samples` with a live film, n at a time.
 std::shared_ptr<const Film> lived(Device& device, const Scene& scene, std::uint32_t samples, std::uint32_t n) {
     if (!device.upload(scene))
         return nullptr;
@@ -81,7 +81,7 @@ class GpuDeviceTest : public QObject {
             }
     }
 
-    /// Of the same volume, by the same device: bounds are of what is seen.
+    /// With the same volume on the same device, another visible part gets bounds of its own.
     void anotherChoiceHasBoundsOfItsOwn() {
         const auto gpu = hostDevice();
         Scene scene = bumpyScene();
@@ -103,7 +103,7 @@ class GpuDeviceTest : public QObject {
             QVERIFY2(scene.check(), what);
             const Film theirs = test::render(scene, 20, *cpu);
             QVERIFY2(same(theirs, test::render(scene, 20, *gpu)), what);
-            // And with ranges, bounds and the bounds of the view made on the device.
+            // Compare also with ranges, bounds and the bounds of the view made on the device.
             QVERIFY2(same(theirs, *lived(*gpu, scene, 20, 20)), what);
         };
         agrees("lens", [](Scene& s) { s.camera.apertureMm = 8; });
@@ -210,7 +210,7 @@ class GpuDeviceTest : public QObject {
         QCOMPARE(copiesFor(scene), 4);
     }
 
-    /// While the user drags: opacities, colours, the view and a light, from one edit to its picture.
+    /// Edits while the user drags: opacities, colours, the view and a light, from one edit to its image.
     void anEditTakesNoMemory() {
         const auto plan = std::make_shared<test::FaultPlan>();
         GpuDevice<test::FaultyGpu> gpu(DeviceInfo{"counting", "", false}, plan);
@@ -279,7 +279,7 @@ class GpuDeviceTest : public QObject {
         }
     }
 
-    /// Whatever call fails: a sentence, no crash, and afterwards the device works again.
+    /// Any call may fail: it gives an error text, no crash, and afterwards the device works again.
     void everyCallMayFail() {
         const Scene scene = bumpyScene();
         const Film reference = test::render(scene, 3);

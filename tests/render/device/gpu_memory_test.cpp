@@ -1,4 +1,4 @@
-/// What a GPU's memory is taken for, and when it comes back.
+/// What a GPU's memory is allocated for, and when it is released.
 
 #include <QTest>
 
@@ -10,7 +10,7 @@ using namespace pdr;
 
 namespace {
 
-/// Counts what is taken of its memory and of the host's.
+/// Counts the allocations of device memory and of host memory.
 struct CountingGpu : HostGpu {
     using HostGpu::HostGpu;
     int allocations = 0;
@@ -52,7 +52,7 @@ class GpuMemoryTest : public QObject {
                 device.upload(scene) && film->restart(wholeImage(scene.film), scene.revision) && picture(*film);
             return shown ? device.gpu().allocations - before : -1;
         };
-        QVERIFY(allocations([](Scene&) {}) >= 0);  // both slots of its pictures have been used by now
+        QVERIFY(allocations([](Scene&) {}) >= 0);  // both slots of its images have been used by now
         QCOMPARE(allocations([](Scene& s) { s.camera.eyeMm.x += 5; }), 0);
         QCOMPARE(allocations([](Scene& s) { s.transferFunction.nodes[1].albedo = vec3(0.3f); }), 0);
         QCOMPARE(allocations([](Scene& s) { s.transferFunction.nodes[1].opacity = 0.4f; }), 0);

@@ -1,4 +1,4 @@
-/// What a guide shows is the scene without shadows and without noise, and where its surfaces are.
+/// A guide shows the scene without shadows and without noise, and where its surfaces are.
 
 #include <QTest>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kFiner = 4;
 
-/// Seen from the front, one film pixel for four voxels.
+/// Returns a scene seen from the front, with one film pixel for four voxels.
 Scene seenFromTheFront(std::shared_ptr<const Volume> volume) {
     Scene scene = test::plainScene(std::move(volume), 0.5f);
     scene.transferFunction.nodes = {{.hu = 0, .opacity = 0, .albedo = vec3(0.8f, 0.5f, 0.2f)},
@@ -26,7 +26,7 @@ Scene seenFromTheFront(std::shared_ptr<const Volume> volume) {
     return scene;
 }
 
-/// From clear on one side to opaque on the other: at column i a ray passes an optical depth of i / kThin.
+/// Optical depth of the fog from clear on one side to opaque on the other: at column i a ray passes i / kThin.
 constexpr double kThin = 15.625;
 Scene fog() {
     Scene scene = seenFromTheFront(test::makeVolume({32, 32, 32}, dvec3(1), [](int i, int, int) { return 4 * i; }));
@@ -55,7 +55,7 @@ class GuideTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// But for one factor: what light there is does not matter.
+    /// The guide and the image agree except for one factor: the brightness of the light does not matter.
     void fogInAGuideIsFogWithoutShadows() {
         Scene fine = fog();
         fine.film *= kFiner;
@@ -74,7 +74,7 @@ class GuideTest : public QObject {
         QVERIFY2(spread < 0.03 * mean, qPrintable(QString("%1 of %2").arg(spread).arg(mean)));
     }
 
-    /// What holds back more than half of the light counts as opaque.
+    /// Tissue that holds back more than half of the light counts as opaque.
     void opacityIsThatOfTheWholeRay() {
         const auto guide = guideOf(fog());
         for (int x = 2; x < 32; ++x) {

@@ -46,7 +46,7 @@ struct CountUp {
     }
 };
 
-/// Holds a thread up until all of `awaited` have come.
+/// Blocks a thread until all of `awaited` have come.
 struct Meet {
     std::atomic<int>* came;
     int awaited;

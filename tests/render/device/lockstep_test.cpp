@@ -1,4 +1,4 @@
-/// The text that shares a queue among a GPU's threads (walk_queue.h), in warps that run in step on the CPU.
+/// The code that shares a queue among a GPU's threads (walk_queue.h), in warps that run in lockstep on the CPU.
 
 #include <QTest>
 
@@ -57,7 +57,7 @@ class LockstepTest : public QObject {
         }
     }
 
-    /// Lanes whose walks have ended take others: most are busy, though one walk in 23 is 22 steps long and many are
+    /// Lanes whose walks have ended take others: most are busy, although one walk in 23 is 22 steps long and many have
     /// none.
     void lanesAreRefilled() {
         HostGpu gpu(0, 1, HostGpu::Walks::inWarps);
@@ -70,7 +70,7 @@ class LockstepTest : public QObject {
         QVERIFY2(busy > 24 && busy <= kWarp, qPrintable(QString::number(busy)));
     }
 
-    /// A warp whose threads do not all come back is a fault, as it is on a GPU.
+    /// A warp whose threads do not all meet is a fault, as it is on a GPU.
     void whoAsksAloneIsSeen() {
         LockstepWarp warp;
         const auto nobody = [] {};

@@ -1,4 +1,4 @@
-/// Pictures with known answers, on every path through the CPU device.
+/// Images with known answers, on every path through the CPU device.
 
 #include <QTest>
 

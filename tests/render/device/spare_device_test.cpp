@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t kSamples = 40;
 
-/// What is told when the other device takes over.
+/// Records the reasons why the other device takes over.
 struct Told {
     std::vector<Error> all;
     WhySpare hear() {
@@ -48,7 +48,7 @@ FilmContent alone() {
 
 }  // namespace
 
-/// "auto": a GPU that cannot do its work, and the CPU that does it then.
+/// Tests "auto" with a GPU that cannot do its work, and the CPU that takes over.
 class SpareDeviceTest : public QObject {
     Q_OBJECT
 
@@ -80,7 +80,7 @@ class SpareDeviceTest : public QObject {
         QCOMPARE(device->info().name, std::string("cpu"));
     }
 
-    /// One call after the other fails, and all behind it: the picture is right, or there is none and a sentence.
+    /// A failure of each call and of all after it gives the right image, or none and an error text.
     void gpuThatIsLostAtAnyCallGivesTheRightPictureOrNone() {
         const FilmContent right = alone();
         int handedOver = 0, none = 0;

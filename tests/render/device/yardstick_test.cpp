@@ -1,4 +1,4 @@
-/// A real head against a picture of it by a renderer that nobody here wrote, and against itself without accelerators.
+/// A real head against an image of it by an independent renderer, and against itself without accelerators.
 
 #include <QTest>
 
@@ -15,7 +15,7 @@ namespace {
 
 const QString kScene = PDR_SOURCE_DIR "/tests/scenes/yardstick.json";
 
-/// The scene, or nothing (and `reason`) where its volume is not there.
+/// Returns the scene, or none (and `reason`) if its volume is not there.
 std::optional<Scene> yardstick(QString& reason) {
     Result<SceneFile> file = readSceneFile(kScene.toStdString());
     if (!file) {
@@ -64,13 +64,13 @@ class YardstickTest : public QObject {
         qInfo("mean ratio %.5f, off by %.4f of the mean beside our own noise of %.4f", mean / truth, off,
               std::sqrt(draws / pixels) / (truth / pixels));
         QVERIFY(std::fabs(mean / truth - 1) < 0.005);
-        // Of this 0.0215 are the reference's own noise. The rest, 0.017, is smooth over neighbours: the reference has
+        // The reference's own noise is 0.0215 of this. The rest, 0.017, is smooth over neighbours: the reference has
         // another rule at the volume's border and goes by way of spectra.
         QVERIFY(off > 0.0215 && off < 0.0285);
     }
 
-    /// The variance falls by n^-1.4 at least, from 16 to 256 samples: by n^-1, as that of independent samples does, as
-    /// soon as numbers that are none of the points decide anything that shows. Between pictures of two seeds.
+    /// The variance falls by n^-1.4 at least, from 16 to 256 samples. It would fall by n^-1, as with independent
+    /// samples, if numbers other than the points decided anything visible. Images of two seeds are compared.
     void theErrorFallsFasterThanByTheRootOfTheSamples() {
         QString reason;
         std::optional<Scene> scene = yardstick(reason);

@@ -12,7 +12,7 @@ using namespace pdr;
 
 namespace {
 
-/// An oblique view whose sharp plane is the target's, or another.
+/// Returns an oblique view whose sharp plane is the target's, or another.
 Camera obliqueCamera(double focusMm) {
     Camera camera;
     camera.eyeMm = {210, -480, 130};
@@ -27,13 +27,13 @@ Camera orthographic(double focusMm) {
     return withType(obliqueCamera(focusMm), Camera::Type::orthographic);
 }
 
-/// A point in the sharp plane, in fractions of the view's height from its middle; x right, y up.
+/// Returns a point in the sharp plane, given in fractions of the view's height from its middle; x right, y up.
 dvec3 inFocus(const Camera& camera, dvec2 place) {
     const dvec2 mm = place * camera.heightInFocusMm();
     return camera.eyeMm + camera.forward() * camera.focusDistanceMm() + camera.right() * mm.x + camera.imageUp() * mm.y;
 }
 
-/// Where a point of the patient is seen, likewise.
+/// Returns where a point of the patient is seen, in fractions of the view's height from its middle; x right, y up.
 dvec2 seenAt(const Camera& camera, dvec3 point) {
     const dvec3 offset = point - camera.eyeMm;
     const double height = camera.type == Camera::Type::orthographic

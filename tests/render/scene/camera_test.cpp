@@ -1,4 +1,4 @@
-/// Where a camera's rays go: its field of view is vertical, pixels are square, and the lens is as wide as it says.
+/// The rays of a camera: its field of view is vertical, pixels are square, and the lens has the stated diameter.
 
 #include <QTest>
 
@@ -14,7 +14,7 @@ namespace {
 constexpr ivec2 kFilm(200, 80);
 constexpr double kAspect = 200.0 / 80;
 
-/// Looks along +y at the middle of a volume.
+/// Returns a scene whose camera looks along +y at the middle of a volume.
 Scene view(Camera::Type type) {
     Scene scene = test::plainScene(test::makeVolume({20, 20, 20}, dvec3(5), [](int, int, int) { return 0; }), 1);
     scene.camera = {.type = type, .eyeMm = {50, -400, 50}, .targetMm = {50, 50, 50}, .fovDegrees = 40, .heightMm = 60};
@@ -82,7 +82,7 @@ class CameraTest : public QObject {
         }
     }
 
-    /// The depth of what lies under a pixel counts along the view, as the sharp plane does: at the film's rim too.
+    /// The depth of tissue under a pixel is measured along the view, as the sharp plane's is, also at the film's edge.
     void depthUnderAPixelIsAlongTheView() {
         Scene scene = view(Camera::Type::perspective);
         scene.transferFunction.extinctionPerMm = 1e4f;
@@ -93,7 +93,7 @@ class CameraTest : public QObject {
         }
     }
 
-    /// Of a disc: half of its points lie beyond 1 / sqrt(2) of its radius, evenly around.
+    /// A disc: half of its points lie beyond 1 / sqrt(2) of its radius, evenly around.
     void pointsOfALensAreEvenOverTheDisc() {
         test::Sample squared, fourth, across, up;
         for (std::uint64_t i = 0; i < 200'000; ++i) {

@@ -1,4 +1,4 @@
-/// What is cut away is neither seen nor throws shadows, unless its shadow is asked for.
+/// Tissue that is cut away is neither visible nor casts shadows, unless its shadow is requested.
 
 #include <QTest>
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kComparisons = 10;
 
-/// The slab is 10 mm thick, 2 mm of depth 1 each; the camera looks down -z from above, light comes the same way.
+/// Returns a slab, 10 mm thick, 2 mm of depth 1 each; the camera looks down -z from above, light comes the same way.
 Scene cutSlab(double keepBelow, bool shadows) {
     Scene scene = test::slab(5, {0, 0, -1}, 0.8f);
     scene.clip.planes = {{{0, 0, keepBelow}, {0, 0, 1}}};
@@ -91,7 +91,7 @@ class ClipTest : public QObject {
     /// A box turned by 45 degrees out of six oblique planes is the clip box of the volume turned the other way.
     void obliquePlanesCutWhereTheyAreSaidTo() {
         Scene scene = test::slab(5, {0, 0, -1}, 0.8f);
-        // Above the middle of the picture a plane of 45 degrees leaves 4 mm, 2.83 of them along its normal.
+        // Above the middle of the image a plane of 45 degrees leaves 4 mm, 2.83 of them along its normal.
         scene.clip.planes = {{{200.5, 200.5, 4}, {1, 0, 1}}};
         scene.camera.heightMm = 1e-3;
         const double tau = 2, slant = 1;  // light and view both come straight down

@@ -1,4 +1,4 @@
-/// Curves and their edits: order is kept whatever the hand does, and what is not edited stays.
+/// Curves and their edits: every edit keeps the order, and what is not edited stays.
 
 #include <QTest>
 #include <algorithm>
@@ -71,7 +71,7 @@ class CurveTest : public QObject {
         QVERIFY((without(kCurve, {0, 1, 2, 3, 4}) == Curve{{-100, 0}}));
     }
 
-    /// Whatever is moved where, also points of equal hu and points at the ends of the scale.
+    /// Random moves of any points, also of points of equal hu and points at the ends of the scale.
     void noEditBreaksTheOrder() {
         std::mt19937 random(11);
         const auto number = [&](double low, double high) {

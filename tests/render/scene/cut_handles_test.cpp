@@ -1,4 +1,4 @@
-/// What a drag does to a cut: faces and planes follow the hand, one looks at them from wherever one likes.
+/// Effects of a drag on a cut: faces and planes follow the pointer, from any viewing direction.
 
 #include "render/scene/edit/cut_handles.h"
 
@@ -25,7 +25,7 @@ class CutHandlesTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// To where the hand points, 31 mm further in, in both kinds of view.
+    /// The pointer moves a face 31 mm further in, in both kinds of view.
     void aFaceFollowsTheHandAlongItsAxis() {
         for (const Camera::Type type : {Camera::Type::perspective, Camera::Type::orthographic})
             for (int face = 0; face < 6; ++face) {
@@ -43,7 +43,7 @@ class CutHandlesTest : public QObject {
             }
     }
 
-    /// Looking along the axis: up is away.
+    /// In a view along the axis, up is away.
     void whatComesTowardsTheViewerIsPushedByMovingUp() {
         const ViewGeometry view(camera(Camera::Type::orthographic, {-10, -700, -100}), 1.5);
         const CutGrip held = grip({}, {Kind::face, 2}, view, faceMiddle(kBody, 2));
@@ -84,13 +84,13 @@ class CutHandlesTest : public QObject {
         }
     }
 
-    /// It never leaves the body: it could not be taken hold of any more.
+    /// A plane never leaves the body: otherwise it could not be dragged any more.
     void aPlaneStaysInTheBody() {
         const ClipPlane plane = withOffset({{0, 0, 0}, {1, 1, 1}}, kBody, 1e5);
         QVERIFY(planeOutline(plane, kBody).size() >= 3);
     }
 
-    /// By a quarter of the picture's height to the right: 45 degrees about what is up; the middle stays.
+    /// A drag by a quarter of the image's height to the right: 45 degrees about the up direction; the middle stays.
     void aRingTurnsThePlaneAsAViewIsTurned() {
         const Camera front = camera(Camera::Type::perspective, {-10, -700, -100});
         const ViewGeometry view(front, 1.5);

@@ -1,4 +1,4 @@
-/// Lines that a hand has drawn: their corners, and how far away they are.
+/// Lines that the user has drawn: their corners, and how far away they are.
 
 #include "render/scene/edit/drawn_outline.h"
 

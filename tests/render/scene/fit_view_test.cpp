@@ -1,4 +1,4 @@
-/// A whole volume in the picture, and as large as can be.
+/// A whole volume in the image, and as large as possible.
 
 #include <QTest>
 #include <cmath>
@@ -7,12 +7,12 @@
 
 namespace pdr {
 
-/// A flat, off-centre grid: 300 x 200 x 50 mm.
+/// Returns a flat, off-centre grid: 300 x 200 x 50 mm.
 static VolumeGeometry slab() {
     return VolumeGeometry::aligned({100, 100, 20}, {3, 2, 2.5}, {-120, 40, 700});
 }
 
-/// The largest |x| and |y| of the box's corners in the image, each in half its width or height.
+/// Returns the largest |x| and |y| of the box's corners in the image, each in half its width or height.
 static dvec2 reach(const Camera& camera, double aspect) {
     dvec2 reach(0);
     for (int i = 0; i < 8; ++i) {

@@ -1,4 +1,4 @@
-/// Rigs of light: what old files say, where panels stand, turning, tying, and the rigs that have a name.
+/// Light rigs: old files, the places of panels, rotation, tying, and named rigs.
 
 #include <QTest>
 
@@ -34,12 +34,12 @@ std::string errorOf(const std::string& lights) {
     return look ? "none" : look.error().where;
 }
 
-/// Where a light stands from the centre [radii of the body].
+/// Returns the place of a light from the centre [radii of the body].
 dvec3 placeOf(const Light& light) {
     return (std::get<RectangleLight>(light).centreMm - kBody.centreMm()) / kBody.radiusMm();
 }
 
-/// The greatest distance of two rigs' panels about the body [radii].
+/// Returns the greatest distance between two rigs' panels about the body [radii].
 double apart(const LightRig& a, const LightRig& b, const Camera& camera) {
     const auto ofA = panelsOf(a, kBody, camera), ofB = panelsOf(b, kBody, camera);
     double most = ofA.size() == ofB.size() ? 0 : 1e9;
@@ -54,7 +54,7 @@ class LightRigTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// The panels as they were before they could be moved.
+    /// Three numbers, as files had them before panels could be moved, give the standard panels.
     void threeNumbersAreTheStandardPanels() {
         const Look look = lookOf(R"({"key": 54, "fill": 2, "rim": 5, "ambient": 0.05})");
         QVERIFY(look.rig == (LightRig{standardPanels(54, 2, 5)}));
@@ -101,7 +101,7 @@ class LightRigTest : public QObject {
         QVERIFY(apart(rig, tiedTo(tied, LightRig::Follows::camera, camera), other) < 1e-12);
     }
 
-    /// As by a hand on the near side of the ball that the lights stand on, whatever they are tied to.
+    /// A drag moves the lights as if it turned the ball that they stand on by its near side, whatever they are tied to.
     void aDragTakesTheLightsAlong() {
         const Camera camera = obliqueCamera();
         LightRig rig{{RigPanel{}}};  // beside the eye
@@ -150,7 +150,7 @@ class LightRigTest : public QObject {
             QVERIFY(glm::normalize(panel.from).y > 0.4);
     }
 
-    /// All panels of it, as they stand to each other.
+    /// A lamp moves with all its panels, which keep their relative positions.
     void aLampMovesAsAWhole() {
         LightRig rig = litBy({}, NamedRig::operatingLamp).rig;
         rig.panels.push_back({"Other", {0, 0, -1}});

@@ -1,4 +1,4 @@
-/// Lights of every kind against what they must bring, found by whichever way.
+/// Lights of every kind against their known irradiance, with every way of sampling them.
 
 #include <QTest>
 
@@ -9,7 +9,7 @@ using namespace pdr;
 
 namespace {
 
-constexpr int kComparisons = 24;  ///< in this file: one false alarm in 1e4 runs of all of it
+constexpr int kComparisons = 24;  ///< comparisons in this file: one false alarm in 1e4 runs of all of it
 
 /// A speck of thin isotropic tissue (0.1 mm, optical depth 0.001) about the origin, seen straight on. In light whose
 /// radiance, integrated over all directions, is 1 it shows kSpeck.
@@ -30,7 +30,7 @@ Scene speck() {
     return scene;
 }
 
-/// The speck's brightness in units of kSpeck. Nearly all samples miss it, so one that hits counts 1 / kDepth.
+/// Returns the speck's brightness in units of kSpeck. Nearly all samples miss it, so one that hits counts 1 / kDepth.
 test::ImageMean lightOn(const Scene& scene) {
     const test::ImageMean got = test::imageMean(test::render(scene, 16384));
     return {got.mean / kSpeck, got.standardError / kSpeck};
@@ -40,7 +40,7 @@ std::shared_ptr<const EnvironmentImage> image(ivec2 size, std::vector<vec3> texe
     return std::make_shared<EnvironmentImage>(EnvironmentImage{size, std::move(texels)});
 }
 
-/// Rough tissue with shiny surfaces between two large lights: every way of finding light has work here.
+/// Returns rough tissue with shiny surfaces between two large lights: every way of sampling light matters here.
 Scene shinyScene() {
     Scene scene = test::plainScene(test::bumpyVolume({40, 30, 30}, dvec3(2), 5), 1);
     scene.transferFunction.nodes = {
@@ -95,7 +95,7 @@ class LightTest : public QObject {
         QCOMPARE(lightOn(scene).mean, 0.0);
     }
 
-    /// Of a gradient an isotropic speck sees the mean over the sphere.
+    /// A gradient gives an isotropic speck its mean over the sphere.
     void gradientBringsItsMean() {
         Scene scene = speck();
         scene.environment = {vec3(3), false, vec3(1)};
@@ -118,7 +118,7 @@ class LightTest : public QObject {
                  qPrintable(QString("%1 +- %2, expected %3").arg(got.mean).arg(got.standardError).arg(truth)));
     }
 
-    /// The middle of the picture lies towards the back, its right half on the patient's left, row 0 towards the head.
+    /// The image's middle lies towards the back, its right half on the patient's left, row 0 towards the head.
     void pictureLiesAboutThePatientAsDocumented() {
         std::vector<vec3> texels;
         for (int i = 0; i < 16; ++i)
@@ -164,7 +164,7 @@ class LightTest : public QObject {
         QVERIFY(std::fabs(solidAngle.z(lit)) < test::allowedZ(kComparisons));
     }
 
-    /// Each way of finding light alone, and both together, show the same picture.
+    /// Each way of sampling light alone, and both together, give the same image.
     void searchAlongScatteringDoesNotChangeThePicture() {
         const Scene scene = shinyScene();
         verifyEqual(searched(scene, true), searched(scene, false));
@@ -187,8 +187,8 @@ class LightTest : public QObject {
         QTest::newRow("many events") << 1000 << false << false;
         QTest::newRow("many events, picture, cut") << 1000 << true << true;
     }
-    /// Whether each event looks for light along its scattering or the path collects it there. One of the lights stands
-    /// in the tissue: paths meet it on their way to an event, or end before it.
+    /// Events sample light along their scattering, or the path collects it there: both give the same image. One of the
+    /// lights stands in the tissue: paths meet it on their way to an event, or end before it.
     void lightAlongThePathIsWhatEventsWouldLookFor() {
         QFETCH(int, maxBounces);
         QFETCH(bool, picture);
@@ -211,7 +211,8 @@ class LightTest : public QObject {
         verifyEqual(collected(scene, true), collected(scene, false));
     }
 
-    /// What was cut away may still throw its shadow, which paths do not meet: there events look for light themselves.
+    /// Tissue that was cut away may still cast its shadow, which paths do not meet: there events sample light
+    /// themselves.
     void lightAlongThePathIsNotCollectedThroughShadowsOfWhatWasCutAway() {
         Scene scene = shinyScene();
         scene.model = Model::multipleScattering;
@@ -224,7 +225,7 @@ class LightTest : public QObject {
         QVERIFY(!test::prepared(scene)->flat.lightAlongPath);
     }
 
-    /// A light in view in front of the tissue, behind it, and inside it: the tissue takes exp(-depth) of its light.
+    /// Lights in view in front of the tissue, behind it, and inside it: the tissue takes exp(-depth) of their light.
     void lightInViewIsSeenThroughWhatLiesBeforeIt() {
         for (const auto& [z, depth] : {std::pair{60.0, 0.0}, {-60.0, 1.2}, {5.0, 0.6}}) {
             Scene scene = test::slab(1.2, {0, 0, -1}, 0);
@@ -237,7 +238,7 @@ class LightTest : public QObject {
         }
     }
 
-    /// Half the width of the picture at 1e7 mm is a light: it is seen where it is.
+    /// A light that fills half the width of the image at 1e7 mm is seen where it is.
     void lightInViewIsSeenFromFarAway() {
         Scene scene = test::slab(1, {0, 0, -1}, 0);
         scene.camera.eyeMm.z = 1e7;

@@ -38,7 +38,7 @@ static Scene sceneWith(double sizeMm) {
     return scene;
 }
 
-/// Irradiance of a small panel on a plane that faces it at the volume's centre, up to a constant.
+/// Returns the irradiance of a small panel on a plane that faces it at the volume's centre, up to a constant.
 static double shareAtCentre(const RectangleLight& light, dvec3 centre) {
     const dvec3 away = light.centreMm - centre;
     return light.radiance.y * light.widthMm * light.heightMm / glm::dot(away, away);
@@ -68,7 +68,7 @@ class NamedLookTest : public QObject {
             QCOMPARE(look.look.transferFunction.at(-1000).opacity, 0.0f);
     }
 
-    /// A rim of 1 mm is glass, 10 mm of a vessel are opaque.
+    /// Vessels are drawn so that a rim of 1 mm is like glass and 10 mm are opaque.
     void vesselsAreDrawnForTheirBlood() {
         int drawn = 0;
         for (const NamedLook& look : allLooks()) {
@@ -194,8 +194,8 @@ class NamedLookTest : public QObject {
                      shareAtCentre(std::get<RectangleLight>(b[i]), large.volume->geometry().centreMm()));
     }
 
-    /// Relief is seen by its shadows: a small key from the side, a fill that leaves them dark, and an outline from
-    /// behind.
+    /// Relief is visible through its shadows: looks have a small key light from the side, a fill light that leaves them
+    /// dark, and an outline from behind.
     void whatIsLitIsLitFromTheSide() {
         int lit = 0;
         for (const NamedLook& look : allLooks()) {

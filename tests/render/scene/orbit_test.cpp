@@ -1,4 +1,4 @@
-/// What a drag does to the camera.
+/// The effect of a drag on the camera.
 
 #include <QTest>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace pdr {
 
-/// From the front: the patient's left (+x) is on the right of the image, the head (+z) on top.
+/// Returns a view from the front: the patient's left (+x) is on the right of the image, the head (+z) on top.
 static Camera frontView() {
     Camera camera;
     camera.eyeMm = {10, -500, 20};
@@ -16,7 +16,7 @@ static Camera frontView() {
     return camera;
 }
 
-/// Where `point` appears, in fractions of the view's height from the centre; x right, y down.
+/// Returns where `point` appears, in fractions of the view's height from the centre; x right, y down.
 static dvec2 seenAt(const Camera& camera, dvec3 point) {
     const dvec3 ray = point - camera.eyeMm;
     const double depth = glm::dot(ray, camera.forward());

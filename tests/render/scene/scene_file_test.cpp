@@ -40,7 +40,8 @@ static const char* kFull = R"({
   "seed": 18446744073709551615
 })";
 
-/// `document` with the value at `path` (names and list indices, parted by '.') replaced, or removed if undefined.
+/// Returns `document` with the value at `path` (names and list indices, separated by '.') replaced, or removed if
+/// undefined.
 static QJsonValue edited(QJsonValue value, QStringList path, const QJsonValue& by) {
     if (path.isEmpty())
         return by;
@@ -234,7 +235,7 @@ class SceneFileTest : public QObject {
         QVERIFY(bool(read(QByteArray(kFull).replace("[1, 2, 3], \"originMm\"", "[1e-6, 2, 3], \"originMm\""))));
     }
 
-    /// What counts is the length, and the sentence says so.
+    /// The length of a direction matters, and the error text states it.
     void aDirectionThatIsTooLongIsToldItsLength() {
         const auto with = [this](const char* direction) {
             return read(QByteArray(kFull).replace("[1, 2, -1.5]", direction));
@@ -249,7 +250,7 @@ class SceneFileTest : public QObject {
         QVERIFY(bool(with("[1e100, 0, 0]")) && bool(with("[0, 1e-100, 0]")));
     }
 
-    /// A text is counted before it is parsed: what could take the parser long is never given to it.
+    /// A text is counted before it is parsed: a text that could take the parser long never reaches it.
     void textsThatWouldTakeLongAreRefusedBeforeTheyAreParsed() {
         const auto refused = [this](const QByteArray& text, const char* why) {
             const auto file = read(text);

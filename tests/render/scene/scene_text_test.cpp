@@ -16,7 +16,7 @@ using namespace pdr;
 
 namespace {
 
-/// Any scene that passes its checks.
+/// Returns a random scene that passes its checks.
 SceneFile anySceneFile(unsigned seed) {
     for (test::RandomFields random(seed);;) {
         SceneFile file;
@@ -57,7 +57,7 @@ SceneFile anySceneFile(unsigned seed) {
     }
 }
 
-/// What files do not hold is as it was; everything else must be equal.
+/// Returns whether a scene file is equal after writing and reading, apart from what files do not hold.
 bool comesBack(const SceneFile& file, std::string& why) {
     const Result<SceneFile> read = sceneFromText(sceneText(file), "a test", "");
     if (!read) {

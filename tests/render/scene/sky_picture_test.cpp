@@ -1,4 +1,4 @@
-/// Pictures of surroundings that are chosen as light: how bright they are, what they replace, how they are turned.
+/// Environment images that are chosen as light: their brightness, what they replace, and their rotation.
 
 #include <QTest>
 #include <cmath>
@@ -12,7 +12,7 @@ using namespace pdr;
 
 namespace {
 
-/// The same from everywhere, but for one texel.
+/// Returns an image that is constant except for one texel.
 EnvironmentImage picture(ivec2 size, float radiance, float spot) {
     EnvironmentImage image{size, std::vector<vec3>(std::size_t(size.x * size.y), vec3(radiance))};
     image.texels[std::size_t(size.x * (size.y / 2) + size.x / 8)] = vec3(spot);
@@ -23,7 +23,7 @@ Scene cube() {
     return test::plainScene(test::makeVolume({3, 3, 3}, dvec3(1), [](int, int, int) { return 0; }), 1);
 }
 
-/// What shines from `direction`.
+/// Returns the radiance from `direction`.
 float seen(const Environment& environment, dvec3 direction) {
     Scene scene = cube();
     scene.environment = environment;
@@ -61,7 +61,7 @@ class SkyPictureTest : public QObject {
         QVERIFY(std::abs(strengthOf(litBy({{standardPanels(0, 0, 0)}, {}}, sky)) - 1) < 1e-5);
     }
 
-    /// As by a hand on the near side of the ball that the picture is painted on, about the patient's axis.
+    /// A drag turns the image about the patient's axis, like the near side of the ball that it is painted on.
     void aDragTurnsItWithTheLamps() {
         const auto sky = std::make_shared<const EnvironmentImage>(picture({16, 8}, 1, 9));
         const Lighting lit = litBy({{standardPanels(1, 1, 1)}, {}}, sky);

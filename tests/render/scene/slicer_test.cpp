@@ -1,4 +1,4 @@
-/// Looks of 3D Slicer: read, written, and refused in a sentence.
+/// Looks of 3D Slicer: reading, writing, and error texts.
 
 #include <QTest>
 
@@ -12,7 +12,7 @@ using namespace pdr::slicer;
 
 namespace {
 
-/// As the developer guide of 3D Slicer has it.
+/// The example of 3D Slicer's developer guide.
 const std::string kText =
     "1\n1\n0.9\n0.1\n0.2\n10\n"
     "14 -3024 0 -86.9767 0 45.3791 0.169643 139.919 0.589286 347.907 0.607143 1224.16 0.607143 3071 0.616071\n"
@@ -20,7 +20,7 @@ const std::string kText =
     "28 -3024 0 0 0 -86.9767 0 0.25098 1 45.3791 1 0 0 139.919 1 0.894893 0.894893 347.907 1 1 0.25098 1224.16 1 1 1 "
     "3071 0.827451 0.658824 1\n";
 
-/// Apostrophes stand for quotation marks.
+/// Returns the text with quotation marks instead of apostrophes.
 std::string quoted(std::string text) {
     std::ranges::replace(text, '\'', '"');
     return text;
@@ -52,7 +52,7 @@ NamedLook base() {
     return look;
 }
 
-/// Light that passes a millimetre at `hu`.
+/// Returns the light that passes a millimetre at `hu`.
 double transmittance(const NamedLook& look, float hu) {
     const TransferFunction& function = look.look.transferFunction;
     return std::exp(-double(function.extinctionPerMm) * double(function.at(hu).opacity));

@@ -1,4 +1,4 @@
-/// A transfer function taken apart and put together: what is not edited stays the same function.
+/// A transfer function split into curves and joined again: what is not edited stays the same function.
 
 #include <QTest>
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 constexpr std::array kChannels{TissueChannel::opacity, TissueChannel::specular, TissueChannel::roughness,
                                TissueChannel::emission};
 
-/// The largest difference of all that is not `channel`, over the HU and their neighbourhood.
+/// Returns the largest difference of all properties but `channel`, over the HU and their neighbourhood.
 float differenceBeside(const TransferFunction& a, const TransferFunction& b, TissueChannel channel) {
     float largest = std::fabs(a.extinctionPerMm - b.extinctionPerMm);
     const auto compare = [&](const TransferNode& x, const TransferNode& y) {
@@ -34,7 +34,7 @@ float differenceBeside(const TransferFunction& a, const TransferFunction& b, Tis
     return largest;
 }
 
-/// Properties with corners at different places, and steps.
+/// Returns properties with corners at different places, and steps.
 TransferFunction randomFunction(std::mt19937& random, int count) {
     const auto number = [&](double low, double high) {
         return float(std::uniform_real_distribution<double>(low, high)(random));
@@ -112,7 +112,7 @@ class TissueChannelsTest : public QObject {
         }
     }
 
-    /// A point on the line that a hand has put there, and drags on a hundred times, leaves nothing behind.
+    /// A point on the line that the user adds, and drags a hundred times, leaves nothing behind.
     void draggingLeavesNoNodesBehind() {
         TransferFunction function{1, {{0, 0}, {300, 1}}};
         function.nodes[1].albedo = vec3(0.3f);

@@ -33,7 +33,7 @@ class TransferFunctionTest : public QObject {
     Q_OBJECT
 
   private slots:
-    /// Below a first node at 0 HU its properties hold, like below any other.
+    /// Below a first node at 0 HU its properties apply, like below any other.
     void propertiesHoldBeyondTheOutermostNodes() {
         for (const float hu : {-1000.0f, 0.0f, 250.0f}) {
             Scene scene = test::plainScene(test::makeVolume({2, 2, 2}, dvec3(1), [](int, int, int) { return 0; }), 1);
@@ -107,7 +107,7 @@ class TransferFunctionTest : public QObject {
         QCOMPARE(maximum.over(kEmptyRange), 0.0f);
     }
 
-    /// The classical failure: a band that lies wholly inside a cell's range, zero at both of its ends.
+    /// The classical failure is a band that lies wholly inside a cell's range, zero at both of its ends.
     void majorantIsNeverBelowTheExtinction() {
         std::mt19937 random(11);
         const ivec3 size(33, 21, 18);

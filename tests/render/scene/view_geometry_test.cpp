@@ -1,4 +1,4 @@
-/// Places and points of the picture: there and back, and as the renderer sees them.
+/// Places and image points: conversion in both directions, in agreement with the renderer.
 
 #include "render/scene/edit/view_geometry.h"
 
@@ -44,7 +44,7 @@ class ViewGeometryTest : public QObject {
         }
     }
 
-    /// A pixel's ray meets what is seen at the pixel's middle.
+    /// A pixel's ray meets the place that is seen at the pixel's middle.
     void thePictureIsTheRenderers() {
         for (const Camera::Type type : {Camera::Type::perspective, Camera::Type::orthographic}) {
             Scene scene = test::plainScene(test::bumpyVolume({40, 30, 30}, {3, 4, 5}, 7), 0.3f);

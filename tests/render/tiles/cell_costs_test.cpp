@@ -104,7 +104,7 @@ class CellCostsTest : public QObject {
         QVERIFY(std::isfinite(head) && head > 0 && rest > 0);
     }
 
-    /// The same picture, finer.
+    /// The image of the previous test, with more pixels.
     void anotherSizeIsTheSamePicture() {
         CellCosts coarse(kArea);
         for (unsigned order = 0; order < 8; ++order)

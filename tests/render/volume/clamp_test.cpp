@@ -31,7 +31,8 @@ class ClampTest : public QObject {
         QCOMPARE(result.remarks(), std::string("clipped"));
     }
 
-    /// Of any size, below and above that of a page, whole pages and not; nothing is said about who gets large pages.
+    /// Arrays of any size, below and above that of a page, whole pages and not; which ones get large pages is left
+    /// open.
     void largeArraysHoldTheirValues() {
         for (const std::size_t bytes : {0u, 1u, 4095u, (4u << 20) - 2, 4u << 20, (4u << 20) + 2, (9u << 20) + 6}) {
             Voxels voxels(bytes / 2);

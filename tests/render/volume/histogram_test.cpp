@@ -56,7 +56,7 @@ class HistogramTest : public QObject {
         QCOMPARE(Histogram(nothing).count(-1e9, 1e9), 0.0);
     }
 
-    /// That many lie below it.
+    /// The given fraction of the voxels lies below a percentile.
     void aPercentileIsTheInverseOfACount() {
         const Histogram histogram(*test::bumpyVolume({64, 64, 64}, dvec3(1), 5));
         for (const double fraction : {0.001, 0.1, 0.5, 0.77, 0.999, 1.0}) {
@@ -68,7 +68,7 @@ class HistogramTest : public QObject {
         QCOMPARE(histogram.percentile(2), histogram.percentile(1));
     }
 
-    /// Also between two peaks, where no voxel lies.
+    /// Percentiles also lie between two peaks, where no voxel lies.
     void percentilesStepOverGaps() {
         const auto volume =
             test::makeVolume({10, 10, 1}, dvec3(1), [](int i, int, int) { return i < 3 ? -900 : 1200; });

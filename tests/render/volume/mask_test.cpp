@@ -39,7 +39,7 @@ class MaskTest : public QObject {
         QVERIFY(std::fabs(mask->at({-4, 20, 8}) * kSeen - (0 + 80 + 8)) < 1e-9);
     }
 
-    /// The product, on the finer grid; and null shows everything.
+    /// The combined mask is the product, on the finer grid; null shows everything.
     void combinedMasksShowWhatBothShow() {
         const auto volume = test::bumpyVolume({20, 16, 18}, dvec3(1), 1);
         const auto a = test::anyMask(*volume, 2), b = test::anyMask(*volume, 5);

@@ -12,7 +12,7 @@ namespace {
 constexpr ivec3 kSmall{64, 72, 64};
 constexpr dvec3 kSmallMm{4, 4, 4};
 
-/// HU at a place of the patient [mm], nearest voxel.
+/// Returns the HU at a place of the patient [mm], nearest voxel.
 int huAt(const Volume& volume, dvec3 mm) {
     const VolumeGeometry& geometry = volume.geometry();
     const dvec3 index = glm::round(dvec3(glm::inverse(geometry.patientFromIndex) * dvec4(mm, 1.0)));
@@ -20,7 +20,7 @@ int huAt(const Volume& volume, dvec3 mm) {
     return volume.voxels()[row * std::size_t(geometry.size.x) + std::size_t(index.x)];
 }
 
-/// The highest HU on the straight way from `from` to `to`.
+/// Returns the highest HU on the straight way from `from` to `to`.
 int highestBetween(const Volume& volume, dvec3 from, dvec3 to) {
     int highest = -1024;
     for (int step = 0; step <= 200; ++step)

@@ -1,4 +1,4 @@
-/// What is put between the slices of a scan: what stays, what it is exact for, and that steps become lower.
+/// Interpolated slices: what stays, what they are exact for, and that steps become lower.
 
 #include "render/volume/reconstruction.h"
 
@@ -20,8 +20,8 @@ int huAt(const Volume& volume, int i, int j, int k) {
     return volume.voxels()[(std::size_t(k) * size.y + j) * size.x + i];
 }
 
-/// How far from a wall that rises by `rise` mm a millimetre its border lies, where the HU pass 500 [mm rms]. Slices are
-/// 2 mm thick, pixels 1 mm wide; a voxel holds which part of it is filled.
+/// Returns how far the border, where the HU pass 500, lies from a wall that rises by `rise` mm per millimetre [mm rms].
+/// Slices are 2 mm thick, pixels 1 mm wide; a voxel holds the fraction of it that is filled.
 double borderError(double rise, Reconstruction reconstruction) {
     const auto wall = test::makeVolume({64, 3, 40}, {1, 1, 2}, [&](int i, int, int k) {
         int filled = 0;
@@ -68,7 +68,7 @@ class ReconstructionTest : public QObject {
         QVERIFY(finer.storedRange().highest == scan->storedRange().highest);
     }
 
-    /// But for the outermost gaps, where a slice is missing.
+    /// Cubics are exact except in the outermost gaps, where a slice is missing.
     void cubicsAreExactBetweenTheSlices() {
         const auto hu = [](int j, int half) { return 10 * half * half * half - 90 * half * half + 7 * j * half - 300; };
         const Volume finer =
@@ -78,7 +78,7 @@ class ReconstructionTest : public QObject {
                 QCOMPARE(huAt(finer, 1, j, half), hu(j, half));
     }
 
-    /// A cubic swings over beside a step; no voxel goes where the scan had none, so that what is off stays off.
+    /// A cubic overshoots beside a step; no voxel leaves the scan's range, so that what is off stays off.
     void noVoxelLeavesTheRangeOfTheScan() {
         const Volume finer =
             cubic(test::makeVolume({2, 2, 8}, dvec3(1), [](int, int, int k) { return k < 4 ? -1024 : 3071; }));
