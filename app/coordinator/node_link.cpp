@@ -75,7 +75,7 @@ void NodeLink::take(const wire::Hello& hello) {
     otherBits_ = hello.bits != coordinator_.bits;
     if (otherBits_)
         return refuse(wire::Refused::Why::bits,
-                      phrase("its pictures differ from this machine's in their last bits: it is of another build"));
+                      phrase("its images differ from this machine's in the last bits: it runs a different build"));
     worker_ = coordinator_.pool->join(keyOf(hello.boot), hello.name);
     coordinator_.pool->setPaused(*worker_, paused_);
     channel_->send(wire::Welcome{*version, kHeartbeatMs, coordinator_.key});

@@ -38,7 +38,7 @@ void copyPicture(const DesktopParts& parts) {
         return;
     const auto annotations = leaving(annotationsOf(parts, *frame), usualAnnotate(parts));
     QGuiApplication::clipboard()->setImage(copyOf(*frame, parts.document.scene().film, annotations));
-    parts.window.status().showForAWhile(ui::MainWindow::tr("copied"));
+    parts.window.status().showForAWhile(ui::MainWindow::tr("Copied"));
     showWhoCanBeKnown(parts);
 }
 

@@ -38,7 +38,7 @@ std::vector<NamedLook> carriedLooks(const Document& document) {
 Result<void> checkFree(const Document& document, const std::string& name) {
     for (const NamedLook& look : carriedLooks(document))
         if (look.name == name || nameText(look).toStdString() == name)
-            return Error{phrase("a look of the program has this name"), name, phrase("Take another.")};
+            return Error{phrase("a built-in look has this name"), name, phrase("Choose another one.")};
     return {};
 }
 
@@ -74,7 +74,8 @@ void saveLook(const DesktopParts& parts, const QString& name) {
     const bool sky = parts.document.setup().look.environment.image != nullptr;
     keep(parts, shownLook(parts.document, name.toStdString()));
     if (sky)
-        showNotice(parts, ui::MainWindow::tr("Looks hold no sky picture: this one has even light from all around."));
+        showNotice(parts,
+                   ui::MainWindow::tr("Looks cannot hold an environment image: this one has uniform ambient light."));
 }
 
 void renameLook(const DesktopParts& parts, const QString& from, const QString& to) {

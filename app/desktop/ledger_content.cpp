@@ -22,7 +22,7 @@ QString qt(const std::string& text) {
 /// 0.31; any target takes 97 % of the time)".
 QString phraseOf(const TriedEffect& row) {
     const EffectTrial& trial = *row.trial;
-    QString phrase = tr("%1 (the picture changes by %2 levels on average, 95 % of it by less than %3")
+    QString phrase = tr("%1 (the image changes by %2 levels on average, 95 % of it by less than %3")
                          .arg(ui::inWords(row.effect.name))
                          .arg(ui::number(trial.change.mean.value, 2), ui::number(trial.change.ninetyFifth.high, 2));
     if (trial.time)
@@ -51,16 +51,16 @@ ui::EffectRow rowOf(const TriedEffect& tried, bool complete) {
 QString howText(const EffectLedger& ledger) {
     if (!ledger.failure.empty())
         return tr("Not measured any further: %1").arg(ui::inWords(ledger.failure));
-    const QString where = tr("on a picture of %1 × %2 pixels on the CPU (%3)")
+    const QString where = tr("on an image of %1 × %2 pixels on the CPU (%3)")
                               .arg(ledger.film.x)
                               .arg(ledger.film.y)
                               .arg(qt(ledger.device.details));
     const QString text = ledger.complete
                              ? tr("Measured %1, %2 s of calibration").arg(where, ui::number(ledger.seconds, 1))
-                         : ledger.film.x > 0 ? tr("Measuring %1, now and then, in a twentieth of the time").arg(where)
-                                             : tr("Measuring as soon as the picture is at rest");
+                         : ledger.film.x > 0 ? tr("Measuring %1 from time to time, in 1/20 of the time").arg(where)
+                                             : tr("Measuring begins when the image is at rest");
     const bool before = std::ranges::any_of(ledger.effects, &TriedEffect::ofViewBefore);
-    return before ? text + tr(" · in italics: of the view before") : text;
+    return before ? text + tr(" · italics: measured for the previous view") : text;
 }
 
 }  // namespace

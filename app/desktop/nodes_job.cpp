@@ -57,8 +57,7 @@ QString NodesJob::splitText() const {
     if (reason.isEmpty())  // no work has been split yet
         return {};
     const QString how = choice.split == Split::tiles ? tr("Tiles: %1").arg(reason) : tr("Samples: %1").arg(reason);
-    return pool_->scene().purpose == Purpose::finalRender ? tr("For the picture that is being saved. %1").arg(how)
-                                                          : how;
+    return pool_->scene().purpose == Purpose::finalRender ? tr("For the image that is being saved. %1").arg(how) : how;
 }
 
 void NodesJob::add(const QString& address) {

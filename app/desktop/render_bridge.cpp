@@ -184,7 +184,7 @@ void RenderBridge::save(const QString& file, const std::optional<ui::Annotations
         return;
     }
     if (!lastFrame_) {
-        emit saveFailed(notSaved(file, {phrase("there is no picture"), "", phrase("Wait until there is one.")}));
+        emit saveFailed(notSaved(file, {phrase("there is no image"), "", phrase("Wait until there is one.")}));
         return;
     }
     session_.requestSnapshot(

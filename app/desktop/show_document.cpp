@@ -19,7 +19,7 @@ std::optional<QColor> backgroundOf(const Document& document) {
 /// Returns what the mask hides, in sentences, or that the mask of the chosen part is still being made.
 QString notShownText(const Scene& scene) {
     if (scene.maskAwaited)
-        return ui::MainWindow::tr("Still being told from the rest, which is shown until then.");
+        return ui::MainWindow::tr("Still being separated; everything is shown until then.");
     return scene.mask ? ui::inWords(scene.mask->hidden()) : QString();
 }
 

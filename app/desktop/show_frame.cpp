@@ -108,13 +108,16 @@ QStringList remarksOn(const DesktopParts& parts, const Frame& frame) {
         remarks << ui::boxText(frame.region->status, !frame.region->reached, shownOf(frame).status);
     if (!frame.coarse)
         remarks << ui::unseenText(frame.status);
-    remarks << smoothedTexts(frame) << ui::stretchedText(frame.size, parts.window.viewport().sizeInPixels());
+    remarks << smoothedTexts(frame);
+    if (frame.smoothed && frame.smoothedError)
+        remarks << ui::hiddenDetailTexts(*frame.smoothedError);
+    remarks << ui::stretchedText(frame.size, parts.window.viewport().sizeInPixels());
     const std::vector<Bias> known = biases(frame.bias);
     for (const Bias& bias : known)
         if (bias.cause != BiasCause::smoothing)  // smoothedTexts() says more
             remarks << ui::inWords(bias.text);
     if (noneOfComputing(known))
-        remarks << ui::MainWindow::tr("No known bias in the computing");
+        remarks << ui::MainWindow::tr("No known systematic error");
     remarks.removeAll({});
     return remarks;
 }
@@ -165,7 +168,7 @@ void showNoPicture(const DesktopParts& parts, const QString& message) {
 
 void showFrame(const DesktopParts& parts, const std::shared_ptr<const Frame>& frame) {
     if (!frame->error.empty()) {
-        showNoPicture(parts, ui::MainWindow::tr("No picture"));
+        showNoPicture(parts, ui::MainWindow::tr("No image"));
         return showFailure(parts, {frame->error, "", ""});
     }
     parts.window.viewport().setPicture({pictureOf(frame), frame->camera, annotationsOf(parts, *frame).texts.join('\n'),
@@ -198,7 +201,7 @@ void showStatus(const DesktopParts& parts) {
     for (const QString& text : smoothedTexts(*frame))  // they are shown on the image already
         beside.removeAll(text);
     if (parts.battery.rests())
-        beside.prepend(ui::MainWindow::tr("Rendering rests on battery: Space goes on"));
+        beside.prepend(ui::MainWindow::tr("Paused on battery (Space: continue)"));
     foot.setRemarks(beside);
     ui::AccuracyPanel& panel = parts.window.accuracy();
     panel.setAccuracy(accuracy, bridge.stop());

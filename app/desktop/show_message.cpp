@@ -22,7 +22,7 @@ void showFailure(const DesktopParts& parts, const Error& error) {
 }
 
 void showSaved(const DesktopParts& parts, const QString& file) {
-    parts.window.status().showForAWhile(ui::MainWindow::tr("saved as %1").arg(file));
+    parts.window.status().showForAWhile(ui::MainWindow::tr("Saved as %1").arg(file));
     showWhoCanBeKnown(parts);
 }
 
@@ -41,7 +41,7 @@ void showNotice(const DesktopParts& parts, const QString& sentences) {
 void showOthersLeftOut(const DesktopParts& parts) {
     auto* meanwhile = new QObject(&parts.window);
     const auto say = [parts] {
-        parts.window.message().add(ui::MainWindow::tr("Only the first of the folders that were dropped is opened."));
+        parts.window.message().add(ui::MainWindow::tr("Only the first of the dropped folders is opened."));
     };
     const auto end = [meanwhile] { meanwhile->deleteLater(); };
     QObject::connect(&parts.import, &ImportJob::scanned, meanwhile, say);

@@ -91,7 +91,7 @@ void showVolume(const DesktopParts& parts, std::shared_ptr<const Volume> volume,
     parts.window.series().setCurrent(index);
     parts.window.setPatient(ui::patientLines(series));
     parts.window.setStartShown(false);
-    showNoPicture(parts, ui::MainWindow::tr("Preparing the volume of %1...").arg(ui::seriesNumber(series)));
+    showNoPicture(parts, ui::MainWindow::tr("Preparing %1...").arg(ui::seriesNumber(series)));
     parts.study.setVolume(volume);
     parts.document.open(std::move(volume), table, findings, std::move(hidden));
 }

@@ -183,9 +183,8 @@ void wireScreen(const DesktopParts& parts) {
                      [parts](const QString& sentences) { showNotice(parts, sentences); });
     QObject::connect(&parts.battery, &BatteryRest::restsChanged, &window, [parts] { showStatus(parts); });
     QObject::connect(&parts.study, &TissueStudy::histogramFound, &window.tissue(), &ui::TissuePanel::setHistogram);
-    QObject::connect(&parts.study, &TissueStudy::nothingFound, &window, [parts] {
-        parts.window.status().showForAWhile(ui::MainWindow::tr("there is too little tissue at that place"));
-    });
+    QObject::connect(&parts.study, &TissueStudy::nothingFound, &window,
+                     [parts] { parts.window.status().showForAWhile(ui::MainWindow::tr("No tissue at this point")); });
     QObject::connect(&parts.bridge, &RenderBridge::saved, &window,
                      [parts](const QString& file) { showSaved(parts, file); });
     QObject::connect(&parts.bridge, &RenderBridge::saveFailed, &window,
@@ -243,12 +242,12 @@ void wirePicture(const DesktopParts& parts) {
     QObject::connect(&picture, &PictureJob::progressed, &status, &ui::StatusLine::setProgress);
     QObject::connect(&picture, &PictureJob::finished, &status, &ui::StatusLine::endProgress);
     QObject::connect(&picture, &PictureJob::progressed, &window, [&window] {
-        window.setQuestionOnClosing(ui::MainWindow::tr("A picture is still being made. Quit and lose it?"));
+        window.setQuestionOnClosing(ui::MainWindow::tr("An image is still rendering. Quit and discard it?"));
     });
     QObject::connect(&picture, &PictureJob::finished, &window, [&window] { window.setQuestionOnClosing({}); });
     QObject::connect(&picture, &PictureJob::saved, &window, [parts](const QString& file) { showSaved(parts, file); });
     QObject::connect(&picture, &PictureJob::cancelled, &status,
-                     [&status] { status.showForAWhile(ui::MainWindow::tr("cancelled, no picture was saved")); });
+                     [&status] { status.showForAWhile(ui::MainWindow::tr("Cancelled: no image was saved")); });
     QObject::connect(&picture, &PictureJob::failed, &window,
                      [parts](const Error& error) { showFailure(parts, error); });
 }
@@ -267,7 +266,7 @@ void wireSettings(const DesktopParts& parts) {
                      [parts](const QMap<QString, QString>& keys) { parts.settings.keepKeys(keys); });
     QObject::connect(&parts.window, &ui::MainWindow::languageChosen, &parts.window, [parts](const QString& code) {
         parts.settings.keepLanguage(code);
-        parts.window.status().showForAWhile(ui::MainWindow::tr("This language is spoken from the next start on"));
+        parts.window.status().showForAWhile(ui::MainWindow::tr("The language changes after a restart"));
     });
     QObject::connect(&parts.window, &ui::MainWindow::themeChosen, &parts.window, [parts](ui::ThemeChoice choice) {
         parts.settings.keepTheme(choice);

@@ -19,11 +19,11 @@ Result<void> waitUntilFreed(const std::weak_ptr<const Volume>& volume, std::chro
                             const Progress& progress) {
     const QDeadlineTimer end(patience);
     while (!volume.expired()) {
-        if (!progress(0, "closing the series before"))
+        if (!progress(0, "closing the previous series"))
             return cancelled();
         if (end.hasExpired())
-            return Error{phrase("the series before is still held in memory"), "",
-                         phrase("Open the series again, or start the program anew.")};
+            return Error{phrase("the previous series is still in memory"), "",
+                         phrase("Open the series again, or restart the program.")};
         QThread::msleep(5);
     }
     return {};

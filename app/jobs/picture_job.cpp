@@ -24,9 +24,9 @@ Stops stopsOf(const StopRule& rule) {
     return stops;
 }
 
-/// Returns the progress as far as it is known: "making the picture: 80 samples in 25 s, within ±12 levels, 40 s left".
+/// Returns the progress as far as it is known: "rendering the image: 80 samples in 25 s, within ±12 levels, 40 s left".
 std::string progressText(const BatchState& state) {
-    QString text = PictureJob::tr("making the picture: %1 samples in %2")
+    QString text = PictureJob::tr("rendering the image: %1 samples in %2")
                        .arg(state.film.samplesPerPixel)
                        .arg(ui::durationText(state.seconds));
     if (std::isfinite(state.film.displayError))
@@ -57,7 +57,7 @@ FinalOrder orderOf(const PictureTask& task) {
 FinalSteps stepsOf(const PictureTask& task, const Device& device, const Progress& progress) {
     return {[&] { return checkFilmFits(task.scene.film, device.info(), phrase("Choose a smaller size.")); },
             [&](const BatchState& state) { progress(state.fraction, progressText(state)); },
-            [&] { progress(1, PictureJob::tr("writing the picture").toStdString()); }};
+            [&] { progress(1, PictureJob::tr("writing the image").toStdString()); }};
 }
 
 /// Returns the error of an image that was rendered, if any.
@@ -75,7 +75,7 @@ Result<void> troubleOf(const FinalImage& image, const QString& file) {
 Result<void> checkAndMake(const PictureTask& task, const Progress& progress, const std::stop_token& stop) {
     if (auto ready = checkBefore(task); !ready)
         return ready;
-    progress(0, PictureJob::tr("making the picture").toStdString());
+    progress(0, PictureJob::tr("rendering the image").toStdString());
     const auto device = task.device();
     if (!device)
         return notSaved(task.file, device.error());
@@ -88,7 +88,7 @@ Result<void> checkAndMake(const PictureTask& task, const Progress& progress, con
 void PictureJob::make(const PictureTask& task) {
     if (isRunning()) {
         emit failed(
-            notSaved(task.file, {phrase("another picture is being made"), "", phrase("Wait for it, or cancel it.")}));
+            notSaved(task.file, {phrase("another image is being rendered"), "", phrase("Wait for it, or cancel it.")}));
         return;
     }
     start([this, task](const Progress& progress, const std::stop_token& stop) -> std::function<void()> {

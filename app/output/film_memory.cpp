@@ -17,8 +17,8 @@ Result<void> checkFilmFits(ivec2 size, const DeviceInfo& device, const Text& hin
     const std::uint64_t needed = filmBytes(size, device), free = freeBytes();
     if (needed <= free)
         return {};
-    return Error{phrase("a picture of %1 x %2 pixels needs %3 of memory, %4 are free", size.x, size.y,
-                        bytesText(needed), bytesText(free)),
+    return Error{phrase("an image of %1 x %2 pixels needs %3 of memory, %4 are free", size.x, size.y, bytesText(needed),
+                        bytesText(free)),
                  "", hint, ErrorKind::memory};
 }
 

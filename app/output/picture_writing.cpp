@@ -11,7 +11,7 @@ namespace pdr::app {
 Result<void> checkPictureName(const QString& file) {
     if (pictureFormat(ui::fromQt(file)))
         return {};
-    return Error{phrase("the name says no format that pictures are saved in"), file.toStdString(),
+    return Error{phrase("the name says no format that images are saved in"), file.toStdString(),
                  phrase("Choose a name that ends in .png or .exr.")};
 }
 

@@ -16,7 +16,7 @@ Result<EnvironmentImage> readPicture(const std::filesystem::path& file, const st
         return Error{picture.error().what, where, picture.error().hint, picture.error().kind};
     EnvironmentImage image{picture->size, std::move(picture->pixels)};
     if (auto ok = image.check(); !ok)
-        return Error{phrase("%1 %2", ok.error().where, ok.error().what), where, phrase("Choose another picture.")};
+        return Error{phrase("%1 %2", ok.error().where, ok.error().what), where, phrase("Choose another image.")};
     return image;
 }
 

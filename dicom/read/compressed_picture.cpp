@@ -88,17 +88,17 @@ Text decompress(DcmDataset& data, const SliceHeader& header) {
     const bool isCompressed = DcmXfer(data.getOriginalXfer()).isEncapsulated();
     if (isCompressed) {
         if (const Text damage = streamDamage(data, header); !damage.empty())
-            return phrase("the compressed picture is damaged: %1", damage);
+            return phrase("the compressed image is damaged: %1", damage);
     }
     const DecoderWarnings warnings;
     if (data.chooseRepresentation(EXS_LittleEndianExplicit, nullptr).bad())
-        return phrase("the compressed picture cannot be decoded");
+        return phrase("the compressed image cannot be decoded");
     if (!isCompressed)
         return {};
     if (warnings.count() > 0)
-        return phrase("the compressed picture is damaged: its decoder says \"%1\"", warnings.first());
+        return phrase("the compressed image is damaged: its decoder says \"%1\"", warnings.first());
     if (const std::size_t count = impossiblePixels(data, header); count > 0)
-        return phrase("the compressed picture is damaged: %1 of its pixels hold numbers that %2 bits cannot", count,
+        return phrase("the compressed image is damaged: %1 of its pixels hold numbers that %2 bits cannot", count,
                       header.format.bitsStored);
     return {};
 }

@@ -169,12 +169,12 @@ class Walk {
         for (;;) {
             const std::optional<Element> fragment = readElement(source_, at_, levels_.back().encoding);
             if (!fragment)
-                return damaged(phrase("it ends inside the compressed picture"));
+                return damaged(phrase("it ends inside the compressed image"));
             at_ = fragment->value;
             if (fragment->tag == kSequenceEnd)
                 break;
             if (fragment->tag != kItem || fragment->length == kUndefined)
-                return damaged(phrase("its compressed picture is not made of fragments"));
+                return damaged(phrase("its compressed image is not made of fragments"));
             if (!fits(*fragment) || !allowance_.take({.tag = fragment->tag, .length = kUndefined}))
                 return false;
             at_ += fragment->length;

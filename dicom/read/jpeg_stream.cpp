@@ -45,12 +45,12 @@ class Reader {
 
     JpegStream read() {
         if (stream_.size() < 2 || stream_[0] != 0xFF || stream_[1] != kStart)
-            return damaged(phrase("it does not begin as a JPEG picture")), found_;
+            return damaged(phrase("it does not begin as a JPEG image")), found_;
         at_ = 2;
         while (found_.damage.empty() && !ended_)
             segment();
         if (found_.damage.empty() && found_.kind != JpegStream::Kind::jpegLs && found_.scans.empty())
-            damaged(phrase("it holds no picture"));
+            damaged(phrase("it holds no image"));
         return found_;
     }
 
@@ -79,7 +79,7 @@ class Reader {
             return damaged(phrase("it holds a marker where none belongs"));
         if (at_ + 2 > stream_.size() || word(stream_, at_) < 2 ||
             at_ + std::size_t(word(stream_, at_)) > stream_.size())
-            return damaged(phrase("one of its segments is longer than the picture"));
+            return damaged(phrase("one of its segments is longer than the image"));
         const Bytes content = stream_.subspan(at_ + 2, std::size_t(word(stream_, at_)) - 2);
         at_ += 2 + content.size();
         understand(marker, content);

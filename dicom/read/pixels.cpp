@@ -171,7 +171,7 @@ Result<DecodedSlice> decodePixels(const SliceRef& slice, const SliceHeader& head
         if (data.findAndGetUint8Array(DCM_PixelData, raw, &count).good() && raw && count >= expected)
             return toHu(raw, header, padding);
     }
-    return damaged(slice, phrase("the picture holds fewer pixels than its header says"));
+    return damaged(slice, phrase("the image holds fewer pixels than its header says"));
 }
 
 Result<DecodedSlice> decodeChecked(const SliceRef& slice, Padding padding) {

@@ -24,7 +24,7 @@ std::optional<Refusal> refusePixels(const SliceHeader& header) {
                                          ? phrase("no image, but another kind of object")
                                          : phrase("no image, but %1", header.series.modality)};
     if (header.format.samplesPerPixel != 1 || header.format.photometric.rfind("MONOCHROME", 0) != 0)
-        return Refusal{Stack::notCt, phrase("a colour picture (%1), not a CT slice", header.format.photometric)};
+        return Refusal{Stack::notCt, phrase("a colour image (%1), not a CT slice", header.format.photometric)};
     if (!canDecode(header.transferSyntaxUid))
         return unreadable(phrase("its pixels are coded as %1, which this version cannot read",
                                  transferSyntaxName(header.transferSyntaxUid)));

@@ -28,7 +28,7 @@ inline Error notEnoughMemory(const Text& purpose, std::string where, Text hint) 
 /// Returns the error that the memory of a device is too small. `device`: its name; `needed`, `free`: bytes.
 inline Error memoryTooSmall(const std::string& device, std::size_t needed, std::size_t free) {
     return {phrase("its memory is too small: %1 are needed at a time, %2 are free", bytesText(needed), bytesText(free)),
-            device, phrase("Make the picture smaller, close programs that use the device, or choose another device."),
+            device, phrase("Make the image smaller, close programs that use the device, or choose another device."),
             ErrorKind::memory};
 }
 

@@ -257,7 +257,7 @@ Effect background(const Scene& scene) {
                       phrase("tissue is seen against the environment, else against white"), {}, 0, hideIt);
     if (scene.model == Model::absorption)
         return effect(phrase("visible background"), true,
-                      phrase("tissue is seen against white: without it there is no picture"), {});
+                      phrase("tissue is seen against white: without it there is no image"), {});
     if (scene.environment.isBlack())
         return effect(phrase("visible background"), false, {}, phrase("the environment is black"));
     return effect(phrase("visible background"), showsEnvironment(scene), phrase("the camera sees the environment"),

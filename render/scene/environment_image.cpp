@@ -13,7 +13,7 @@ Result<void> EnvironmentImage::check() const {
         if (!ok)
             return ok;
     if (texels.size() != std::size_t(size.x) * size.y)
-        return Error{phrase("the picture of the surroundings is not complete"), "", ""};
+        return Error{phrase("the environment image is not complete"), "", ""};
     for (std::size_t i = 0; i < texels.size(); ++i) {
         const std::string where = "texel (" + std::to_string(i % size.x) + ", " + std::to_string(i / size.x) + ")";
         if (auto ok = checkRange(dvec3(texels[i]), {0, 1e30f}, where); !ok)

@@ -30,7 +30,7 @@ Result<void> check(const Light& light) {
 
 Result<void> check(const Environment& environment) {
     if (environment.image && environment.nadir)
-        return Error{phrase("goes with a gradient only, not with a picture"), "nadir",
+        return Error{phrase("goes with a gradient only, not with an image"), "nadir",
                      phrase("Leave one of the two out.")};
     EnvironmentFields fields{environment, {}};
     if (auto ok = FieldCheck::check(fields); !ok)

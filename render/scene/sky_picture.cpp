@@ -28,7 +28,7 @@ double meanLuminance(const EnvironmentImage& picture) {
 Result<EnvironmentImage> scaledToMeanOne(EnvironmentImage picture) {
     const double mean = meanLuminance(picture);
     if (!(mean > 0))
-        return Error{phrase("the picture is black and lights nothing"), "", phrase("Choose another one.")};
+        return Error{phrase("the image is black and lights nothing"), "", phrase("Choose another one.")};
     for (vec3& texel : picture.texels)
         texel = vec3(dvec3(texel) / mean);
     return picture;

@@ -15,7 +15,7 @@
 namespace pdr::segment {
 namespace {
 
-constexpr std::string_view kStep = "finding the part to show";
+constexpr std::string_view kStep = "separating the body parts";
 constexpr double kRoomMm = 6;      ///< distance known beyond an edge: for its ramp and for smoothing
 constexpr double kShallowMm = 20;  ///< most peels are shallower
 constexpr double kDeepMm = 50;

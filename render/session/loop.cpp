@@ -14,7 +14,7 @@ namespace pdr {
 namespace {
 
 Text goesOnOn(const Text& device) {
-    return phrase("The picture goes on on %1.", device);
+    return phrase("Rendering continues on %1.", device);
 }
 
 }  // namespace
@@ -82,11 +82,10 @@ void Session::Loop::clear() {
 /// Answers the snapshot requests for a film that does not exist with the reason.
 void Session::Loop::answer(const RenderCommands::Iteration& step) const {
     const Error reason =
-        step.clear ? Error{phrase("the picture was closed"), "", phrase("Open the series again.")}
+        step.clear ? Error{phrase("the image was closed"), "", phrase("Open the series again.")}
         : step.order || place_.film() != nullptr
-            ? Error{phrase("another picture has taken its place"), "",
-                    phrase("Wait until the picture that you want is there.")}
-            : Error{phrase("the picture could not be made"), "", phrase("Change the view or the look first.")};
+            ? Error{phrase("another image has taken its place"), "", phrase("Wait until the new image is there.")}
+            : Error{phrase("the image could not be rendered"), "", phrase("Change the view or the look first.")};
     for (const RenderCommands::SnapshotRequest& order : step.unanswerable)
         order.look(reason);
 }
@@ -198,7 +197,7 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
 
 void Session::Loop::failedOnDevice(const Error& error) {
     const bool lost = error.kind == ErrorKind::deviceLost;
-    recover(phrase(lost ? "%1 stopped answering: %2" : "%1 cannot make this picture: %2", deviceLabel(place_.info()),
+    recover(phrase(lost ? "%1 stopped answering: %2" : "%1 cannot render this image: %2", deviceLabel(place_.info()),
                    error.text()));
 }
 
@@ -209,7 +208,7 @@ void Session::Loop::recover(const Text& reason) {
     Result<std::unique_ptr<Device>> device = fallback_();
     const Result<void> moved = device ? place_.moveTo(*std::move(device), checkpoint_.get()) : device.error();
     if (!moved)
-        return fail(joined(what, phrase("Nor can the picture go on elsewhere: %1", moved.error().text())));
+        return fail(joined(what, phrase("Rendering cannot continue elsewhere: %1", moved.error().text())));
     onFallback_ = true;
     goOnFrom(std::exchange(checkpoint_, nullptr));
     notify(joined(what, goesOnOn(deviceLabel(place_.info()))));
@@ -221,7 +220,7 @@ void Session::Loop::threw() noexcept {
     for (const bool elsewhere : {!place_.info().hostMemory, false}) {
         try {
             place_.dropFilm();
-            const Text sentence = phrase("This picture cannot be made: %1", thrownError().text());
+            const Text sentence = phrase("This image cannot be rendered: %1", thrownError().text());
             return elsewhere ? recover(sentence) : fail(sentence);
         } catch (...) {
             continue;

@@ -39,7 +39,7 @@ SplitChoice chooseSplit(const SplitFacts& facts) {
         blocks * choice.startSeconds + double(facts.samples) * facts.sampleSeconds * facts.pixels / nodes;
     choice.tilesSeconds = choice.samplesSeconds = std::max(byTiles, link);
     if (nodes < 2)
-        return tilesSince(choice, phrase("one render node has the whole picture"));
+        return tilesSince(choice, phrase("one render node has the whole image"));
     if (facts.samples < 2 * kSamplesPerBlock)
         return tilesSince(choice, phrase("samples are shared out in blocks of 64, and fewer than two are ordered"));
     const double bySamples = std::ceil(blocks / nodes) * (choice.startSeconds + inBlock);

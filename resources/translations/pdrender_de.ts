@@ -28,7 +28,7 @@
         <translation> Abtastungen</translation>
     </message>
     <message>
-        <source> · in italics: of the view before</source>
+        <source> · italics: measured for the previous view</source>
         <translation> · kursiv: von der Ansicht davor</translation>
     </message>
     <message>
@@ -60,7 +60,7 @@
         <translation>%1 % hell (%2 bis %3)</translation>
     </message>
     <message>
-        <source>%1 % of the picture's samples</source>
+        <source>%1 % of the image's samples</source>
         <translation>%1 % der Abtastungen des Bildes</translation>
     </message>
     <message>
@@ -80,7 +80,7 @@
         <translation>%1 (geändert)</translation>
     </message>
     <message>
-        <source>%1 (the picture changes by %2 levels on average, 95 % of it by less than %3</source>
+        <source>%1 (the image changes by %2 levels on average, 95 % of it by less than %3</source>
         <translation>%1 (das Bild ändert sich im Mittel um %2 Stufen, 95 % davon um weniger als %3</translation>
     </message>
     <message>
@@ -134,7 +134,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 kann nicht vergeben werden: Die Taste bewegt die Ansicht oder den Tastaturfokus.</translation>
     </message>
     <message>
-        <source>%1 cannot make this picture: %2</source>
+        <source>%1 cannot render this image: %2</source>
         <translation>%1 kann dieses Bild nicht rechnen: %2</translation>
     </message>
     <message>
@@ -250,8 +250,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>%1 nodes make other bits than this machine, and take no part</source>
-        <translation>%1 Render-Rechner rechnen andere Bits als dieser Rechner und wirken nicht mit</translation>
+        <source>%1 nodes run a different build and were excluded</source>
+        <translation>%1 Rechner haben einen anderen Programmstand und sind ausgeschlossen</translation>
     </message>
     <message>
         <source>%1 of it touched the skin: check the edge.</source>
@@ -362,8 +362,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 x %2 x %3</translation>
     </message>
     <message>
-        <source>%1 · all that is on is called for</source>
-        <translation>%1 · alles, was an ist, wird gebraucht</translation>
+        <source>%1 · all active effects are needed</source>
+        <translation>%1 · alle aktiven Effekte werden gebraucht</translation>
     </message>
     <message>
         <source>%1 · paused</source>
@@ -478,19 +478,11 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Alle Vorgaben</translation>
     </message>
     <message>
-        <source>&amp;Box first</source>
-        <translation>Rahmen &amp;zuerst</translation>
-    </message>
-    <message>
         <source>&amp;Brightness</source>
         <translation>Helligkei&amp;t</translation>
     </message>
     <message>
-        <source>&amp;Colours of the window</source>
-        <translation>&amp;Farben des Fensters</translation>
-    </message>
-    <message>
-        <source>&amp;Copy picture</source>
+        <source>&amp;Copy image</source>
         <translation>Bild &amp;kopieren</translation>
     </message>
     <message>
@@ -510,12 +502,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Löschen</translation>
     </message>
     <message>
-        <source>&amp;Density</source>
-        <translation>Dicht&amp;e</translation>
+        <source>&amp;Denoised</source>
+        <translation>&amp;Entrauscht</translation>
     </message>
     <message>
-        <source>&amp;Draw a line</source>
-        <translation>Lini&amp;e zeichnen</translation>
+        <source>&amp;Density</source>
+        <translation>Dicht&amp;e</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -538,12 +530,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Diese Ordner &amp;vergessen</translation>
     </message>
     <message>
-        <source>&amp;Full screen</source>
-        <translation>&amp;Vollbild</translation>
+        <source>&amp;Freehand cut</source>
+        <translation>&amp;Freihandschnitt</translation>
     </message>
     <message>
-        <source>&amp;Handles of box and planes</source>
-        <translation>&amp;Griffe von Quader und Ebenen</translation>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Vollbild</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -554,7 +546,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Importieren...</translation>
     </message>
     <message>
-        <source>&amp;Iterations per picture</source>
+        <source>&amp;Iterations per frame</source>
         <translation>&amp;Iterationen je Bild</translation>
     </message>
     <message>
@@ -590,10 +582,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Pause</translation>
     </message>
     <message>
-        <source>&amp;Peel</source>
-        <translation>S&amp;chälen</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
         <translation>&amp;Beenden</translation>
     </message>
@@ -606,11 +594,15 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Ordner &amp;merken</translation>
     </message>
     <message>
+        <source>&amp;Remove surface</source>
+        <translation>O&amp;berfläche abtragen</translation>
+    </message>
+    <message>
         <source>&amp;Rename...</source>
         <translation>&amp;Umbenennen...</translation>
     </message>
     <message>
-        <source>&amp;Save picture...</source>
+        <source>&amp;Save image...</source>
         <translation>Bild &amp;speichern...</translation>
     </message>
     <message>
@@ -618,16 +610,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Diese Darstellung &amp;sichern...</translation>
     </message>
     <message>
-        <source>&amp;Shadows of what was cut</source>
-        <translation>Schatten des &amp;Weggeschnittenen</translation>
-    </message>
-    <message>
-        <source>&amp;Smoothed</source>
-        <translation>&amp;Geglättet</translation>
-    </message>
-    <message>
         <source>&amp;Table and holder</source>
         <translation>&amp;Tisch und Halterung</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farbschema</translation>
     </message>
     <message>
         <source>&amp;Tissue...</source>
@@ -636,10 +624,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>&amp;Undo</source>
         <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>&amp;Undo all cuts</source>
-        <translation>Alle Schnitte au&amp;fheben</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -678,8 +662,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>1 Iteration je Bild auf %1</translation>
     </message>
     <message>
-        <source>1 node makes other bits than this machine, and takes no part</source>
-        <translation>1 Render-Rechner rechnet andere Bits als dieser Rechner und wirkt nicht mit</translation>
+        <source>1 node runs a different build and was excluded</source>
+        <translation>1 Rechner hat einen anderen Programmstand und ist ausgeschlossen</translation>
     </message>
     <message>
         <source>1 sample</source>
@@ -718,12 +702,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>3D Slicer, nur Kurven (*.vp.json)</translation>
     </message>
     <message>
-        <source>95 % of the tissue within ±%1 of 255 grey levels</source>
-        <translation>95 % des Gewebes innerhalb ±%1 von 255 Graustufen</translation>
-    </message>
-    <message>
-        <source>95 % of the tissue within ±%1 of 255 grey levels before denoising</source>
-        <translation>95 % des Gewebes innerhalb ±%1 von 255 Graustufen vor dem Entrauschen</translation>
+        <source>95 % error per pixel, of 255</source>
+        <translation>95-%-Fehler je Pixel, von 255</translation>
     </message>
     <message>
         <source>; any target takes %1 of the time</source>
@@ -734,20 +714,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&lt; %1</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;PD-Render %1&lt;/h3&gt;&lt;p&gt;Photorealistic pictures of CT volumes, with a measure of how right they are.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not for diagnostic use.&lt;/b&gt; PD-Render is not a certified medical device.&lt;/p&gt;&lt;p&gt;Apache License 2.0. Made with Qt, DCMTK, OpenEXR and oneTBB.&lt;/p&gt;</source>
+        <source>&lt;h3&gt;PD-Render %1&lt;/h3&gt;&lt;p&gt;Photorealistic images of CT volumes, with a measure of how right they are.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not for diagnostic use.&lt;/b&gt; PD-Render is not a certified medical device.&lt;/p&gt;&lt;p&gt;Apache License 2.0. Made with Qt, DCMTK, OpenEXR and oneTBB.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;PD-Render %1&lt;/h3&gt;&lt;p&gt;Fotorealistische Bilder von CT-Volumen, mit einem Maß dafür, wie richtig sie sind.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Nicht für die Diagnose.&lt;/b&gt; PD-Render ist kein zugelassenes Medizinprodukt.&lt;/p&gt;&lt;p&gt;Apache-Lizenz 2.0. Gemacht mit Qt, DCMTK, OpenEXR und oneTBB.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>A CT to try with, which belongs to the program</source>
-        <translation>Ein CT zum Ausprobieren, das zum Programm gehört</translation>
-    </message>
-    <message>
-        <source>A coarse picture first; the full one follows</source>
-        <translation>Zuerst ein grobes Bild; das volle folgt</translation>
-    </message>
-    <message>
-        <source>A picture is still being made. Quit and lose it?</source>
-        <translation>Ein Bild entsteht noch. Beenden und es verlieren?</translation>
     </message>
     <message>
         <source>A pinhole, which focuses nowhere</source>
@@ -770,7 +738,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Eine Ebene, die zu Ihnen zeigt, durch die Mitte</translation>
     </message>
     <message>
-        <source>A sample takes about %1 times as long as with “%2”; 95 % of the picture changes by at most %3 of 255 levels.</source>
+        <source>A sample takes about %1 times as long as with “%2”; 95 % of the image changes by at most %3 of 255 levels.</source>
         <translation>Eine Stichprobe dauert etwa %1-mal so lange wie mit „%2“; 95 % des Bildes ändern sich um höchstens %3 von 255 Stufen.</translation>
     </message>
     <message>
@@ -800,6 +768,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Accuracy</source>
         <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Accuracy of the image</source>
+        <translation>Genauigkeit des Bildes</translation>
     </message>
     <message>
         <source>Action</source>
@@ -834,10 +806,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Fügt eine Fläche wie die gewählte hinzu, als eigene Lampe</translation>
     </message>
     <message>
-        <source>All aroun&amp;d</source>
-        <translation>R&amp;undum</translation>
-    </message>
-    <message>
         <source>All but bones</source>
         <translation>Alles außer Knochen</translation>
     </message>
@@ -846,7 +814,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Alles ist scharf. Eine Linse zeichnet weich, was vor und hinter ihrer Schärfeebene liegt.</translation>
     </message>
     <message>
-        <source>All nodes make the same bits as this machine</source>
+        <source>All nodes compute the same bits as this machine</source>
         <translation>Alle Render-Rechner rechnen bitgleich mit diesem Rechner</translation>
     </message>
     <message>
@@ -862,7 +830,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Alles scharf</translation>
     </message>
     <message>
-        <source>All tissue glows through all other. Lights do not count.</source>
+        <source>All tissue glows through all other. Lamps have no effect.</source>
         <translation>Alles Gewebe leuchtet durch alles andere. Lampen zählen nicht.</translation>
     </message>
     <message>
@@ -874,8 +842,20 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Immer Kacheln</translation>
     </message>
     <message>
+        <source>Am&amp;bient</source>
+        <translation>Umge&amp;bung</translation>
+    </message>
+    <message>
+        <source>Ambient light</source>
+        <translation>Umgebungslicht</translation>
+    </message>
+    <message>
         <source>An IPv6 address stands in brackets: [%1] or [%1]:%2.</source>
         <translation>Eine IPv6-Adresse steht in Klammern: [%1] oder [%1]:%2.</translation>
+    </message>
+    <message>
+        <source>An image is still rendering. Quit and discard it?</source>
+        <translation>Ein Bild wird noch gerechnet. Beenden und verwerfen?</translation>
     </message>
     <message>
         <source>Annotations:</source>
@@ -902,12 +882,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Pfeiltasten bewegen die gewählte Lampe, Bild auf und Bild ab wählen eine andere, Umschalt und Pfeiltasten drehen alle.</translation>
     </message>
     <message>
-        <source>As it is on the screen, %1</source>
-        <translation>Wie auf dem Bildschirm, %1</translation>
+        <source>As many iterations per frame as keep the cost of display negligible, within the frame rate. The result is the same.</source>
+        <translation>So viele Iterationen zwischen zwei Bildern, dass das Zeigen fast nichts kostet, aber nicht mehr, als die Bildrate zulässt. Das Ergebnis ist dasselbe.</translation>
     </message>
     <message>
-        <source>As many iterations between two pictures as it takes for showing them to cost next to nothing, but no more than the number of pictures per second allows. The result is the same.</source>
-        <translation>So viele Iterationen zwischen zwei Bildern, dass das Zeigen fast nichts kostet, aber nicht mehr, als die Bildrate zulässt. Das Ergebnis ist dasselbe.</translation>
+        <source>As on the screen, %1</source>
+        <translation>Wie auf dem Bildschirm, %1</translation>
     </message>
     <message>
         <source>As the &amp;system</source>
@@ -938,20 +918,16 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Hinten</translation>
     </message>
     <message>
+        <source>Back light</source>
+        <translation>Gegenlicht</translation>
+    </message>
+    <message>
         <source>Background</source>
         <translation>Hintergrund</translation>
     </message>
     <message>
-        <source>Begins the image anew with as many pixels as it is shown with; the next edit does so as well.</source>
-        <translation>Beginnt das Bild neu mit so vielen Pixeln, wie es gezeigt wird; die nächste Änderung tut es ebenso.</translation>
-    </message>
-    <message>
         <source>Bell</source>
         <translation>Glocke</translation>
-    </message>
-    <message>
-        <source>Besides noise</source>
-        <translation>Neben dem Rauschen</translation>
     </message>
     <message>
         <source>Black</source>
@@ -974,6 +950,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Knochen ist nur ein Schatten, Weichgewebe nicht zu sehen. Was Metall verwischt, sieht aus wie Metall.</translation>
     </message>
     <message>
+        <source>Bone is found automatically. Thin or porous bone may be missing; dense contrast may remain.</source>
+        <translation>Knochen wird automatisch gefunden. Dünner oder poröser Knochen kann fehlen, dichtes Kontrastmittel bleiben.</translation>
+    </message>
+    <message>
+        <source>Bone is removed automatically. Dense contrast may disappear with it; bone edges may remain.</source>
+        <translation>Knochen wird automatisch entfernt. Dichtes Kontrastmittel kann mit verschwinden, Knochenränder können bleiben.</translation>
+    </message>
+    <message>
         <source>Bone that is no denser than the contrast in the blood is not shown: thin bone has false holes.</source>
         <translation>Knochen, der nicht dichter ist als das Kontrastmittel im Blut, ist nicht zu sehen: Dünner Knochen hat falsche Löcher.</translation>
     </message>
@@ -992,6 +976,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Both programs should be of the same release.</source>
         <translation>Beide Programme sollten dieselbe Version haben.</translation>
+    </message>
+    <message>
+        <source>Brightens shadows; none at the left end</source>
+        <translation>Hellt auf, was im Schatten liegt; ganz links gibt es keines</translation>
     </message>
     <message>
         <source>Brighter to the right. It changes what is shown, not what is computed.</source>
@@ -1027,15 +1015,15 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Abbrechen</translation>
+        <translation>Laufendes abbrechen</translation>
     </message>
     <message>
         <source>Cancel a gesture, reading or a box, close a message</source>
         <translation>Geste, Einlesen oder Kasten abbrechen, Meldung schließen</translation>
     </message>
     <message>
-        <source>Cancel what runs</source>
-        <translation>Laufendes abbrechen</translation>
+        <source>Cancelled: no image was saved</source>
+        <translation>Abgebrochen: kein Bild gespeichert</translation>
     </message>
     <message>
         <source>Certificates...</source>
@@ -1052,6 +1040,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Change the view or the look first.</source>
         <translation>Erst die Ansicht oder die Darstellung ändern.</translation>
+    </message>
+    <message>
+        <source>Changes keyboard shortcuts.</source>
+        <translation>Ändert die Tastenkürzel.</translation>
     </message>
     <message>
         <source>Check its permissions.</source>
@@ -1142,6 +1134,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Einen anderen Ordner wählen.</translation>
     </message>
     <message>
+        <source>Choose another image.</source>
+        <translation>Ein anderes Bild wählen.</translation>
+    </message>
+    <message>
         <source>Choose another name, or one within it.</source>
         <translation>Einen anderen Namen wählen oder einen darin.</translation>
     </message>
@@ -1151,11 +1147,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>Choose another one.</source>
-        <translation>Ein anderes wählen.</translation>
-    </message>
-    <message>
-        <source>Choose another picture.</source>
-        <translation>Ein anderes Bild wählen.</translation>
+        <translation>Einen anderen nehmen.</translation>
     </message>
     <message>
         <source>Choose another place.</source>
@@ -1190,6 +1182,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Den Ablauf von PD-Render wählen.</translation>
     </message>
     <message>
+        <source>Close %1</source>
+        <translation>%1 schließen</translation>
+    </message>
+    <message>
         <source>Close other programs, or import fewer slices.</source>
         <translation>Andere Programme schließen oder weniger Schichten laden.</translation>
     </message>
@@ -1214,12 +1210,20 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Andere Programme schließen.</translation>
     </message>
     <message>
+        <source>Close panel (%1)</source>
+        <translation>Bereich schließen (%1)</translation>
+    </message>
+    <message>
         <source>Close the message</source>
         <translation>Meldung schließen</translation>
     </message>
     <message>
-        <source>Closes the window. Pictures that are not saved are lost.</source>
+        <source>Closes the window. Unsaved images are lost.</source>
         <translation>Schließt das Fenster. Nicht gespeicherte Bilder gehen verloren.</translation>
+    </message>
+    <message>
+        <source>Coarse preview; the full image follows</source>
+        <translation>Grobe Vorschau; das volle Bild folgt</translation>
     </message>
     <message>
         <source>Colour at %1 HU</source>
@@ -1242,7 +1246,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Farbe...</translation>
     </message>
     <message>
-        <source>Colours each pixel by how far it may be off, in grey levels of 255.</source>
+        <source>Colours each pixel by its 95 % error, in grey levels of 255.</source>
         <translation>Färbt jedes Pixel danach, wie weit es abweichen kann, in Graustufen von 255.</translation>
     </message>
     <message>
@@ -1258,7 +1262,19 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Wird verbunden</translation>
     </message>
     <message>
-        <source>Copies the picture to the clipboard, with its caption and no name.</source>
+        <source>Connection security</source>
+        <translation>Sicherheit der Verbindung</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>Kopiert</translation>
+    </message>
+    <message>
+        <source>Copies the image to the clipboard, with its caption and without the patient's name.</source>
         <translation>Kopiert das Bild in die Zwischenablage, mit seiner Beschriftung und ohne Namen.</translation>
     </message>
     <message>
@@ -1274,11 +1290,11 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Den Ordner erst anlegen oder einen anderen Ort wählen.</translation>
     </message>
     <message>
-        <source>Ctrl+click on the picture</source>
+        <source>Ctrl+click on the image</source>
         <translation>Strg+Klick ins Bild</translation>
     </message>
     <message>
-        <source>Ctrl+drag on the picture</source>
+        <source>Ctrl+drag on the image</source>
         <translation>Strg+Ziehen im Bild</translation>
     </message>
     <message>
@@ -1294,31 +1310,23 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Schnitt</translation>
     </message>
     <message>
-        <source>Cut away all but what lies behind the inside of the line (K)</source>
-        <translation>Alles wegschneiden außer dem, was hinter dem Inneren der Linie liegt (K)</translation>
-    </message>
-    <message>
         <source>Cut away the other side</source>
         <translation>Die andere Seite wegschneiden</translation>
-    </message>
-    <message>
-        <source>Cut away what lies behind the inside of the line (Del)</source>
-        <translation>Wegschneiden, was hinter dem Inneren der Linie liegt (Entf)</translation>
     </message>
     <message>
         <source>Cut off at each side</source>
         <translation>An jeder Seite abgeschnitten</translation>
     </message>
     <message>
-        <source>Cut off at the side: %1</source>
-        <translation>Abgeschnitten an der Seite: %1</translation>
-    </message>
-    <message>
         <source>Cut the other side</source>
         <translation>Andere Seite schneiden</translation>
     </message>
     <message>
-        <source>Cuts away what lies in front of a plane through the middle of the picture.</source>
+        <source>Cut with &amp;handles</source>
+        <translation>Mit &amp;Griffen schneiden</translation>
+    </message>
+    <message>
+        <source>Cuts away what lies in front of a plane through the middle of the image.</source>
         <translation>Schneidet weg, was vor einer Ebene durch die Bildmitte liegt.</translation>
     </message>
     <message>
@@ -1328,6 +1336,18 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Delete the look</source>
         <translation>Darstellung löschen</translation>
+    </message>
+    <message>
+        <source>Denoised, error not known yet</source>
+        <translation>Entrauscht, Fehler noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Denoised, error ±%1</source>
+        <translation>Entrauscht, Fehler ±%1</translation>
+    </message>
+    <message>
+        <source>Denoised, image error ±%1 of 255 grey levels (95 % of the tissue)</source>
+        <translation>Entrauscht, Bildfehler ±%1 von 255 Graustufen (95 % des Gewebes)</translation>
     </message>
     <message>
         <source>Density at the top of the opacity curve</source>
@@ -1362,6 +1382,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Durchmesser der Linse. Bei 0 ist alles scharf; je größer, desto weniger ist vor und hinter der Schärfeebene scharf</translation>
     </message>
     <message>
+        <source>Disconnect the selected nodes and erase the scan on them (Delete)</source>
+        <translation>Trennt die gewählten Rechner und löscht die Aufnahme dort (Entf)</translation>
+    </message>
+    <message>
+        <source>Distance cut off, side: %1</source>
+        <translation>Abgeschnitten an der Seite: %1</translation>
+    </message>
+    <message>
         <source>Distance of the plane from the middle</source>
         <translation>Abstand der Ebene von der Mitte</translation>
     </message>
@@ -1370,7 +1398,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Doppelklick auf einen Griff</translation>
     </message>
     <message>
-        <source>Drag a lamp to where the light is to come from: over the ball it stands on your side, in the ring about it behind the patient. Beside the lamps, a drag turns them all. On the picture, Shift and the right button do the same.</source>
+        <source>Drag a lamp to where the light is to come from: over the ball it stands on your side, in the ring about it behind the patient. Beside the lamps, a drag turns them all. On the image, Shift and the right button do the same.</source>
         <translation>Ziehen Sie eine Lampe dorthin, woher das Licht kommen soll: Über der Kugel steht sie auf Ihrer Seite, im Ring darum hinter dem Patienten. Neben den Lampen dreht ein Zug sie alle. Im Bild tun Umschalt und die rechte Taste dasselbe.</translation>
     </message>
     <message>
@@ -1382,20 +1410,24 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Punkte ziehen; ein Klick auf die Linie fügt einen hinzu; das Rad zoomt, mit Umschalt die Werte; Doppelklick zeigt alles</translation>
     </message>
     <message>
-        <source>Draw a box on the picture: it gets all samples until it is as good as wanted.</source>
+        <source>Draw a box on the image: it gets all samples until it reaches the target.</source>
         <translation>Zeichnen Sie einen Rahmen ins Bild: Er erhält alle Abtastungen, bis er so gut ist wie gewünscht.</translation>
     </message>
     <message>
-        <source>Draw a closed line on the picture, then cut away what lies behind it, or all else (X)</source>
+        <source>Draw a closed outline on the image, then remove the tissue inside it, or everything else (X)</source>
         <translation>Eine geschlossene Linie ins Bild zeichnen, dann wegschneiden, was hinter ihr liegt, oder alles andere (X)</translation>
     </message>
     <message>
-        <source>Draw a closed line on the picture, then cut away what lies behind it, or all else.</source>
+        <source>Draw a closed outline on the image, then remove the tissue inside it, or everything else.</source>
         <translation>Eine geschlossene Linie ins Bild zeichnen, dann wegschneiden, was hinter ihr liegt, oder alles andere.</translation>
     </message>
     <message>
         <source>E</source>
         <translation>E</translation>
+    </message>
+    <message>
+        <source>E&amp;rror map</source>
+        <translation>Fehle&amp;rkarte</translation>
     </message>
     <message>
         <source>Edge</source>
@@ -1426,8 +1458,28 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Verschlüsselt, und jede Seite weist sich aus, mit den Zertifikaten in %1</translation>
     </message>
     <message>
+        <source>Environment image...</source>
+        <translation>Umgebungsbild...</translation>
+    </message>
+    <message>
         <source>Error against time</source>
         <translation>Fehler gegen Zeit</translation>
+    </message>
+    <message>
+        <source>Error at that point</source>
+        <translation>Fehler an dieser Stelle</translation>
+    </message>
+    <message>
+        <source>Error map</source>
+        <translation>Fehlerkarte</translation>
+    </message>
+    <message>
+        <source>Error map before denoising</source>
+        <translation>Fehlerkarte vor dem Entrauschen</translation>
+    </message>
+    <message>
+        <source>Error of the image</source>
+        <translation>Fehler des Bildes</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -1438,12 +1490,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Wird geschätzt</translation>
     </message>
     <message>
-        <source>Estimating how good the picture is</source>
+        <source>Estimating how good the image is</source>
         <translation>Die Bildgüte wird geschätzt</translation>
     </message>
     <message>
-        <source>Estimating · no light has been seen yet</source>
-        <translation>Wird geschätzt · noch kein Licht gefunden</translation>
+        <source>Estimating · image still black</source>
+        <translation>Wird geschätzt · Bild noch schwarz</translation>
     </message>
     <message>
         <source>Estimating · the error is not known yet</source>
@@ -1454,10 +1506,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Schätzer</translation>
     </message>
     <message>
-        <source>Even light from all around instead, as bright</source>
-        <translation>Stattdessen gleichmäßiges, ebenso helles Licht von allen Seiten</translation>
-    </message>
-    <message>
         <source>Everything</source>
         <translation>Alles</translation>
     </message>
@@ -1466,7 +1514,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Darstellung exportieren</translation>
     </message>
     <message>
-        <source>Exposure Render blurs every iteration over 3 x 3 pixels before it counts. That hides noise and never averages out: the picture stays wrong. For comparison only.</source>
+        <source>Exposure Render blurs every iteration over 3 x 3 pixels before it counts. That hides noise and never averages out: the image stays wrong. For comparison only.</source>
         <translation>Exposure Render zeichnet jede Iteration über 3 x 3 Pixel weich, bevor sie zählt. Das verbirgt Rauschen und mittelt sich nie heraus: Das Bild bleibt falsch. Nur zum Vergleich.</translation>
     </message>
     <message>
@@ -1474,7 +1522,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Ablauf %1 von Exposure Render</translation>
     </message>
     <message>
-        <source>Exposure Render's schedule takes whole pictures only</source>
+        <source>Exposure Render's schedule takes whole images only</source>
         <translation>der Ablauf von Exposure Render nimmt nur ganze Bilder</translation>
     </message>
     <message>
@@ -1514,7 +1562,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Ausgelassene Dateien</translation>
     </message>
     <message>
-        <source>Fills the screen with the picture, the patient's name and its accuracy.</source>
+        <source>Fills the screen with the image, the patient's name and its accuracy.</source>
         <translation>Füllt den Bildschirm mit dem Bild, dem Namen des Patienten und der Genauigkeit.</translation>
     </message>
     <message>
@@ -1530,14 +1578,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Scharf auf die angeklickte Stelle</translation>
     </message>
     <message>
-        <source>Fold %1 away</source>
-        <translation>%1 einklappen</translation>
-    </message>
-    <message>
-        <source>Fold away (%1)</source>
-        <translation>Einklappen (%1)</translation>
-    </message>
-    <message>
         <source>Folders are often called after patients: anyone who uses this account can read the list.</source>
         <translation>Ordner heißen oft nach Patienten: Wer dieses Benutzerkonto nutzt, kann die Liste lesen.</translation>
     </message>
@@ -1550,7 +1590,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Für Bildschirmfotos: Nirgends im Fenster wird ein Patient genannt.</translation>
     </message>
     <message>
-        <source>For the picture that is being saved. %1</source>
+        <source>For the image that is being saved. %1</source>
         <translation>Für das Bild, das gerade gespeichert wird. %1</translation>
     </message>
     <message>
@@ -1568,6 +1608,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Free points, or a curve that a few numbers say. It becomes free points when one is moved.</source>
         <translation>Freie Punkte oder eine Kurve aus wenigen Zahlen. Sie wird zu freien Punkten, wenn einer bewegt wird.</translation>
+    </message>
+    <message>
+        <source>Freehand cuts: %1</source>
+        <translation>Freihandschnitte: %1</translation>
     </message>
     <message>
         <source>From a question to its answer [milliseconds]</source>
@@ -1598,11 +1642,11 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Von &amp;kaudal (F)</translation>
     </message>
     <message>
-        <source>From the top to the bottom of the picture</source>
+        <source>From the top to the bottom of the image</source>
         <translation>Von der Oberkante bis zur Unterkante des Bildes</translation>
     </message>
     <message>
-        <source>From the top to the bottom of the picture. What is in focus keeps its size; the wider, the nearer the eye comes</source>
+        <source>From the top to the bottom of the image. What is in focus keeps its size; the wider, the nearer the eye comes</source>
         <translation>Von der Oberkante bis zur Unterkante des Bildes. Was scharf ist, behält seine Größe; je weiter, desto näher kommt das Auge</translation>
     </message>
     <message>
@@ -1650,20 +1694,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Den Teil des Bündels namens %1 angeben.</translation>
     </message>
     <message>
-        <source>Gives actions other keys.</source>
-        <translation>Gibt Befehlen andere Tasten.</translation>
-    </message>
-    <message>
         <source>Glow</source>
         <translation>Leuchten</translation>
     </message>
     <message>
         <source>Glowing tissue</source>
         <translation>Leuchtendes Gewebe</translation>
-    </message>
-    <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
     </message>
     <message>
         <source>Good for orientation</source>
@@ -1690,10 +1726,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Stirnlampe</translation>
     </message>
     <message>
-        <source>Health</source>
-        <translation>Zustand</translation>
-    </message>
-    <message>
         <source>Heart and great vessels</source>
         <translation>Herz und große Gefäße</translation>
     </message>
@@ -1702,7 +1734,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>H&amp;öhe</translation>
     </message>
     <message>
-        <source>Height of the picture [pixels]</source>
+        <source>Height of the image [pixels]</source>
         <translation>Höhe des Bildes [Pixel]</translation>
     </message>
     <message>
@@ -1714,63 +1746,27 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Name des Patienten verbergen</translation>
     </message>
     <message>
-        <source>Hold after so many seconds of rendering</source>
-        <translation>Anhalten nach so vielen Sekunden Rechenzeit</translation>
-    </message>
-    <message>
-        <source>Hold at</source>
-        <translation>Anhalten bei</translation>
-    </message>
-    <message>
-        <source>Hold sooner, more accurate</source>
-        <translation>Früher anhalten, genauer</translation>
-    </message>
-    <message>
-        <source>Hold the rendering, or let it go on (Space)</source>
-        <translation>Die Berechnung anhalten oder fortsetzen (Leertaste)</translation>
-    </message>
-    <message>
-        <source>Hold when 95 % of the tissue is within so many grey levels</source>
-        <translation>Anhalten, wenn 95 % des Gewebes innerhalb so vieler Graustufen liegen</translation>
-    </message>
-    <message>
-        <source>Hold when each pixel has so many samples</source>
-        <translation>Anhalten, wenn jedes Pixel so viele Abtastungen hat</translation>
-    </message>
-    <message>
-        <source>Holds the rendering, or lets it go on, also beyond the target.</source>
-        <translation>Hält die Berechnung an oder setzt sie fort, auch über das Ziel hinaus.</translation>
-    </message>
-    <message>
         <source>Home</source>
         <translation>Pos1</translation>
     </message>
     <message>
-        <source>How far the grey levels on the screen are from those of the finished picture, at most, for 95 % of the pixels that show tissue. Four times the samples at least halve it. A smoothed picture has an error of its own, and may lack fine detail: S shows the raw one. A click tells more.</source>
-        <translation>Wie weit die Graustufen auf dem Bildschirm höchstens von denen des fertigen Bildes abweichen, für 95 % der Pixel, die Gewebe zeigen. Viermal so viele Abtastungen halbieren das mindestens. Ein geglättetes Bild hat einen eigenen Fehler, und feine Einzelheiten können fehlen: S zeigt das rohe. Ein Klick sagt mehr.</translation>
+        <source>How far the grey levels on the screen are from those of the finished image, for 95 % of the pixels that show tissue. Four times the samples at least halve it. A denoised image has an error of its own and may lack fine detail: S shows the raw image. Click for details.</source>
+        <translation>Wie weit die Graustufen auf dem Bildschirm von denen des fertigen Bildes abweichen, für 95 % der Pixel, die Gewebe zeigen. Viermal so viele Abtastungen halbieren das mindestens. Ein entrauschtes Bild hat einen eigenen Fehler, und feine Einzelheiten können fehlen: S zeigt das rohe Bild. Ein Klick zeigt mehr.</translation>
     </message>
     <message>
         <source>How far the plane is from the middle of the body, towards the side that it cuts away</source>
         <translation>Wie weit die Ebene von der Körpermitte entfernt ist, zu der Seite hin, die sie wegschneidet</translation>
     </message>
     <message>
-        <source>How good the picture is</source>
-        <translation>Wie gut das Bild ist</translation>
-    </message>
-    <message>
-        <source>How good the picture is there</source>
-        <translation>Wie gut das Bild dort ist</translation>
-    </message>
-    <message>
         <source>How high the first selected point is; the others move with it</source>
         <translation>Wie hoch der erste gewählte Punkt liegt; die anderen bewegen sich mit</translation>
     </message>
     <message>
-        <source>How iterations become pictures. Ours adds them up and shows them now and then. Exposure Render goes through all stages for each of them; K0 also uploads everything anew each time, K1 does not. For comparison only.</source>
+        <source>How iterations become images. Ours accumulates them and updates the display from time to time. Exposure Render runs all stages for each iteration; K0 also uploads everything each time, K1 does not. For comparison only.</source>
         <translation>Wie aus Iterationen Bilder werden. Unserer summiert sie und zeigt sie ab und zu. Exposure Render durchläuft für jede alle Stufen; K0 lädt außerdem jedes Mal alles neu hoch, K1 nicht. Nur zum Vergleich.</translation>
     </message>
     <message>
-        <source>How light is followed. Unbiased: the picture becomes the true one. The march steps over 3 voxels at a time as Exposure Render does and scatters once: the picture stays wrong. For comparison only.</source>
+        <source>How light paths are sampled. Unbiased: the image converges to the exact one. The march steps over 3 voxels at a time as Exposure Render does and scatters once: the image stays wrong. For comparison only.</source>
         <translation>Wie das Licht verfolgt wird. Erwartungstreu: Das Bild wird das wahre. Die Schritte gehen über je 3 Voxel wie bei Exposure Render und streuen einmal: Das Bild bleibt falsch. Nur zum Vergleich.</translation>
     </message>
     <message>
@@ -1778,28 +1774,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Wie lange es dauert</translation>
     </message>
     <message>
-        <source>How many iterations are computed before the picture is shown anew. More is a little faster, fewer is livelier; the result is the same.</source>
-        <translation>Wie viele Iterationen berechnet werden, bevor das Bild neu gezeigt wird. Mehr ist etwas schneller, weniger ist lebendiger; das Ergebnis ist dasselbe.</translation>
-    </message>
-    <message>
-        <source>How many pictures a second are shown at least, where the device can.</source>
-        <translation>Wie viele Bilder je Sekunde mindestens gezeigt werden, soweit das Gerät es kann.</translation>
-    </message>
-    <message>
-        <source>How much is cut off there; also by the handle in the picture (C)</source>
+        <source>How much is cut off there; also by the handle in the image (C)</source>
         <translation>Wie viel dort abgeschnitten ist; auch mit dem Griff im Bild (C)</translation>
     </message>
     <message>
         <source>How much light the chosen lamp brings; at the left end it is off</source>
         <translation>Wie viel Licht die gewählte Lampe bringt; ganz links ist sie aus</translation>
-    </message>
-    <message>
-        <source>How much tissue lies one behind the other. Lights do not count.</source>
-        <translation>Wie viel Gewebe hintereinander liegt. Lampen zählen nicht.</translation>
-    </message>
-    <message>
-        <source>How nodes are spoken to</source>
-        <translation>Wie mit Render-Rechnern gesprochen wird</translation>
     </message>
     <message>
         <source>How nodes share the work</source>
@@ -1814,6 +1794,18 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>ID %1</translation>
     </message>
     <message>
+        <source>Image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Image error ±%1 of 255 grey levels (95 % of the tissue)</source>
+        <translation>Bildfehler ±%1 von 255 Graustufen (95 % des Gewebes)</translation>
+    </message>
+    <message>
+        <source>Image error ±%1 of 255 grey levels before denoising (95 % of the tissue)</source>
+        <translation>Bildfehler ±%1 von 255 Graustufen vor dem Entrauschen (95 % des Gewebes)</translation>
+    </message>
+    <message>
         <source>Implants</source>
         <translation>Implantate</translation>
     </message>
@@ -1826,8 +1818,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Einen Teil der Serie laden, Programme schließen, die das Gerät benutzen, oder auf der CPU rechnen.</translation>
     </message>
     <message>
-        <source>In the box: %1</source>
-        <translation>Im Rahmen: %1</translation>
+        <source>In the region: %1</source>
+        <translation>Im Bereich: %1</translation>
     </message>
     <message>
         <source>Install a newer driver, or render on the CPU.</source>
@@ -1840,6 +1832,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Install one, or render on the CPU.</source>
         <translation>Einen installieren oder auf der CPU rechnen.</translation>
+    </message>
+    <message>
+        <source>Invalid samples</source>
+        <translation>Ungültige Abtastungen</translation>
     </message>
     <message>
         <source>Is the disk full, or the folder write-protected?</source>
@@ -1858,7 +1854,11 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Sie wurde abgelehnt, oder das Gerät hat vorher versagt.</translation>
     </message>
     <message>
-        <source>Iterations per picture</source>
+        <source>Iterations computed before the image is updated. More is slightly faster, fewer responds sooner; the result is the same.</source>
+        <translation>Wie viele Iterationen berechnet werden, bevor das Bild neu gezeigt wird. Mehr ist etwas schneller, weniger ist lebendiger; das Ergebnis ist dasselbe.</translation>
+    </message>
+    <message>
+        <source>Iterations per frame</source>
         <translation>Iterationen je Bild</translation>
     </message>
     <message>
@@ -1876,6 +1876,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Keep inside</source>
         <translation>Inneres behalten</translation>
+    </message>
+    <message>
+        <source>Keep only the tissue inside the outline (K)</source>
+        <translation>Nur das Gewebe in der Linie behalten (K)</translation>
     </message>
     <message>
         <source>Key of the chosen action</source>
@@ -1902,6 +1906,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>S&amp;prache</translation>
     </message>
     <message>
+        <source>Large soft light</source>
+        <translation>Großes weiches Licht</translation>
+    </message>
+    <message>
         <source>Latency</source>
         <translation>Latenz</translation>
     </message>
@@ -1914,20 +1922,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Eines von beiden weglassen.</translation>
     </message>
     <message>
-        <source>Leave out</source>
-        <translation>Weglassen</translation>
-    </message>
-    <message>
         <source>Leave out nodes that lie on a line between their neighbours.</source>
         <translation>Stützstellen weglassen, die auf einer Linie zwischen ihren Nachbarn liegen.</translation>
-    </message>
-    <message>
-        <source>Leaves out %1.</source>
-        <translation>Lässt weg: %1.</translation>
-    </message>
-    <message>
-        <source>Leaves out what nobody would see, and says first what that is</source>
-        <translation>Lässt weg, was niemand sehen würde, und sagt vorher, was das ist</translation>
     </message>
     <message>
         <source>Leaving</source>
@@ -1954,20 +1950,16 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Licht</translation>
     </message>
     <message>
-        <source>Light by a picture of a sky or a room</source>
-        <translation>Mit dem Bild eines Himmels oder Raumes beleuchten</translation>
-    </message>
-    <message>
-        <source>Light by a picture of a sky or a room, all around: an OpenEXR file, twice as wide as high</source>
+        <source>Light from a panorama of a sky or a room: an OpenEXR file, twice as wide as high</source>
         <translation>Licht von allen Seiten nach dem Bild eines Himmels oder Raumes: eine OpenEXR-Datei, doppelt so breit wie hoch</translation>
-    </message>
-    <message>
-        <source>Light from all around</source>
-        <translation>Licht von allen Seiten</translation>
     </message>
     <message>
         <source>Light from all around, most from the head's side, and a sun</source>
         <translation>Licht von allen Seiten, am meisten von kranial, und eine Sonne</translation>
+    </message>
+    <message>
+        <source>Light from an environment image</source>
+        <translation>Licht aus einem Umgebungsbild</translation>
     </message>
     <message>
         <source>Light is scattered on and on: soft, with light in the shadows.</source>
@@ -1978,24 +1970,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Licht wird einmal gestreut: klare Oberflächen und dunkle Schatten.</translation>
     </message>
     <message>
-        <source>Light that seeps through tissue</source>
-        <translation>Licht, das durch Gewebe sickert</translation>
-    </message>
-    <message>
-        <source>Lightens what lies in shadow; at the left end there is none</source>
-        <translation>Hellt auf, was im Schatten liegt; ganz links gibt es keines</translation>
-    </message>
-    <message>
-        <source>Lines drawn: %1</source>
-        <translation>Gezeichnete Linien: %1</translation>
+        <source>Limit reached first</source>
+        <translation>Welche Grenze zuerst kommt</translation>
     </message>
     <message>
         <source>Listen on port</source>
         <translation>Am Port lauschen</translation>
-    </message>
-    <message>
-        <source>Lists the CT series of a folder and shows the first that can be shown.</source>
-        <translation>Listet die CT-Serien eines Ordners auf und zeigt die erste darstellbare.</translation>
     </message>
     <message>
         <source>Lit surfaces</source>
@@ -2018,8 +1998,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Darstellung (*.json)</translation>
     </message>
     <message>
-        <source>Looks hold no sky picture: this one has even light from all around.</source>
-        <translation>Darstellungen enthalten kein Himmelsbild: Diese hat gleichmäßiges Licht von allen Seiten.</translation>
+        <source>Looks cannot hold an environment image: this one has uniform ambient light.</source>
+        <translation>In Looks passt kein Umgebungsbild: dieser hat gleichmäßiges Umgebungslicht.</translation>
     </message>
     <message>
         <source>Looks, also of 3D Slicer (*.json *.vp)</source>
@@ -2042,24 +2022,16 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Lungen</translation>
     </message>
     <message>
+        <source>M&amp;oves with</source>
+        <translation>F&amp;olgt</translation>
+    </message>
+    <message>
         <source>MIP</source>
         <translation>MIP</translation>
     </message>
     <message>
         <source>MIP of the lungs</source>
         <translation>MIP der Lungen</translation>
-    </message>
-    <message>
-        <source>Made anew, %1</source>
-        <translation>Neu berechnet, %1</translation>
-    </message>
-    <message>
-        <source>Made anew, another size</source>
-        <translation>Neu berechnet, andere Größe</translation>
-    </message>
-    <message>
-        <source>Made by</source>
-        <translation>Berechnet von</translation>
     </message>
     <message>
         <source>Make it of this volume.</source>
@@ -2086,7 +2058,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Mit „pdrender-node --make-certificates ORDNER“ welche machen und beiden Seiten geben: --bundle, oder „Zertifikate“ im Fenster.</translation>
     </message>
     <message>
-        <source>Make the picture smaller, close programs that use the device, or choose another device.</source>
+        <source>Make the image smaller, close programs that use the device, or choose another device.</source>
         <translation>Das Bild kleiner machen, Programme schließen, die das Gerät benutzen, oder ein anderes Gerät wählen.</translation>
     </message>
     <message>
@@ -2114,11 +2086,11 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 gemessen, %2 s Eichung</translation>
     </message>
     <message>
-        <source>Measuring %1, now and then, in a twentieth of the time</source>
+        <source>Measuring %1 from time to time, in 1/20 of the time</source>
         <translation>%1 wird gemessen, ab und zu, in einem Zwanzigstel der Zeit</translation>
     </message>
     <message>
-        <source>Measuring as soon as the picture is at rest</source>
+        <source>Measuring begins when the image is at rest</source>
         <translation>Es wird gemessen, sobald das Bild ruht</translation>
     </message>
     <message>
@@ -2134,6 +2106,18 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Ziehen mit Mitte oder Umschalt+links</translation>
     </message>
     <message>
+        <source>Minimum frames per second, where the device can reach it.</source>
+        <translation>Wie viele Bilder je Sekunde mindestens gezeigt werden, soweit das Gerät es kann.</translation>
+    </message>
+    <message>
+        <source>More about the image</source>
+        <translation>Mehr über das Bild</translation>
+    </message>
+    <message>
+        <source>Most used</source>
+        <translation>Häufig gebraucht</translation>
+    </message>
+    <message>
         <source>Mouse at rest</source>
         <translation>Ruhende Maus</translation>
     </message>
@@ -2142,8 +2126,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Ansicht verschieben</translation>
     </message>
     <message>
-        <source>Muscle is hardly shown. It shows who the patient is.</source>
-        <translation>Muskeln sind kaum zu sehen. Das Bild zeigt, wer der Patient ist.</translation>
+        <source>Muscle is hardly shown. The patient can be recognised.</source>
+        <translation>Muskel ist kaum zu sehen. Der Patient ist erkennbar.</translation>
     </message>
     <message>
         <source>Muscles</source>
@@ -2174,15 +2158,15 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Nächstes Bedienelement</translation>
     </message>
     <message>
-        <source>No known bias in the computing</source>
-        <translation>Kein bekannter systematischer Fehler der Rechnung</translation>
-    </message>
-    <message>
-        <source>No picture</source>
+        <source>No image</source>
         <translation>Kein Bild</translation>
     </message>
     <message>
-        <source>No render nodes: other machines can render along, and the picture becomes right sooner</source>
+        <source>No known systematic error</source>
+        <translation>Kein systematischer Fehler bekannt</translation>
+    </message>
+    <message>
+        <source>No render nodes: other machines can render along, and the image becomes right sooner</source>
         <translation>Keine Render-Rechner: Andere Rechner können mitrechnen, dann wird das Bild eher richtig</translation>
     </message>
     <message>
@@ -2198,6 +2182,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Kein Tisch wurde ausgeblendet, denn %1.</translation>
     </message>
     <message>
+        <source>No tissue at this point</source>
+        <translation>Kein Gewebe an dieser Stelle</translation>
+    </message>
+    <message>
         <source>No tissue is in view</source>
         <translation>Kein Gewebe im Bild</translation>
     </message>
@@ -2208,10 +2196,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>None</source>
         <translation>Keine</translation>
-    </message>
-    <message>
-        <source>Nor can the picture go on elsewhere: %1</source>
-        <translation>Auch anderswo kann das Bild nicht weiterlaufen: %1</translation>
     </message>
     <message>
         <source>Not for diagnostic use</source>
@@ -2230,23 +2214,15 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Nicht angeboten: %1.</translation>
     </message>
     <message>
-        <source>Nothing below the skin is shown. It shows who the patient is.</source>
-        <translation>Unter der Haut ist nichts zu sehen. Das Bild zeigt, wer der Patient ist.</translation>
-    </message>
-    <message>
-        <source>Nothing is known of the error yet</source>
-        <translation>Vom Fehler ist noch nichts bekannt</translation>
-    </message>
-    <message>
-        <source>Of the picture's samples, that it took: what it adds to the error curve</source>
+        <source>Of the image's samples, that it took: what it adds to the error curve</source>
         <translation>An den Abtastungen des Bildes: was er zur Fehlerkurve beiträgt</translation>
     </message>
     <message>
-        <source>Of the whole picture, that its samples come to</source>
+        <source>Of the whole image, that its samples come to</source>
         <translation>Des ganzen Bildes, die seine Abtastungen ergeben</translation>
     </message>
     <message>
-        <source>Off, and nothing is lost: %1</source>
+        <source>Off, without any loss: %1</source>
         <translation>Aus, und nichts geht verloren: %1</translation>
     </message>
     <message>
@@ -2258,20 +2234,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Nur Knochen sind zu sehen, soweit sie dichten Knochen enthalten.</translation>
     </message>
     <message>
-        <source>Only the first of the folders that were dropped is opened.</source>
+        <source>Only the first of the dropped folders is opened.</source>
         <translation>Nur der erste der abgelegten Ordner wird geöffnet.</translation>
     </message>
     <message>
         <source>Only the lungs are shown; %1 mm at the pleura are missing.</source>
         <translation>Nur die Lungen sind zu sehen; %1 mm am Rippenfell fehlen.</translation>
-    </message>
-    <message>
-        <source>Only what is taken for bone is shown: thin or porous bone may be missing, dense contrast may be left over.</source>
-        <translation>Nur was für Knochen gehalten wird, ist zu sehen: Dünner oder poröser Knochen kann fehlen, dichtes Kontrastmittel übrig bleiben.</translation>
-    </message>
-    <message>
-        <source>Only what this scene calls for</source>
-        <translation>Nur, was diese Szene braucht</translation>
     </message>
     <message>
         <source>Opacity</source>
@@ -2324,7 +2292,7 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Den Ordner neu öffnen: Er kann jetzt Bilder eines anderen Patienten enthalten.</translation>
     </message>
     <message>
-        <source>Open the series again, or start the program anew.</source>
+        <source>Open the series again, or restart the program.</source>
         <translation>Die Serie noch einmal öffnen oder das Programm neu starten.</translation>
     </message>
     <message>
@@ -2336,16 +2304,16 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>OpenEXR mit dem Fehler jedes Pixels (*.exr)</translation>
     </message>
     <message>
-        <source>Opened last</source>
-        <translation>Zuletzt geöffnet</translation>
+        <source>Opens a folder of DICOM files.</source>
+        <translation>Öffnet einen Ordner mit DICOM-Dateien.</translation>
     </message>
     <message>
         <source>Operating lamp</source>
         <translation>Operationsleuchte</translation>
     </message>
     <message>
-        <source>Or drop a folder with DICOM files here, or one of its files: all CT series in it are listed, and the first that can be shown is.</source>
-        <translation>Oder legen Sie einen Ordner mit DICOM-Dateien hier ab, oder eine seiner Dateien: Alle CT-Serien darin werden aufgelistet, und die erste darstellbare wird gezeigt.</translation>
+        <source>Or drop a DICOM folder, or one of its files, here: its CT series are listed.</source>
+        <translation>Oder einen DICOM-Ordner oder eine seiner Dateien hierher ziehen: seine CT-Serien werden aufgelistet.</translation>
     </message>
     <message>
         <source>Organs</source>
@@ -2364,7 +2332,7 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>PD-Render - Nicht für die Diagnose</translation>
     </message>
     <message>
-        <source>PNG picture (*.png)</source>
+        <source>PNG image (*.png)</source>
         <translation>PNG-Bild (*.png)</translation>
     </message>
     <message>
@@ -2388,10 +2356,6 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Gezeigter Teil</translation>
     </message>
     <message>
-        <source>Parts with the chosen nodes; they forget the scan (Delete)</source>
-        <translation>Trennt sich von den gewählten Render-Rechnern; sie vergessen den Scan (Entf)</translation>
-    </message>
-    <message>
         <source>Patient</source>
         <translation>Patient</translation>
     </message>
@@ -2404,16 +2368,28 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Pause</translation>
     </message>
     <message>
+        <source>Pause or continue rendering (Space)</source>
+        <translation>Die Berechnung anhalten oder fortsetzen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Pause or resume the selected nodes (Space)</source>
+        <translation>Die gewählten Rechner anhalten oder fortsetzen (Leertaste)</translation>
+    </message>
+    <message>
         <source>Paused</source>
         <translation>Pausiert</translation>
     </message>
     <message>
-        <source>Peeled %1 mm: skin and what lies less deep is not shown.</source>
-        <translation>%1 mm abgeschält: Haut und was weniger tief liegt, ist nicht zu sehen.</translation>
+        <source>Paused on battery (Space: continue)</source>
+        <translation>Pause im Akkubetrieb (Leertaste: weiter)</translation>
     </message>
     <message>
-        <source>Peeled off</source>
-        <translation>Abgeschält</translation>
+        <source>Pauses rendering, or continues it, also beyond the target.</source>
+        <translation>Hält die Berechnung an oder setzt sie fort, auch über das Ziel hinaus.</translation>
+    </message>
+    <message>
+        <source>Peeled %1 mm: skin and what lies less deep is not shown.</source>
+        <translation>%1 mm abgeschält: Haut und was weniger tief liegt, ist nicht zu sehen.</translation>
     </message>
     <message>
         <source>Percentiles</source>
@@ -2428,10 +2404,6 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
 Parallel: the same size at every depth, as for measuring</source>
         <translation>Perspektive: Was nah ist, ist größer, wie für das Auge
 Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
-    </message>
-    <message>
-        <source>Picture</source>
-        <translation>Bild</translation>
     </message>
     <message>
         <source>Place of the selected point</source>
@@ -2454,24 +2426,24 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Ports sind Zahlen von 1 bis 65535.</translation>
     </message>
     <message>
-        <source>Preparing the volume of %1...</source>
-        <translation>Das Volumen von %1 wird vorbereitet...</translation>
+        <source>Preparing %1...</source>
+        <translation>%1 wird vorbereitet ...</translation>
     </message>
     <message>
-        <source>Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels before denoising, wanted ±%2</source>
-        <translation>Vorschau, nicht fertig · 95 % des Gewebes innerhalb ±%1 von 255 Graustufen vor dem Entrauschen, gewünscht ±%2</translation>
+        <source>Preview, not converged · denoised, image error ±%1 of 255 grey levels (95 % of the tissue), target ±%2</source>
+        <translation>Vorschau, nicht fertig · entrauscht, Bildfehler ±%1 von 255 Graustufen (95 % des Gewebes), Ziel ±%2</translation>
     </message>
     <message>
-        <source>Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels, wanted ±%2</source>
-        <translation>Vorschau, nicht fertig · 95 % des Gewebes innerhalb ±%1 von 255 Graustufen, gewünscht ±%2</translation>
+        <source>Preview, not converged · error not known yet</source>
+        <translation>Vorschau, nicht fertig · Fehler noch nicht bekannt</translation>
     </message>
     <message>
-        <source>Preview, not converged · denoised: 95 % of the tissue within ±%1 of 255 grey levels, wanted ±%2</source>
-        <translation>Vorschau, nicht fertig · entrauscht: 95 % des Gewebes innerhalb ±%1 von 255 Graustufen, gewünscht ±%2</translation>
+        <source>Preview, not converged · image error ±%1 of 255 grey levels (95 % of the tissue), target ±%2</source>
+        <translation>Vorschau, nicht fertig · Bildfehler ±%1 von 255 Graustufen (95 % des Gewebes), Ziel ±%2</translation>
     </message>
     <message>
-        <source>Preview, not converged · how far it is off is not known yet</source>
-        <translation>Vorschau, nicht fertig · wie groß der Fehler ist, ist noch nicht bekannt</translation>
+        <source>Preview, not converged · image error ±%1 of 255 grey levels before denoising (95 % of the tissue), target ±%2</source>
+        <translation>Vorschau, nicht fertig · Bildfehler ±%1 von 255 Graustufen vor dem Entrauschen (95 % des Gewebes), Ziel ±%2</translation>
     </message>
     <message>
         <source>Pro&amp;jection</source>
@@ -2510,6 +2482,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Empfangen</translation>
     </message>
     <message>
+        <source>Recently opened</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
         <source>Redo</source>
         <translation>Wiederholen</translation>
     </message>
@@ -2542,7 +2518,7 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Wiederholen: Optisches Modell wählen</translation>
     </message>
     <message>
-        <source>Redo choosing what is seen</source>
+        <source>Redo choosing the visible part</source>
         <translation>Wiederholen: Sichtbares wählen</translation>
     </message>
     <message>
@@ -2582,6 +2558,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Referenz</translation>
     </message>
     <message>
+        <source>Refine a &amp;region</source>
+        <translation>&amp;Bereich zuerst</translation>
+    </message>
+    <message>
         <source>Reflection</source>
         <translation>Reflexion</translation>
     </message>
@@ -2594,6 +2574,14 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
+        <source>Remove all c&amp;uts</source>
+        <translation>Alle Schnitte a&amp;ufheben</translation>
+    </message>
+    <message>
+        <source>Remove image</source>
+        <translation>Bild entfernen</translation>
+    </message>
+    <message>
         <source>Remove inside</source>
         <translation>Inneres entfernen</translation>
     </message>
@@ -2602,16 +2590,12 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Eines davon entfernen.</translation>
     </message>
     <message>
-        <source>Remove picture</source>
-        <translation>Bild entfernen</translation>
+        <source>Remove the last freehand cut</source>
+        <translation>Den letzten Freihandschnitt entfernen</translation>
     </message>
     <message>
-        <source>Remove the last line</source>
-        <translation>Letzte Linie entfernen</translation>
-    </message>
-    <message>
-        <source>Remove the line that was drawn last</source>
-        <translation>Die zuletzt gezeichnete Linie entfernen</translation>
+        <source>Remove the last one</source>
+        <translation>Letzten entfernen</translation>
     </message>
     <message>
         <source>Remove the plane</source>
@@ -2630,12 +2614,28 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Gewählte Punkte entfernen (Entf)</translation>
     </message>
     <message>
+        <source>Remove the tissue inside the outline (Del)</source>
+        <translation>Das Gewebe in der Linie entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Removed tissue casts &amp;shadows</source>
+        <translation>Entferntes Gewebe wirft &amp;Schatten</translation>
+    </message>
+    <message>
+        <source>Removes all cuts; this can be undone.</source>
+        <translation>Zeigt alles Weggeschnittene wieder; ein Schritt zum Rückgängigmachen.</translation>
+    </message>
+    <message>
         <source>Rename the look</source>
         <translation>Darstellung umbenennen</translation>
     </message>
     <message>
         <source>Render at the window's si&amp;ze</source>
         <translation>In &amp;Größe des Fensters rendern</translation>
+    </message>
+    <message>
+        <source>Render cost by effect</source>
+        <translation>Rechenzeit je Effekt</translation>
     </message>
     <message>
         <source>Render node</source>
@@ -2662,16 +2662,36 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Auf der CPU rechnen.</translation>
     </message>
     <message>
+        <source>Rendered at %1</source>
+        <translation>Neu gerechnet, %1</translation>
+    </message>
+    <message>
+        <source>Rendered at another size</source>
+        <translation>Neu gerechnet, andere Größe</translation>
+    </message>
+    <message>
+        <source>Rendered on</source>
+        <translation>Gerechnet auf</translation>
+    </message>
+    <message>
         <source>Rendering</source>
         <translation>Berechnung</translation>
     </message>
     <message>
-        <source>Rendering holds at %1: drag the knob, to the left for sooner, to the right for more accurate.</source>
-        <translation>Die Berechnung hält bei %1: Ziehen Sie den Knopf nach links für früher, nach rechts für genauer.</translation>
+        <source>Rendering cannot continue elsewhere: %1</source>
+        <translation>Auch anderswo kann das Bild nicht weiterlaufen: %1</translation>
     </message>
     <message>
-        <source>Rendering rests on battery: Space goes on</source>
-        <translation>Im Akkubetrieb ruht das Rendern: Leertaste setzt fort</translation>
+        <source>Rendering continues on %1.</source>
+        <translation>Weitergerechnet wird auf: %1.</translation>
+    </message>
+    <message>
+        <source>Rendering stops at %1. Drag left to stop sooner, right for a more accurate image.</source>
+        <translation>Das Rechnen hält bei %1 an. Nach links ziehen: früher; nach rechts: genauer.</translation>
+    </message>
+    <message>
+        <source>Renders the image again at the size at which it is shown; the next edit does so as well.</source>
+        <translation>Beginnt das Bild neu mit so vielen Pixeln, wie es gezeigt wird; die nächste Änderung tut es ebenso.</translation>
     </message>
     <message>
         <source>Resample it first.</source>
@@ -2680,6 +2700,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Reset the view</source>
         <translation>Ansicht zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Returns to the view in which the series was opened.</source>
+        <translation>Zeigt den Patienten wie beim Öffnen der Serie.</translation>
     </message>
     <message>
         <source>Right</source>
@@ -2694,8 +2718,12 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Rechts°</translation>
     </message>
     <message>
-        <source>Rim</source>
-        <translation>Gegenlicht</translation>
+        <source>Rotates the environment image about the patient's axis [degrees]</source>
+        <translation>Dreht das Umgebungsbild um die Achse des Patienten [Grad]</translation>
+    </message>
+    <message>
+        <source>Rotation of the environment image</source>
+        <translation>Drehung des Umgebungsbildes</translation>
     </message>
     <message>
         <source>Rough</source>
@@ -2710,6 +2738,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Sagittal</translation>
     </message>
     <message>
+        <source>Sample CT (included)</source>
+        <translation>Beispiel-CT (mitgeliefert)</translation>
+    </message>
+    <message>
         <source>Samples: %1</source>
         <translation>Abtastungen: %1</translation>
     </message>
@@ -2718,12 +2750,12 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Darstellungen sichern und weitergeben</translation>
     </message>
     <message>
-        <source>Save the look as it is now, rename and delete your own, share them as files</source>
-        <translation>Die jetzige Darstellung sichern, eigene umbenennen und löschen, als Dateien weitergeben</translation>
+        <source>Save the image</source>
+        <translation>Bild speichern</translation>
     </message>
     <message>
-        <source>Save the picture</source>
-        <translation>Bild speichern</translation>
+        <source>Save the look as it is now, rename and delete your own, share them as files</source>
+        <translation>Die jetzige Darstellung sichern, eigene umbenennen und löschen, als Dateien weitergeben</translation>
     </message>
     <message>
         <source>Save this look</source>
@@ -2734,7 +2766,11 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Gespeicherte und kopierte Bilder sagen, welche Seite welche ist, was sie zeigen und dass sie nicht für die Diagnose sind.</translation>
     </message>
     <message>
-        <source>Saves the picture as PNG or EXR, as it is or made anew in any size.</source>
+        <source>Saved as %1</source>
+        <translation>Gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>Saves the image as PNG or EXR, as shown or rendered at any size.</source>
         <translation>Speichert das Bild als PNG oder EXR, wie es ist oder neu berechnet in jeder Größe.</translation>
     </message>
     <message>
@@ -2786,7 +2822,7 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Gewebekurve verschieben, verbreitern</translation>
     </message>
     <message>
-        <source>Shift+right drag on the picture</source>
+        <source>Shift+right drag on the image</source>
         <translation>Umschalt+Ziehen mit rechts im Bild</translation>
     </message>
     <message>
@@ -2818,28 +2854,24 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Zeigt die ganze Meldung</translation>
     </message>
     <message>
-        <source>Shows all that was cut away; one step to undo.</source>
-        <translation>Zeigt alles Weggeschnittene wieder; ein Schritt zum Rückgängigmachen.</translation>
+        <source>Shows or closes this panel.</source>
+        <translation>Zeigt oder schließt diesen Bereich.</translation>
     </message>
     <message>
         <source>Shows or hides what is solid, outside the body and thinner than 20 mm.</source>
         <translation>Zeigt oder verbirgt, was fest ist, außerhalb des Körpers liegt und dünner als 20 mm ist.</translation>
     </message>
     <message>
-        <source>Shows the patient as when the series was opened.</source>
-        <translation>Zeigt den Patienten wie beim Öffnen der Serie.</translation>
+        <source>Shows the denoised or the raw image.</source>
+        <translation>Zeigt das entrauschte oder das rohe Bild.</translation>
     </message>
     <message>
         <source>Shows the patient from this side, filling the view.</source>
         <translation>Zeigt den Patienten von dieser Seite, die Ansicht ausfüllend.</translation>
     </message>
     <message>
-        <source>Shows the picture without its noise, or raw as it is computed.</source>
-        <translation>Zeigt das Bild ohne sein Rauschen oder roh, wie es berechnet wird.</translation>
-    </message>
-    <message>
-        <source>Shows this panel, or folds it away.</source>
-        <translation>Zeigt diesen Bereich oder klappt ihn ein.</translation>
+        <source>Shows the version, the licence, and what this program is not for.</source>
+        <translation>Nennt die Version, die Lizenz und wofür dieses Programm nicht gedacht ist.</translation>
     </message>
     <message>
         <source>Si&amp;ze</source>
@@ -2854,7 +2886,7 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Seiten und Patient</translation>
     </message>
     <message>
-        <source>Sides, look, part, cut, scale and how far the image is; or who the patient is as well. OpenEXR carries none.</source>
+        <source>Sides, look, body part, cut, scale and accuracy; or the patient as well. OpenEXR files carry none.</source>
         <translation>Seiten, Look, Teil, Schnitt, Maßstab und wie weit das Bild ist; oder zusätzlich, wer der Patient ist. OpenEXR trägt keine.</translation>
     </message>
     <message>
@@ -2866,7 +2898,7 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Größe der gewählten Lampe</translation>
     </message>
     <message>
-        <source>Size of the picture</source>
+        <source>Size of the image</source>
         <translation>Größe des Bildes</translation>
     </message>
     <message>
@@ -2890,24 +2922,16 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Haut über Knochen</translation>
     </message>
     <message>
+        <source>Skin surface only. The patient can be recognised.</source>
+        <translation>Nur die Hautoberfläche. Der Patient ist erkennbar.</translation>
+    </message>
+    <message>
         <source>Sky</source>
         <translation>Himmel</translation>
     </message>
     <message>
-        <source>Sky picture...</source>
-        <translation>Himmelsbild...</translation>
-    </message>
-    <message>
         <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
         <translation>Kleine Lampen werfen harte Schatten, große weiche; das Licht bleibt gleich stark</translation>
-    </message>
-    <message>
-        <source>So much is taken off all around the body, such as skin [mm]</source>
-        <translation>So viel wird rings um den Körper abgenommen, etwa die Haut [mm]</translation>
-    </message>
-    <message>
-        <source>Soft box</source>
-        <translation>Flächenlicht</translation>
     </message>
     <message>
         <source>Soft tissue is not shown, and bone below 230 HU is faint.</source>
@@ -2922,8 +2946,28 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Zustand</translation>
     </message>
     <message>
-        <source>Still being told from the rest, which is shown until then.</source>
-        <translation>Wird noch vom Rest getrennt, der bis dahin zu sehen ist.</translation>
+        <source>Still being separated; everything is shown until then.</source>
+        <translation>Wird noch getrennt; bis dahin ist alles zu sehen.</translation>
+    </message>
+    <message>
+        <source>Stop after this many seconds of rendering</source>
+        <translation>Anhalten nach so vielen Sekunden Rechenzeit</translation>
+    </message>
+    <message>
+        <source>Stop at</source>
+        <translation>Anhalten bei</translation>
+    </message>
+    <message>
+        <source>Stop sooner, or more accurate</source>
+        <translation>Früher anhalten, oder genauer</translation>
+    </message>
+    <message>
+        <source>Stop when 95 % of the tissue is within this many grey levels</source>
+        <translation>Anhalten, wenn 95 % des Gewebes innerhalb so vieler Graustufen liegen</translation>
+    </message>
+    <message>
+        <source>Stop when each pixel has this many samples</source>
+        <translation>Anhalten, wenn jedes Pixel so viele Abtastungen hat</translation>
     </message>
     <message>
         <source>Stren&amp;gth</source>
@@ -2934,8 +2978,8 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Stärke der gewählten Lampe</translation>
     </message>
     <message>
-        <source>T&amp;urns with</source>
-        <translation>Dreht &amp;mit</translation>
+        <source>Systematic error</source>
+        <translation>Systematischer Fehler</translation>
     </message>
     <message>
         <source>Tab</source>
@@ -2946,20 +2990,12 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Tisch und Halterung ausgeblendet: %1 außerhalb des Körpers.</translation>
     </message>
     <message>
-        <source>Take another.</source>
-        <translation>Einen anderen nehmen.</translation>
-    </message>
-    <message>
         <source>Take the model singleScattering, or the estimator unbiased.</source>
         <translation>Das Modell singleScattering nehmen oder den Schätzer unbiased.</translation>
     </message>
     <message>
-        <source>Target: how accurate the picture is to become</source>
-        <translation>Ziel: wie genau das Bild werden soll</translation>
-    </message>
-    <message>
-        <source>Tells the version, the licence, and what this program is not for.</source>
-        <translation>Nennt die Version, die Lizenz und wofür dieses Programm nicht gedacht ist.</translation>
+        <source>Target accuracy of the image</source>
+        <translation>Zielgenauigkeit des Bildes</translation>
     </message>
     <message>
         <source>The CPU renders, since the GPU cannot be used: %1.</source>
@@ -2970,16 +3006,20 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Die gewählte Lampe</translation>
     </message>
     <message>
-        <source>The chosen nodes take nothing new, or go on (Space)</source>
-        <translation>Die gewählten Render-Rechner nehmen nichts Neues an oder machen weiter (Leertaste)</translation>
-    </message>
-    <message>
         <source>The densest contrast looks like bone, and marrow looks like blood.</source>
         <translation>Das dichteste Kontrastmittel sieht aus wie Knochen, Mark wie Blut.</translation>
     </message>
     <message>
         <source>The densest tissue on each line of sight; not which of two lies in front.</source>
         <translation>Das dichteste Gewebe auf jedem Sehstrahl; nicht, was davon vorn liegt.</translation>
+    </message>
+    <message>
+        <source>The device that renders. Rendering continues there with the samples taken so far.</source>
+        <translation>Was das Bild berechnet. Es geht dort mit den vorhandenen Abtastungen weiter.</translation>
+    </message>
+    <message>
+        <source>The error is not known yet</source>
+        <translation>Der Fehler ist noch nicht bekannt</translation>
     </message>
     <message>
         <source>The folder of this machine's certificates</source>
@@ -2996,6 +3036,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>The image is in %1 instead.</source>
         <translation>Das Bild liegt stattdessen in %1.</translation>
+    </message>
+    <message>
+        <source>The language changes after a restart</source>
+        <translation>Die Sprache wechselt nach einem Neustart</translation>
     </message>
     <message>
         <source>The last one is cuda:%1.</source>
@@ -3018,16 +3062,8 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Die Seite des Patienten, die man ansieht (%1)</translation>
     </message>
     <message>
-        <source>The picture goes on on %1.</source>
-        <translation>Weitergerechnet wird auf: %1.</translation>
-    </message>
-    <message>
         <source>The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom.</source>
         <translation>Das berechnete Volumen. Pfeiltasten drehen es, Umschalt und Pfeiltasten verschieben es, Plus und Minus zoomen.</translation>
-    </message>
-    <message>
-        <source>The scan's grid is %1 × %2 × %3 mm</source>
-        <translation>Das Raster der Aufnahme ist %1 × %2 × %3 mm</translation>
     </message>
     <message>
         <source>The view: each side is lit alike
@@ -3052,23 +3088,47 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Dieses Ge&amp;webe...</translation>
     </message>
     <message>
+        <source>Thickness removed</source>
+        <translation>Abgetragene Dicke</translation>
+    </message>
+    <message>
+        <source>Thickness removed from the body surface, e.g. skin [mm]</source>
+        <translation>Dicke, die von der Körperoberfläche abgetragen wird, etwa die Haut [mm]</translation>
+    </message>
+    <message>
         <source>Thin bone</source>
         <translation>Dünner Knochen</translation>
+    </message>
+    <message>
+        <source>This image cannot be rendered: %1</source>
+        <translation>Dieses Bild kann nicht gemacht werden: %1</translation>
     </message>
     <message>
         <source>This image shows skin: share it like a photograph of the patient.</source>
         <translation>Dieses Bild zeigt Haut: Geben Sie es nur weiter wie ein Foto des Patienten.</translation>
     </message>
     <message>
-        <source>This language is spoken from the next start on</source>
-        <translation>Diese Sprache gilt ab dem nächsten Start</translation>
+        <source>This pixel ±%1</source>
+        <translation>Dieses Pixel ±%1</translation>
     </message>
     <message>
-        <source>This picture cannot be made: %1</source>
-        <translation>Dieses Bild kann nicht gemacht werden: %1</translation>
+        <source>This pixel ±%1; it is larger than 1 mm</source>
+        <translation>Dieses Pixel ±%1; es ist größer als 1 mm</translation>
     </message>
     <message>
-        <source>Three points</source>
+        <source>This pixel ±%1; mean over 1 mm not known yet</source>
+        <translation>Dieses Pixel ±%1; Mittel über 1 mm noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>This pixel ±%1; mean over 1 mm ±%2</source>
+        <translation>Dieses Pixel ±%1; Mittel über 1 mm ±%2</translation>
+    </message>
+    <message>
+        <source>This pixel: not known yet</source>
+        <translation>Dieses Pixel: noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Three-point light</source>
         <translation>Dreipunktlicht</translation>
     </message>
     <message>
@@ -3080,7 +3140,7 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Kacheln: %1</translation>
     </message>
     <message>
-        <source>Tiles: each node renders a part of the picture. Samples: each renders the whole picture, a block of samples at a time, which is sooner where tiles would be too small.</source>
+        <source>Tiles: each node renders a part of the image. Samples: each renders the whole image, a block of samples at a time, which is sooner where tiles would be too small.</source>
         <translation>Kacheln: Jeder Render-Rechner rechnet einen Teil des Bildes. Abtastungen: Jeder rechnet das ganze Bild, immer einen Block von Abtastungen; das ist schneller, wo Kacheln zu klein wären.</translation>
     </message>
     <message>
@@ -3092,6 +3152,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Gewebe in seinen eigenen Farben, ohne Licht und Schatten.</translation>
     </message>
     <message>
+        <source>Total attenuation along the line of sight, as in a radiograph. Lamps have no effect.</source>
+        <translation>Gesamte Schwächung entlang der Blicklinie, wie im Röntgenbild. Lampen wirken nicht.</translation>
+    </message>
+    <message>
+        <source>Translucent tissue (multiple scattering)</source>
+        <translation>Durchscheinendes Gewebe (Mehrfachstreuung)</translation>
+    </message>
+    <message>
         <source>Try OpenEXR (.exr).</source>
         <translation>OpenEXR (.exr) versuchen.</translation>
     </message>
@@ -3100,8 +3168,12 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Noch einmal versuchen.</translation>
     </message>
     <message>
-        <source>Turn of the sky picture</source>
-        <translation>Drehung des Himmelsbildes</translation>
+        <source>Turn off</source>
+        <translation>Abschalten</translation>
+    </message>
+    <message>
+        <source>Turn off effects that do not show</source>
+        <translation>Unsichtbare Effekte abschalten</translation>
     </message>
     <message>
         <source>Turn the lights</source>
@@ -3112,8 +3184,12 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Ansicht drehen</translation>
     </message>
     <message>
-        <source>Turns the sky picture about the patient's axis [degrees]</source>
-        <translation>Dreht das Himmelsbild um die Körperachse [Grad]</translation>
+        <source>Turns off %1.</source>
+        <translation>Schaltet ab: %1.</translation>
+    </message>
+    <message>
+        <source>Turns off the effects that nobody would see, and lists them first</source>
+        <translation>Schaltet Effekte ab, die niemand sähe, und nennt sie zuvor</translation>
     </message>
     <message>
         <source>Two lamps behind: bright outlines</source>
@@ -3160,7 +3236,7 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Rückgängig: Optisches Modell wählen</translation>
     </message>
     <message>
-        <source>Undo choosing what is seen</source>
+        <source>Undo choosing the visible part</source>
         <translation>Rückgängig: Sichtbares wählen</translation>
     </message>
     <message>
@@ -3200,6 +3276,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Rückgängig: Zoomen</translation>
     </message>
     <message>
+        <source>Uniform ambient light instead, as bright</source>
+        <translation>Stattdessen gleichmäßiges, ebenso helles Licht von allen Seiten</translation>
+    </message>
+    <message>
         <source>Unlit tissue</source>
         <translation>Unbeleuchtetes Gewebe</translation>
     </message>
@@ -3236,11 +3316,19 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Ansicht von: %1</translation>
     </message>
     <message>
+        <source>Voxel size %1 × %2 × %3 mm</source>
+        <translation>Voxelgröße %1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Voxel size of the scan</source>
+        <translation>Voxelgröße der Aufnahme</translation>
+    </message>
+    <message>
         <source>Wait for it, or cancel it.</source>
         <translation>Darauf warten oder es abbrechen.</translation>
     </message>
     <message>
-        <source>Wait until the picture that you want is there.</source>
+        <source>Wait until the new image is there.</source>
         <translation>Warten, bis das gewünschte Bild da ist.</translation>
     </message>
     <message>
@@ -3252,20 +3340,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Was getan werden kann</translation>
     </message>
     <message>
-        <source>What computes the picture. It goes on there with the samples that it has.</source>
-        <translation>Was das Bild berechnet. Es geht dort mit den vorhandenen Abtastungen weiter.</translation>
-    </message>
-    <message>
         <source>What could not be done</source>
         <translation>Was nicht ging</translation>
-    </message>
-    <message>
-        <source>What else is true of the picture</source>
-        <translation>Was sonst für das Bild gilt</translation>
-    </message>
-    <message>
-        <source>What is known of the error</source>
-        <translation>Was vom Fehler bekannt ist</translation>
     </message>
     <message>
         <source>What is sharp</source>
@@ -3274,10 +3350,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>What is shown</source>
         <translation>Was gezeigt wird</translation>
-    </message>
-    <message>
-        <source>What is taken for bone is left out: the densest contrast may be missing, rims of bone may be left over.</source>
-        <translation>Was für Knochen gehalten wird, ist weggelassen: Das dichteste Kontrastmittel kann fehlen, Ränder von Knochen können übrig bleiben.</translation>
     </message>
     <message>
         <source>What is written over the image</source>
@@ -3308,24 +3380,12 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Was es beleuchtet</translation>
     </message>
     <message>
-        <source>What one does most</source>
-        <translation>Was man am häufigsten tut</translation>
-    </message>
-    <message>
         <source>What stands behind the volume. A plain colour lights nothing</source>
         <translation>Was hinter dem Volumen steht. Eine einfache Farbe beleuchtet nichts</translation>
     </message>
     <message>
-        <source>What the lamps turn with</source>
+        <source>What the lamps move with</source>
         <translation>Womit sich die Lampen drehen</translation>
-    </message>
-    <message>
-        <source>What the scan itself resolves</source>
-        <translation>Was die Aufnahme selbst auflöst</translation>
-    </message>
-    <message>
-        <source>What the seconds go to</source>
-        <translation>Wofür die Sekunden gebraucht werden</translation>
     </message>
     <message>
         <source>What this look does not show</source>
@@ -3344,18 +3404,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Wo ein Rechner wartet, der mitrechnen soll: einer, auf dem „pdrender-node --listen“ läuft. Ohne Port gilt %1.</translation>
     </message>
     <message>
-        <source>Where it is rough before denoising</source>
-        <translation>Wo es vor dem Entrauschen grob ist</translation>
-    </message>
-    <message>
-        <source>Where it is still r&amp;ough</source>
-        <translation>Wo es noch gr&amp;ob ist</translation>
-    </message>
-    <message>
-        <source>Where it is still rough</source>
-        <translation>Wo es noch grob ist</translation>
-    </message>
-    <message>
         <source>Where the first selected point lies; the others move with it</source>
         <translation>Wo der erste gewählte Punkt liegt; die anderen bewegen sich mit</translation>
     </message>
@@ -3364,12 +3412,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Woher das Licht kommt (F8)</translation>
     </message>
     <message>
-        <source>Whether what box and planes cut away still throws its shadow</source>
-        <translation>Ob das, was Quader und Ebenen wegschneiden, noch Schatten wirft</translation>
-    </message>
-    <message>
-        <source>Which limit comes first</source>
-        <translation>Welche Grenze zuerst kommt</translation>
+        <source>Whether the tissue removed by box and planes still casts shadows</source>
+        <translation>Ob das von Quader und Ebenen entfernte Gewebe noch Schatten wirft</translation>
     </message>
     <message>
         <source>White</source>
@@ -3380,7 +3424,7 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Warum diese Taste nicht geht</translation>
     </message>
     <message>
-        <source>Width of the picture [pixels]</source>
+        <source>Width of the image [pixels]</source>
         <translation>Breite des Bildes [Pixel]</translation>
     </message>
     <message>
@@ -3416,6 +3460,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>ein Quader, eine Ebene oder eine gezeichnete Linie schneidet ins Volumen</translation>
     </message>
     <message>
+        <source>a built-in look has this name</source>
+        <translation>eine Darstellung des Programms hat diesen Namen</translation>
+    </message>
+    <message>
         <source>a certificate cannot be made: %1</source>
         <translation>ein Zertifikat kann nicht gemacht werden: %1</translation>
     </message>
@@ -3424,7 +3472,7 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>eine Codetabelle fehlt</translation>
     </message>
     <message>
-        <source>a colour picture (%1), not a CT slice</source>
+        <source>a colour image (%1), not a CT slice</source>
         <translation>ein farbiges Bild (%1), keine CT-Schicht</translation>
     </message>
     <message>
@@ -3464,10 +3512,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>eine Darstellung braucht einen Namen</translation>
     </message>
     <message>
-        <source>a look of the program has this name</source>
-        <translation>eine Darstellung des Programms hat diesen Namen</translation>
-    </message>
-    <message>
         <source>a message of a kind that must be understood, but is not known here</source>
         <translation>eine Nachricht, die verstanden werden muss, hier aber unbekannt ist</translation>
     </message>
@@ -3486,14 +3530,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>a path may have one event only</source>
         <translation>ein Weg darf nur ein Ereignis haben</translation>
-    </message>
-    <message>
-        <source>a picture of %1 x %2 pixels needs %3 of memory, %4 are free</source>
-        <translation>ein Bild von %1 x %2 Pixeln braucht %3 Speicher, %4 sind frei</translation>
-    </message>
-    <message>
-        <source>a picture was torn on its way from the device</source>
-        <translation>ein Bild ist auf dem Weg vom Gerät zerrissen</translation>
     </message>
     <message>
         <source>a piece of a scan that was not asked for</source>
@@ -3607,33 +3643,29 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <source>an earlier coding</source>
         <translation>eine frühere Kodierung</translation>
     </message>
+    <message>
+        <source>an image of %1 x %2 pixels needs %3 of memory, %4 are free</source>
+        <translation>ein Bild von %1 x %2 Pixeln braucht %3 Speicher, %4 sind frei</translation>
+    </message>
+    <message>
+        <source>an image was damaged on its way from the device</source>
+        <translation>ein Bild ist auf dem Weg vom Gerät zerrissen</translation>
+    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation><numerusform>und %n weitere</numerusform><numerusform>und %n weitere</numerusform></translation>
     </message>
     <message>
-        <source>another picture has taken its place</source>
+        <source>another image has taken its place</source>
         <translation>ein anderes Bild ist an seine Stelle getreten</translation>
     </message>
     <message>
-        <source>another picture is being made</source>
+        <source>another image is being rendered</source>
         <translation>ein anderes Bild wird gerade gemacht</translation>
     </message>
     <message>
-        <source>any number</source>
-        <translation>beliebig viele</translation>
-    </message>
-    <message>
-        <source>any time</source>
-        <translation>beliebig lange</translation>
-    </message>
-    <message>
-        <source>as wanted; Space goes on</source>
-        <translation>wie gewünscht; Leertaste: weiter</translation>
-    </message>
-    <message>
-        <source>at least %1 % of the tissue not seen yet</source>
-        <translation>mindestens %1 % des Gewebes noch nicht gesehen</translation>
+        <source>at least %1 % of the tissue not sampled yet</source>
+        <translation>mindestens %1 % des Gewebes noch nicht abgetastet</translation>
     </message>
     <message>
         <source>at least %1 and below %2</source>
@@ -3700,10 +3732,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>abgebrochen</translation>
     </message>
     <message>
-        <source>cancelled, no picture was saved</source>
-        <translation>Abgebrochen, kein Bild wurde gespeichert</translation>
-    </message>
-    <message>
         <source>cannot be read</source>
         <translation>nicht lesbar</translation>
     </message>
@@ -3712,7 +3740,7 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Schnitt</translation>
     </message>
     <message>
-        <source>closing the series before</source>
+        <source>closing the previous series</source>
         <translation>die Serie davor wird geschlossen</translation>
     </message>
     <message>
@@ -3732,28 +3760,12 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Kontrastmittel</translation>
     </message>
     <message>
-        <source>copied</source>
-        <translation>kopiert</translation>
-    </message>
-    <message>
         <source>cut: %1</source>
         <translation>Schnitt: %1</translation>
     </message>
     <message>
         <source>denoised: 95 % of the tissue within ±%1 levels, noise included</source>
         <translation>entrauscht: 95 % des Gewebes innerhalb ±%1 Stufen, Rauschen inbegriffen</translation>
-    </message>
-    <message>
-        <source>denoised: 95 % of the tissue within ±%1 of 255 grey levels</source>
-        <translation>entrauscht: 95 % des Gewebes innerhalb ±%1 von 255 Graustufen</translation>
-    </message>
-    <message>
-        <source>denoised: 95 % of the tissue within ±%1, thin structures may be further off</source>
-        <translation>entrauscht: 95 % des Gewebes innerhalb ±%1, dünne Strukturen können weiter abweichen</translation>
-    </message>
-    <message>
-        <source>denoised: error not known yet</source>
-        <translation>entrauscht: Fehler noch nicht bekannt</translation>
     </message>
     <message>
         <source>denoised: how much is not known yet</source>
@@ -3764,16 +3776,20 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Tiefenschärfe</translation>
     </message>
     <message>
+        <source>detail below %1 % contrast may be missing</source>
+        <translation>Einzelheiten unter %1 % Kontrast können fehlen</translation>
+    </message>
+    <message>
         <source>directed scattering</source>
         <translation>gerichtete Streuung</translation>
     </message>
     <message>
-        <source>each iteration blurred</source>
-        <translation>jeder Durchgang verwischt</translation>
+        <source>duplicate slice position</source>
+        <translation>doppelte Schichtposition</translation>
     </message>
     <message>
-        <source>each pixel's 95 % margin, of 255</source>
-        <translation>95-%-Spanne jedes Pixels, von 255</translation>
+        <source>each iteration blurred</source>
+        <translation>jeder Durchgang verwischt</translation>
     </message>
     <message>
         <source>efficiency %1 %</source>
@@ -3820,16 +3836,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Füße</translation>
     </message>
     <message>
-        <source>finding the part to show</source>
-        <translation>der zu zeigende Teil wird gesucht</translation>
-    </message>
-    <message>
-        <source>fine detail below %1 % contrast is not shown yet</source>
-        <translation>feine Einzelheiten unter %1 % Kontrast werden noch nicht gezeigt</translation>
-    </message>
-    <message>
-        <source>fine detail is not shown yet</source>
-        <translation>feine Einzelheiten werden noch nicht gezeigt</translation>
+        <source>fine detail may be missing</source>
+        <translation>feine Einzelheiten können fehlen</translation>
     </message>
     <message>
         <source>for %1 voxels (%2)</source>
@@ -3864,7 +3872,11 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>vorn</translation>
     </message>
     <message>
-        <source>goes with a gradient only, not with a picture</source>
+        <source>gantry tilt</source>
+        <translation>Gantry-Kippung</translation>
+    </message>
+    <message>
+        <source>goes with a gradient only, not with an image</source>
         <translation>passt nur zu einem Verlauf, nicht zu einem Bild</translation>
     </message>
     <message>
@@ -3882,30 +3894,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>head</source>
         <translation>Kopf</translation>
-    </message>
-    <message>
-        <source>held after %1, with %2 samples</source>
-        <translation>angehalten nach %1, mit %2 Abtastungen</translation>
-    </message>
-    <message>
-        <source>here ±%1</source>
-        <translation>hier ±%1</translation>
-    </message>
-    <message>
-        <source>here ±%1; a pixel is larger than 1 mm</source>
-        <translation>hier ±%1; ein Pixel ist größer als 1 mm</translation>
-    </message>
-    <message>
-        <source>here ±%1; over 1 mm ±%2</source>
-        <translation>hier ±%1; über 1 mm ±%2</translation>
-    </message>
-    <message>
-        <source>here ±%1; over 1 mm: not known yet</source>
-        <translation>hier ±%1; über 1 mm: noch nicht bekannt</translation>
-    </message>
-    <message>
-        <source>here: not known yet</source>
-        <translation>hier: noch nicht bekannt</translation>
     </message>
     <message>
         <source>hidden parts</source>
@@ -3964,8 +3952,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>in höchstens %1 % des Gewebes</translation>
     </message>
     <message>
-        <source>in the box 95 % of the tissue within ±%1</source>
-        <translation>im Rahmen 95 % des Gewebes innerhalb ±%1</translation>
+        <source>in the region ±%1 (95 % of the tissue)</source>
+        <translation>im Bereich ±%1 (95 % des Gewebes)</translation>
     </message>
     <message>
         <source>is "%1", must be "%2"</source>
@@ -4028,7 +4016,7 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>er hat Arbeit beantwortet, die ihm nicht gegeben war</translation>
     </message>
     <message>
-        <source>it does not begin as a JPEG picture</source>
+        <source>it does not begin as a JPEG image</source>
         <translation>es beginnt nicht wie ein JPEG-Bild</translation>
     </message>
     <message>
@@ -4052,7 +4040,7 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>sie endet mitten in einem Element</translation>
     </message>
     <message>
-        <source>it ends inside the compressed picture</source>
+        <source>it ends inside the compressed image</source>
         <translation>sie endet innerhalb des komprimierten Bildes</translation>
     </message>
     <message>
@@ -4100,12 +4088,12 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>sie enthält mehr als %1 Elemente, Einträge, Stücke und Werte</translation>
     </message>
     <message>
-        <source>it holds no map</source>
-        <translation>sie enthält keine Tabelle</translation>
+        <source>it holds no image</source>
+        <translation>es enthält kein Bild</translation>
     </message>
     <message>
-        <source>it holds no picture</source>
-        <translation>es enthält kein Bild</translation>
+        <source>it holds no map</source>
+        <translation>sie enthält keine Tabelle</translation>
     </message>
     <message>
         <source>it is called as the slices beside it, but holds no DICOM</source>
@@ -4172,7 +4160,7 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>sein Zertifikat ist nicht das eines %1</translation>
     </message>
     <message>
-        <source>its compressed picture is not made of fragments</source>
+        <source>its compressed image is not made of fragments</source>
         <translation>ihr komprimiertes Bild besteht nicht aus Stücken</translation>
     </message>
     <message>
@@ -4194,6 +4182,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>its header takes more than %1 MB</source>
         <translation>ihr Kopf umfasst mehr als %1 MB</translation>
+    </message>
+    <message>
+        <source>its images differ from this machine's in the last bits: it runs a different build</source>
+        <translation>seine Bilder weichen in den letzten Bits von denen dieses Rechners ab: Das Programm dort ist anders gebaut</translation>
     </message>
     <message>
         <source>its map has keys that are no numbers, or too many</source>
@@ -4218,10 +4210,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>its messages are laid out in another way</source>
         <translation>seine Nachrichten sind anders aufgebaut</translation>
-    </message>
-    <message>
-        <source>its pictures differ from this machine's in their last bits: it is of another build</source>
-        <translation>seine Bilder weichen in den letzten Bits von denen dieses Rechners ab: Das Programm dort ist anders gebaut</translation>
     </message>
     <message>
         <source>its pixel format cannot be read (%1 bits allocated, %2 stored, high bit %3)</source>
@@ -4332,14 +4320,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>diese Aufnahme zeigt Lungen</translation>
     </message>
     <message>
-        <source>making the picture</source>
-        <translation>Das Bild entsteht</translation>
-    </message>
-    <message>
-        <source>making the picture: %1 samples in %2</source>
-        <translation>Das Bild entsteht: %1 Abtastungen in %2</translation>
-    </message>
-    <message>
         <source>march of 3 voxels</source>
         <translation>Schritte von 3 Voxeln</translation>
     </message>
@@ -4358,6 +4338,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>metal is in this body</source>
         <translation>in diesem Körper ist Metall</translation>
+    </message>
+    <message>
+        <source>missing position data</source>
+        <translation>Positionsdaten fehlen</translation>
+    </message>
+    <message>
+        <source>mixed slice orientations</source>
+        <translation>verschiedene Schichtrichtungen</translation>
     </message>
     <message>
         <source>more than half of what is solid is thinner than 20 mm</source>
@@ -4464,10 +4452,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>im Blut wurde kein Kontrastmittel gefunden</translation>
     </message>
     <message>
-        <source>no geometry</source>
-        <translation>keine Geometrie</translation>
-    </message>
-    <message>
         <source>no image, but %1</source>
         <translation>kein Bild, sondern %1</translation>
     </message>
@@ -4484,8 +4468,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>kein Licht leuchtet</translation>
     </message>
     <message>
-        <source>no light was seen in the box</source>
-        <translation>im Rahmen wurde kein Licht gefunden</translation>
+        <source>no limit</source>
+        <translation>ohne Grenze</translation>
     </message>
     <message>
         <source>no lungs are in this scan</source>
@@ -4526,6 +4510,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>no such tile is asked for</source>
         <translation>nach dieser Kachel ist nicht gefragt</translation>
+    </message>
+    <message>
+        <source>no time limit</source>
+        <translation>ohne Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>no tissue in the region</source>
+        <translation>kein Gewebe im Bereich</translation>
     </message>
     <message>
         <source>no tissue is opaque at the HU that the volume holds</source>
@@ -4580,7 +4572,7 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>jetzt, %1</translation>
     </message>
     <message>
-        <source>on a picture of %1 × %2 pixels on the CPU (%3)</source>
+        <source>on an image of %1 × %2 pixels on the CPU (%3)</source>
         <translation>an einem Bild von %1 × %2 Pixeln auf der CPU (%3)</translation>
     </message>
     <message>
@@ -4596,11 +4588,11 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>eine seiner Quantisierungstabellen ist abgeschnitten</translation>
     </message>
     <message>
-        <source>one of its segments is longer than the picture</source>
+        <source>one of its segments is longer than the image</source>
         <translation>eines seiner Segmente ist länger als das Bild</translation>
     </message>
     <message>
-        <source>one render node has the whole picture</source>
+        <source>one render node has the whole image</source>
         <translation>ein Render-Rechner hat das ganze Bild</translation>
     </message>
     <message>
@@ -4648,8 +4640,16 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Schichten werden gelesen</translation>
     </message>
     <message>
-        <source>reading the picture</source>
+        <source>reading the image</source>
         <translation>das Bild wird gelesen</translation>
+    </message>
+    <message>
+        <source>rendering the image</source>
+        <translation>Das Bild entsteht</translation>
+    </message>
+    <message>
+        <source>rendering the image: %1 samples in %2</source>
+        <translation>Das Bild entsteht: %1 Abtastungen in %2</translation>
     </message>
     <message>
         <source>results that never came: %1</source>
@@ -4676,10 +4676,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Abtastungen weggelassen: keine Zahl</translation>
     </message>
     <message>
-        <source>saved as %1</source>
-        <translation>Gespeichert als %1</translation>
-    </message>
-    <message>
         <source>saved, but its bias could not be measured: %1</source>
         <translation>gesichert, aber sein systematischer Fehler ließ sich nicht messen: %1</translation>
     </message>
@@ -4704,6 +4700,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>ausgewählt, %1 HU: %2</translation>
     </message>
     <message>
+        <source>separating the body parts</source>
+        <translation>Körperteile werden getrennt</translation>
+    </message>
+    <message>
         <source>shadows</source>
         <translation>Schatten</translation>
     </message>
@@ -4714,10 +4714,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>slices between the scan's own are a cubic's: a choice, and no error of the computing</source>
         <translation>Schichten zwischen denen des Scans sind kubisch interpoliert: eine Wahl, kein Fehler des Rechnens</translation>
-    </message>
-    <message>
-        <source>slices look in different directions</source>
-        <translation>Schichten verschiedener Ausrichtung</translation>
     </message>
     <message>
         <source>slices of different size</source>
@@ -4744,6 +4740,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Abstand oder Richtung ändert sich unterwegs; ein Pixel liegt bis zu %1 mm von der Stelle, an die die erste Schicht es setzen würde</translation>
     </message>
     <message>
+        <source>stopped after %1, with %2 samples</source>
+        <translation>angehalten nach %1, mit %2 Abtastungen</translation>
+    </message>
+    <message>
         <source>such a message goes the other way</source>
         <translation>eine solche Nachricht geht in die andere Richtung</translation>
     </message>
@@ -4766,6 +4766,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>target</source>
         <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>target reached (Space: continue)</source>
+        <translation>Ziel erreicht (Leertaste: weiter)</translation>
     </message>
     <message>
         <source>target: %1</source>
@@ -4816,19 +4820,19 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die Zertifikate können nicht geschrieben werden</translation>
     </message>
     <message>
-        <source>the compressed picture cannot be decoded</source>
+        <source>the compressed image cannot be decoded</source>
         <translation>das komprimierte Bild kann nicht dekodiert werden</translation>
     </message>
     <message>
-        <source>the compressed picture is damaged: %1</source>
+        <source>the compressed image is damaged: %1</source>
         <translation>das komprimierte Bild ist beschädigt: %1</translation>
     </message>
     <message>
-        <source>the compressed picture is damaged: %1 of its pixels hold numbers that %2 bits cannot</source>
+        <source>the compressed image is damaged: %1 of its pixels hold numbers that %2 bits cannot</source>
         <translation>das komprimierte Bild ist beschädigt: %1 seiner Pixel enthalten Zahlen, für die %2 Bit nicht reichen</translation>
     </message>
     <message>
-        <source>the compressed picture is damaged: its decoder says "%1"</source>
+        <source>the compressed image is damaged: its decoder says "%1"</source>
         <translation>das komprimierte Bild ist beschädigt: Sein Dekoder meldet „%1“</translation>
     </message>
     <message>
@@ -4850,6 +4854,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the driver is too old: it knows CUDA %1, %2 is needed</source>
         <translation>der Treiber ist zu alt: Er kennt CUDA %1, gebraucht wird %2</translation>
+    </message>
+    <message>
+        <source>the environment image is not complete</source>
+        <translation>das Bild der Umgebung ist nicht vollständig</translation>
     </message>
     <message>
         <source>the environment is black</source>
@@ -4948,6 +4956,46 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>der Gradientenfaktor ist größer als 0</translation>
     </message>
     <message>
+        <source>the image cannot be read as OpenEXR (%1)</source>
+        <translation>das Bild kann nicht als OpenEXR gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>the image could not be encoded as OpenEXR (%1)</source>
+        <translation>das Bild konnte nicht als OpenEXR kodiert werden (%1)</translation>
+    </message>
+    <message>
+        <source>the image could not be encoded as PNG</source>
+        <translation>das Bild konnte nicht als PNG kodiert werden</translation>
+    </message>
+    <message>
+        <source>the image could not be rendered</source>
+        <translation>das Bild konnte nicht gemacht werden</translation>
+    </message>
+    <message>
+        <source>the image has no channel %1</source>
+        <translation>das Bild hat keinen Kanal %1</translation>
+    </message>
+    <message>
+        <source>the image holds fewer pixels than its header says</source>
+        <translation>das Bild enthält weniger Pixel, als sein Kopf sagt</translation>
+    </message>
+    <message>
+        <source>the image is %1 x %2 pixels, at most %3 x %3 can be read</source>
+        <translation>das Bild hat %1 x %2 Pixel, höchstens %3 x %3 können gelesen werden</translation>
+    </message>
+    <message>
+        <source>the image is black and lights nothing</source>
+        <translation>das Bild ist schwarz und beleuchtet nichts</translation>
+    </message>
+    <message>
+        <source>the image is not complete</source>
+        <translation>das Bild ist nicht vollständig</translation>
+    </message>
+    <message>
+        <source>the image was closed</source>
+        <translation>das Bild wurde geschlossen</translation>
+    </message>
+    <message>
         <source>the lens is open</source>
         <translation>die Blende ist offen</translation>
     </message>
@@ -4992,7 +5040,7 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>das Modell zeigt kein Licht von innen</translation>
     </message>
     <message>
-        <source>the name says no format that pictures are saved in</source>
+        <source>the name says no format that images are saved in</source>
         <translation>der Name nennt kein Format, in dem Bilder gesichert werden</translation>
     </message>
     <message>
@@ -5036,52 +5084,16 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>dem Patienten</translation>
     </message>
     <message>
-        <source>the picture cannot be read as OpenEXR (%1)</source>
-        <translation>das Bild kann nicht als OpenEXR gelesen werden (%1)</translation>
+        <source>the previous series is still in memory</source>
+        <translation>die vorige Serie liegt noch im Speicher</translation>
     </message>
     <message>
-        <source>the picture could not be encoded as OpenEXR (%1)</source>
-        <translation>das Bild konnte nicht als OpenEXR kodiert werden (%1)</translation>
+        <source>the region is still black</source>
+        <translation>der Bereich ist noch schwarz</translation>
     </message>
     <message>
-        <source>the picture could not be encoded as PNG</source>
-        <translation>das Bild konnte nicht als PNG kodiert werden</translation>
-    </message>
-    <message>
-        <source>the picture could not be made</source>
-        <translation>das Bild konnte nicht gemacht werden</translation>
-    </message>
-    <message>
-        <source>the picture has no channel %1</source>
-        <translation>das Bild hat keinen Kanal %1</translation>
-    </message>
-    <message>
-        <source>the picture holds fewer pixels than its header says</source>
-        <translation>das Bild enthält weniger Pixel, als sein Kopf sagt</translation>
-    </message>
-    <message>
-        <source>the picture is %1 x %2 pixels, at most %3 x %3 can be read</source>
-        <translation>das Bild hat %1 x %2 Pixel, höchstens %3 x %3 können gelesen werden</translation>
-    </message>
-    <message>
-        <source>the picture is black and lights nothing</source>
-        <translation>das Bild ist schwarz und beleuchtet nichts</translation>
-    </message>
-    <message>
-        <source>the picture is not complete</source>
-        <translation>das Bild ist nicht vollständig</translation>
-    </message>
-    <message>
-        <source>the picture of the surroundings is not complete</source>
-        <translation>das Bild der Umgebung ist nicht vollständig</translation>
-    </message>
-    <message>
-        <source>the picture was closed</source>
-        <translation>das Bild wurde geschlossen</translation>
-    </message>
-    <message>
-        <source>the rest of the picture waits for the box</source>
-        <translation>der Rest des Bildes wartet auf den Rahmen</translation>
+        <source>the rest of the image waits for the region</source>
+        <translation>der Rest des Bildes wartet auf den Bereich</translation>
     </message>
     <message>
         <source>the samples come first: %3 in %2, within ±%1</source>
@@ -5090,10 +5102,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the scene that was ordered cannot be rendered: %1</source>
         <translation>die bestellte Szene kann nicht gerechnet werden: %1</translation>
-    </message>
-    <message>
-        <source>the series before is still held in memory</source>
-        <translation>die vorige Serie liegt noch im Speicher</translation>
     </message>
     <message>
         <source>the slices differ in size: %1</source>
@@ -5152,10 +5160,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>das Volumen braucht %1 Speicher, der nicht zu bekommen war</translation>
     </message>
     <message>
-        <source>the whole picture, which waits for the box: 95 % of the tissue within ±%1</source>
-        <translation>das ganze Bild, das auf den Rahmen wartet: 95 % des Gewebes innerhalb ±%1</translation>
-    </message>
-    <message>
         <source>there are %1 nodes, at most %2 are taken</source>
         <translation>es sind %1 Stützstellen, höchstens %2 werden genommen</translation>
     </message>
@@ -5196,12 +5200,12 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>es gibt keinen Treiber für eine GPU von NVIDIA</translation>
     </message>
     <message>
-        <source>there is no light</source>
-        <translation>es gibt kein Licht</translation>
+        <source>there is no image</source>
+        <translation>es gibt kein Bild</translation>
     </message>
     <message>
-        <source>there is no picture</source>
-        <translation>es gibt kein Bild</translation>
+        <source>there is no light</source>
+        <translation>es gibt kein Licht</translation>
     </message>
     <message>
         <source>there is no scene on the device</source>
@@ -5228,10 +5232,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>diesen Port gibt es nicht</translation>
     </message>
     <message>
-        <source>there is no tissue in the box</source>
-        <translation>im Rahmen ist kein Gewebe</translation>
-    </message>
-    <message>
         <source>there is not enough memory</source>
         <translation>es ist nicht genug Speicher da</translation>
     </message>
@@ -5256,12 +5256,12 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>es ist zu wenig Speicher da</translation>
     </message>
     <message>
-        <source>there is too little tissue at that place</source>
-        <translation>An dieser Stelle ist zu wenig Gewebe</translation>
-    </message>
-    <message>
         <source>these certificates do not belong together</source>
         <translation>diese Zertifikate gehören nicht zusammen</translation>
+    </message>
+    <message>
+        <source>thin structures may be further off</source>
+        <translation>dünne Strukturen können weiter abweichen</translation>
     </message>
     <message>
         <source>this body is no wider than a head</source>
@@ -5376,15 +5376,11 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Kacheln wären kürzer, als ein Render-Rechner zum Anlaufen braucht: %1 von %2</translation>
     </message>
     <message>
-        <source>tilted stack</source>
-        <translation>gekippter Stapel</translation>
-    </message>
-    <message>
         <source>tissue is seen against the environment, else against white</source>
         <translation>Gewebe wird vor der Umgebung gesehen, sonst vor Weiß</translation>
     </message>
     <message>
-        <source>tissue is seen against white: without it there is no picture</source>
+        <source>tissue is seen against white: without it there is no image</source>
         <translation>Gewebe wird vor Weiß gesehen: ohne das gibt es kein Bild</translation>
     </message>
     <message>
@@ -5398,10 +5394,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>too few measurements: %1 sizes with %2 numbers of iterations</source>
         <translation>zu wenige Messungen: %1 Größen mit %2 Anzahlen von Durchgängen</translation>
-    </message>
-    <message>
-        <source>two slices at one place</source>
-        <translation>zwei Schichten an einer Stelle</translation>
     </message>
     <message>
         <source>visible background</source>
@@ -5432,6 +5424,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>was davon zuerst kommt, ist noch nicht bekannt</translation>
     </message>
     <message>
+        <source>whole image, waiting for the region: ±%1 (95 % of the tissue)</source>
+        <translation>ganzes Bild, wartet auf den Bereich: ±%1 (95 % des Gewebes)</translation>
+    </message>
+    <message>
         <source>without certificates only this machine itself may be dialled</source>
         <translation>ohne Zertifikate darf nur dieser Rechner selbst angewählt werden</translation>
     </message>
@@ -5440,7 +5436,7 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Schichten werden geschrieben</translation>
     </message>
     <message>
-        <source>writing the picture</source>
+        <source>writing the image</source>
         <translation>Das Bild wird geschrieben</translation>
     </message>
     <message>

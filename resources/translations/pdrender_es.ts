@@ -28,7 +28,7 @@
         <translation> muestras</translation>
     </message>
     <message>
-        <source> · in italics: of the view before</source>
+        <source> · italics: measured for the previous view</source>
         <translation> · en cursiva: de la vista anterior</translation>
     </message>
     <message>
@@ -60,7 +60,7 @@
         <translation>%1 % de brillo (%2 a %3)</translation>
     </message>
     <message>
-        <source>%1 % of the picture's samples</source>
+        <source>%1 % of the image's samples</source>
         <translation>%1 % de las muestras de la imagen</translation>
     </message>
     <message>
@@ -80,7 +80,7 @@
         <translation>%1 (modificado)</translation>
     </message>
     <message>
-        <source>%1 (the picture changes by %2 levels on average, 95 % of it by less than %3</source>
+        <source>%1 (the image changes by %2 levels on average, 95 % of it by less than %3</source>
         <translation>%1 (la imagen cambia %2 niveles de media, el 95 % de ella menos de %3</translation>
     </message>
     <message>
@@ -134,7 +134,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 no se puede asignar: mueve la vista o el foco del teclado.</translation>
     </message>
     <message>
-        <source>%1 cannot make this picture: %2</source>
+        <source>%1 cannot render this image: %2</source>
         <translation>%1 no puede calcular esta imagen: %2</translation>
     </message>
     <message>
@@ -250,8 +250,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>%1 nodes make other bits than this machine, and take no part</source>
-        <translation>%1 equipos de render calculan otros bits que este equipo y no participan</translation>
+        <source>%1 nodes run a different build and were excluded</source>
+        <translation>%1 equipos tienen otra versión y quedan excluidos</translation>
     </message>
     <message>
         <source>%1 of it touched the skin: check the edge.</source>
@@ -362,8 +362,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 x %2 x %3</translation>
     </message>
     <message>
-        <source>%1 · all that is on is called for</source>
-        <translation>%1 · todo lo activado es necesario</translation>
+        <source>%1 · all active effects are needed</source>
+        <translation>%1 · todos los efectos activos son necesarios</translation>
     </message>
     <message>
         <source>%1 · paused</source>
@@ -478,19 +478,11 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Todas las predeterminadas</translation>
     </message>
     <message>
-        <source>&amp;Box first</source>
-        <translation>Re&amp;cuadro primero</translation>
-    </message>
-    <message>
         <source>&amp;Brightness</source>
         <translation>&amp;Brillo</translation>
     </message>
     <message>
-        <source>&amp;Colours of the window</source>
-        <translation>Co&amp;lores de la ventana</translation>
-    </message>
-    <message>
-        <source>&amp;Copy picture</source>
+        <source>&amp;Copy image</source>
         <translation>&amp;Copiar imagen</translation>
     </message>
     <message>
@@ -510,12 +502,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Borrar</translation>
     </message>
     <message>
-        <source>&amp;Density</source>
-        <translation>De&amp;nsidad</translation>
+        <source>&amp;Denoised</source>
+        <translation>&amp;Sin ruido</translation>
     </message>
     <message>
-        <source>&amp;Draw a line</source>
-        <translation>&amp;Dibujar una línea</translation>
+        <source>&amp;Density</source>
+        <translation>De&amp;nsidad</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -538,12 +530,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Olvidar estas carpetas</translation>
     </message>
     <message>
-        <source>&amp;Full screen</source>
-        <translation>Pan&amp;talla completa</translation>
+        <source>&amp;Freehand cut</source>
+        <translation>Corte a &amp;mano alzada</translation>
     </message>
     <message>
-        <source>&amp;Handles of box and planes</source>
-        <translation>&amp;Tiradores de caja y planos</translation>
+        <source>&amp;Full screen</source>
+        <translation>Pan&amp;talla completa</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -554,7 +546,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Importar...</translation>
     </message>
     <message>
-        <source>&amp;Iterations per picture</source>
+        <source>&amp;Iterations per frame</source>
         <translation>Iteraciones por ima&amp;gen</translation>
     </message>
     <message>
@@ -590,10 +582,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Pausa</translation>
     </message>
     <message>
-        <source>&amp;Peel</source>
-        <translation>&amp;Pelar</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
         <translation>&amp;Salir</translation>
     </message>
@@ -606,11 +594,15 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Recordar carpetas</translation>
     </message>
     <message>
+        <source>&amp;Remove surface</source>
+        <translation>&amp;Quitar superficie</translation>
+    </message>
+    <message>
         <source>&amp;Rename...</source>
         <translation>&amp;Renombrar...</translation>
     </message>
     <message>
-        <source>&amp;Save picture...</source>
+        <source>&amp;Save image...</source>
         <translation>&amp;Guardar imagen...</translation>
     </message>
     <message>
@@ -618,16 +610,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Guardar este aspecto...</translation>
     </message>
     <message>
-        <source>&amp;Shadows of what was cut</source>
-        <translation>S&amp;ombras de lo cortado</translation>
-    </message>
-    <message>
-        <source>&amp;Smoothed</source>
-        <translation>&amp;Suavizada</translation>
-    </message>
-    <message>
         <source>&amp;Table and holder</source>
         <translation>&amp;Mesa y soporte</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Tema</translation>
     </message>
     <message>
         <source>&amp;Tissue...</source>
@@ -636,10 +624,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>&amp;Undo</source>
         <translation>&amp;Deshacer</translation>
-    </message>
-    <message>
-        <source>&amp;Undo all cuts</source>
-        <translation>Des&amp;hacer todos los cortes</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -678,8 +662,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>1 iteración por imagen en %1</translation>
     </message>
     <message>
-        <source>1 node makes other bits than this machine, and takes no part</source>
-        <translation>1 equipo de render calcula otros bits que este equipo y no participa</translation>
+        <source>1 node runs a different build and was excluded</source>
+        <translation>1 equipo tiene otra versión y queda excluido</translation>
     </message>
     <message>
         <source>1 sample</source>
@@ -718,12 +702,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>3D Slicer, solo curvas (*.vp.json)</translation>
     </message>
     <message>
-        <source>95 % of the tissue within ±%1 of 255 grey levels</source>
-        <translation>95 % del tejido dentro de ±%1 de 255 niveles de gris</translation>
-    </message>
-    <message>
-        <source>95 % of the tissue within ±%1 of 255 grey levels before denoising</source>
-        <translation>95 % del tejido dentro de ±%1 de 255 niveles de gris antes de eliminar el ruido</translation>
+        <source>95 % error per pixel, of 255</source>
+        <translation>error del 95 % por píxel, de 255</translation>
     </message>
     <message>
         <source>; any target takes %1 of the time</source>
@@ -734,20 +714,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&lt; %1</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;PD-Render %1&lt;/h3&gt;&lt;p&gt;Photorealistic pictures of CT volumes, with a measure of how right they are.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not for diagnostic use.&lt;/b&gt; PD-Render is not a certified medical device.&lt;/p&gt;&lt;p&gt;Apache License 2.0. Made with Qt, DCMTK, OpenEXR and oneTBB.&lt;/p&gt;</source>
+        <source>&lt;h3&gt;PD-Render %1&lt;/h3&gt;&lt;p&gt;Photorealistic images of CT volumes, with a measure of how right they are.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not for diagnostic use.&lt;/b&gt; PD-Render is not a certified medical device.&lt;/p&gt;&lt;p&gt;Apache License 2.0. Made with Qt, DCMTK, OpenEXR and oneTBB.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;PD-Render %1&lt;/h3&gt;&lt;p&gt;Imágenes fotorrealistas de volúmenes de TC, con una medida de su exactitud.&lt;/p&gt;&lt;p&gt;&lt;b&gt;No apto para diagnóstico.&lt;/b&gt; PD-Render no es un producto sanitario certificado.&lt;/p&gt;&lt;p&gt;Licencia Apache 2.0. Hecho con Qt, DCMTK, OpenEXR y oneTBB.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>A CT to try with, which belongs to the program</source>
-        <translation>Una TC de prueba, que forma parte del programa</translation>
-    </message>
-    <message>
-        <source>A coarse picture first; the full one follows</source>
-        <translation>Primero una imagen gruesa; la completa viene después</translation>
-    </message>
-    <message>
-        <source>A picture is still being made. Quit and lose it?</source>
-        <translation>Todavía se está creando una imagen. ¿Salir y perderla?</translation>
     </message>
     <message>
         <source>A pinhole, which focuses nowhere</source>
@@ -770,7 +738,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Un plano de frente a usted, por el centro</translation>
     </message>
     <message>
-        <source>A sample takes about %1 times as long as with “%2”; 95 % of the picture changes by at most %3 of 255 levels.</source>
+        <source>A sample takes about %1 times as long as with “%2”; 95 % of the image changes by at most %3 of 255 levels.</source>
         <translation>Una muestra tarda unas %1 veces lo que con «%2»; el 95 % de la imagen cambia como mucho %3 de 255 niveles.</translation>
     </message>
     <message>
@@ -800,6 +768,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Accuracy</source>
         <translation>Exactitud</translation>
+    </message>
+    <message>
+        <source>Accuracy of the image</source>
+        <translation>Exactitud de la imagen</translation>
     </message>
     <message>
         <source>Action</source>
@@ -834,10 +806,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Añade un panel como el elegido, como lámpara propia</translation>
     </message>
     <message>
-        <source>All aroun&amp;d</source>
-        <translation>Alrede&amp;dor</translation>
-    </message>
-    <message>
         <source>All but bones</source>
         <translation>Todo menos los huesos</translation>
     </message>
@@ -846,7 +814,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Todo está nítido. Una lente desenfoca lo que hay delante y detrás de su foco.</translation>
     </message>
     <message>
-        <source>All nodes make the same bits as this machine</source>
+        <source>All nodes compute the same bits as this machine</source>
         <translation>Todos los equipos de render calculan los mismos bits que este equipo</translation>
     </message>
     <message>
@@ -862,7 +830,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Todo nítido</translation>
     </message>
     <message>
-        <source>All tissue glows through all other. Lights do not count.</source>
+        <source>All tissue glows through all other. Lamps have no effect.</source>
         <translation>Todo tejido brilla a través de los demás. Las luces no cuentan.</translation>
     </message>
     <message>
@@ -874,8 +842,20 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Siempre teselas</translation>
     </message>
     <message>
+        <source>Am&amp;bient</source>
+        <translation>Am&amp;biental</translation>
+    </message>
+    <message>
+        <source>Ambient light</source>
+        <translation>Luz ambiental</translation>
+    </message>
+    <message>
         <source>An IPv6 address stands in brackets: [%1] or [%1]:%2.</source>
         <translation>Una dirección IPv6 va entre corchetes: [%1] o [%1]:%2.</translation>
+    </message>
+    <message>
+        <source>An image is still rendering. Quit and discard it?</source>
+        <translation>Aún se calcula una imagen. ¿Salir y descartarla?</translation>
     </message>
     <message>
         <source>Annotations:</source>
@@ -902,12 +882,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Las flechas mueven la lámpara elegida, Re Pág y Av Pág eligen otra, Mayús y flechas giran todas.</translation>
     </message>
     <message>
-        <source>As it is on the screen, %1</source>
-        <translation>Como en la pantalla, %1</translation>
+        <source>As many iterations per frame as keep the cost of display negligible, within the frame rate. The result is the same.</source>
+        <translation>Tantas iteraciones entre dos imágenes que mostrarlas casi no cueste nada, pero no más de las que permite el número de imágenes por segundo. El resultado es el mismo.</translation>
     </message>
     <message>
-        <source>As many iterations between two pictures as it takes for showing them to cost next to nothing, but no more than the number of pictures per second allows. The result is the same.</source>
-        <translation>Tantas iteraciones entre dos imágenes que mostrarlas casi no cueste nada, pero no más de las que permite el número de imágenes por segundo. El resultado es el mismo.</translation>
+        <source>As on the screen, %1</source>
+        <translation>Como en la pantalla, %1</translation>
     </message>
     <message>
         <source>As the &amp;system</source>
@@ -938,20 +918,16 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Detrás</translation>
     </message>
     <message>
+        <source>Back light</source>
+        <translation>Contraluz</translation>
+    </message>
+    <message>
         <source>Background</source>
         <translation>Fondo</translation>
     </message>
     <message>
-        <source>Begins the image anew with as many pixels as it is shown with; the next edit does so as well.</source>
-        <translation>Empieza la imagen de nuevo con tantos píxeles como se muestran; el próximo cambio también lo hace.</translation>
-    </message>
-    <message>
         <source>Bell</source>
         <translation>Campana</translation>
-    </message>
-    <message>
-        <source>Besides noise</source>
-        <translation>Además del ruido</translation>
     </message>
     <message>
         <source>Black</source>
@@ -974,6 +950,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>El hueso es solo una sombra y no se ven los tejidos blandos. Lo que el metal emborrona parece metal.</translation>
     </message>
     <message>
+        <source>Bone is found automatically. Thin or porous bone may be missing; dense contrast may remain.</source>
+        <translation>El hueso se detecta automáticamente. Puede faltar hueso fino o poroso; puede quedar contraste denso.</translation>
+    </message>
+    <message>
+        <source>Bone is removed automatically. Dense contrast may disappear with it; bone edges may remain.</source>
+        <translation>El hueso se quita automáticamente. Puede desaparecer contraste denso; pueden quedar bordes de hueso.</translation>
+    </message>
+    <message>
         <source>Bone that is no denser than the contrast in the blood is not shown: thin bone has false holes.</source>
         <translation>No se ve el hueso que no es más denso que el contraste de la sangre: el hueso fino tiene agujeros falsos.</translation>
     </message>
@@ -992,6 +976,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Both programs should be of the same release.</source>
         <translation>Ambos programas deben ser de la misma versión.</translation>
+    </message>
+    <message>
+        <source>Brightens shadows; none at the left end</source>
+        <translation>Aclara lo que está en sombra; en el extremo izquierdo no hay ninguna</translation>
     </message>
     <message>
         <source>Brighter to the right. It changes what is shown, not what is computed.</source>
@@ -1027,15 +1015,15 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Cancelar</translation>
+        <translation>Cancelar lo que está en curso</translation>
     </message>
     <message>
         <source>Cancel a gesture, reading or a box, close a message</source>
         <translation>Cancelar un gesto, la lectura o un recuadro, cerrar un mensaje</translation>
     </message>
     <message>
-        <source>Cancel what runs</source>
-        <translation>Cancelar lo que está en curso</translation>
+        <source>Cancelled: no image was saved</source>
+        <translation>Cancelado: no se guardó ninguna imagen</translation>
     </message>
     <message>
         <source>Certificates...</source>
@@ -1052,6 +1040,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Change the view or the look first.</source>
         <translation>Cambie antes la vista o el aspecto.</translation>
+    </message>
+    <message>
+        <source>Changes keyboard shortcuts.</source>
+        <translation>Cambia los atajos de teclado.</translation>
     </message>
     <message>
         <source>Check its permissions.</source>
@@ -1142,6 +1134,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Elija otra carpeta.</translation>
     </message>
     <message>
+        <source>Choose another image.</source>
+        <translation>Elija otra imagen.</translation>
+    </message>
+    <message>
         <source>Choose another name, or one within it.</source>
         <translation>Elija otro nombre, o uno dentro de ella.</translation>
     </message>
@@ -1151,11 +1147,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>Choose another one.</source>
-        <translation>Elija otra.</translation>
-    </message>
-    <message>
-        <source>Choose another picture.</source>
-        <translation>Elija otra imagen.</translation>
+        <translation>Elija otro.</translation>
     </message>
     <message>
         <source>Choose another place.</source>
@@ -1190,6 +1182,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Elija el orden de trabajo de PD-Render.</translation>
     </message>
     <message>
+        <source>Close %1</source>
+        <translation>Cerrar %1</translation>
+    </message>
+    <message>
         <source>Close other programs, or import fewer slices.</source>
         <translation>Cierre otros programas o importe menos cortes.</translation>
     </message>
@@ -1214,12 +1210,20 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Cierre otros programas.</translation>
     </message>
     <message>
+        <source>Close panel (%1)</source>
+        <translation>Cerrar panel (%1)</translation>
+    </message>
+    <message>
         <source>Close the message</source>
         <translation>Cerrar el mensaje</translation>
     </message>
     <message>
-        <source>Closes the window. Pictures that are not saved are lost.</source>
+        <source>Closes the window. Unsaved images are lost.</source>
         <translation>Cierra la ventana. Las imágenes sin guardar se pierden.</translation>
+    </message>
+    <message>
+        <source>Coarse preview; the full image follows</source>
+        <translation>Vista previa; sigue la imagen completa</translation>
     </message>
     <message>
         <source>Colour at %1 HU</source>
@@ -1242,7 +1246,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Color...</translation>
     </message>
     <message>
-        <source>Colours each pixel by how far it may be off, in grey levels of 255.</source>
+        <source>Colours each pixel by its 95 % error, in grey levels of 255.</source>
         <translation>Colorea cada píxel según cuánto puede desviarse, en niveles de gris de 255.</translation>
     </message>
     <message>
@@ -1258,7 +1262,19 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Conectando</translation>
     </message>
     <message>
-        <source>Copies the picture to the clipboard, with its caption and no name.</source>
+        <source>Connection security</source>
+        <translation>Seguridad de la conexión</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Continuar</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>Copiado</translation>
+    </message>
+    <message>
+        <source>Copies the image to the clipboard, with its caption and without the patient's name.</source>
         <translation>Copia la imagen al portapapeles, con su leyenda y sin nombre.</translation>
     </message>
     <message>
@@ -1274,11 +1290,11 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Cree antes la carpeta o elija otro lugar.</translation>
     </message>
     <message>
-        <source>Ctrl+click on the picture</source>
+        <source>Ctrl+click on the image</source>
         <translation>Ctrl+clic en la imagen</translation>
     </message>
     <message>
-        <source>Ctrl+drag on the picture</source>
+        <source>Ctrl+drag on the image</source>
         <translation>Ctrl+arrastrar en la imagen</translation>
     </message>
     <message>
@@ -1294,31 +1310,23 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Corte</translation>
     </message>
     <message>
-        <source>Cut away all but what lies behind the inside of the line (K)</source>
-        <translation>Corta todo salvo lo que queda detrás del interior de la línea (K)</translation>
-    </message>
-    <message>
         <source>Cut away the other side</source>
         <translation>Corta el otro lado</translation>
-    </message>
-    <message>
-        <source>Cut away what lies behind the inside of the line (Del)</source>
-        <translation>Corta lo que queda detrás del interior de la línea (Supr)</translation>
     </message>
     <message>
         <source>Cut off at each side</source>
         <translation>Cortado en cada lado</translation>
     </message>
     <message>
-        <source>Cut off at the side: %1</source>
-        <translation>Cortado en el lado: %1</translation>
-    </message>
-    <message>
         <source>Cut the other side</source>
         <translation>Cortar el otro lado</translation>
     </message>
     <message>
-        <source>Cuts away what lies in front of a plane through the middle of the picture.</source>
+        <source>Cut with &amp;handles</source>
+        <translation>Cortar con &amp;asas</translation>
+    </message>
+    <message>
+        <source>Cuts away what lies in front of a plane through the middle of the image.</source>
         <translation>Corta lo que queda delante de un plano por el centro de la imagen.</translation>
     </message>
     <message>
@@ -1328,6 +1336,18 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Delete the look</source>
         <translation>Borrar el aspecto</translation>
+    </message>
+    <message>
+        <source>Denoised, error not known yet</source>
+        <translation>Sin ruido, error aún desconocido</translation>
+    </message>
+    <message>
+        <source>Denoised, error ±%1</source>
+        <translation>Sin ruido, error ±%1</translation>
+    </message>
+    <message>
+        <source>Denoised, image error ±%1 of 255 grey levels (95 % of the tissue)</source>
+        <translation>Sin ruido, error de la imagen ±%1 de 255 niveles de gris (95 % del tejido)</translation>
     </message>
     <message>
         <source>Density at the top of the opacity curve</source>
@@ -1362,6 +1382,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Diámetro de la lente. Con 0 todo está nítido; cuanto mayor, menos nítido es lo que hay delante y detrás del foco</translation>
     </message>
     <message>
+        <source>Disconnect the selected nodes and erase the scan on them (Delete)</source>
+        <translation>Desconecta los equipos elegidos y borra la exploración en ellos (Supr)</translation>
+    </message>
+    <message>
+        <source>Distance cut off, side: %1</source>
+        <translation>Cortado en el lado: %1</translation>
+    </message>
+    <message>
         <source>Distance of the plane from the middle</source>
         <translation>Distancia del plano al centro</translation>
     </message>
@@ -1370,7 +1398,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Doble clic en un tirador</translation>
     </message>
     <message>
-        <source>Drag a lamp to where the light is to come from: over the ball it stands on your side, in the ring about it behind the patient. Beside the lamps, a drag turns them all. On the picture, Shift and the right button do the same.</source>
+        <source>Drag a lamp to where the light is to come from: over the ball it stands on your side, in the ring about it behind the patient. Beside the lamps, a drag turns them all. On the image, Shift and the right button do the same.</source>
         <translation>Arrastre una lámpara hasta donde deba venir la luz: sobre la esfera está de su lado, en el anillo que la rodea detrás del paciente. Junto a las lámparas, arrastrar las gira todas. En la imagen, Mayús y el botón derecho hacen lo mismo.</translation>
     </message>
     <message>
@@ -1382,20 +1410,24 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Arrastre los puntos; un clic en la línea añade uno; la rueda amplía, con Mayús los valores; doble clic lo muestra todo</translation>
     </message>
     <message>
-        <source>Draw a box on the picture: it gets all samples until it is as good as wanted.</source>
+        <source>Draw a box on the image: it gets all samples until it reaches the target.</source>
         <translation>Dibuje un recuadro en la imagen: recibe todas las muestras hasta que sea tan bueno como se desea.</translation>
     </message>
     <message>
-        <source>Draw a closed line on the picture, then cut away what lies behind it, or all else (X)</source>
+        <source>Draw a closed outline on the image, then remove the tissue inside it, or everything else (X)</source>
         <translation>Dibuje una línea cerrada en la imagen y corte lo que queda detrás, o todo lo demás (X)</translation>
     </message>
     <message>
-        <source>Draw a closed line on the picture, then cut away what lies behind it, or all else.</source>
+        <source>Draw a closed outline on the image, then remove the tissue inside it, or everything else.</source>
         <translation>Dibuje una línea cerrada en la imagen y corte lo que queda detrás, o todo lo demás.</translation>
     </message>
     <message>
         <source>E</source>
         <translation>E</translation>
+    </message>
+    <message>
+        <source>E&amp;rror map</source>
+        <translation>Mapa de e&amp;rror</translation>
     </message>
     <message>
         <source>Edge</source>
@@ -1426,8 +1458,28 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Cifrado, y cada parte demuestra quién es, con los certificados de %1</translation>
     </message>
     <message>
+        <source>Environment image...</source>
+        <translation>Imagen de entorno...</translation>
+    </message>
+    <message>
         <source>Error against time</source>
         <translation>Error frente al tiempo</translation>
+    </message>
+    <message>
+        <source>Error at that point</source>
+        <translation>Error en ese punto</translation>
+    </message>
+    <message>
+        <source>Error map</source>
+        <translation>Mapa de error</translation>
+    </message>
+    <message>
+        <source>Error map before denoising</source>
+        <translation>Mapa de error antes de la reducción de ruido</translation>
+    </message>
+    <message>
+        <source>Error of the image</source>
+        <translation>Error de la imagen</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -1438,12 +1490,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Estimando</translation>
     </message>
     <message>
-        <source>Estimating how good the picture is</source>
+        <source>Estimating how good the image is</source>
         <translation>Estimando la calidad de la imagen</translation>
     </message>
     <message>
-        <source>Estimating · no light has been seen yet</source>
-        <translation>Estimando · todavía no se ha visto luz</translation>
+        <source>Estimating · image still black</source>
+        <translation>Estimando · imagen aún negra</translation>
     </message>
     <message>
         <source>Estimating · the error is not known yet</source>
@@ -1454,10 +1506,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Estimador</translation>
     </message>
     <message>
-        <source>Even light from all around instead, as bright</source>
-        <translation>En su lugar, luz uniforme de todas partes, igual de intensa</translation>
-    </message>
-    <message>
         <source>Everything</source>
         <translation>Todo</translation>
     </message>
@@ -1466,7 +1514,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Exportar el aspecto</translation>
     </message>
     <message>
-        <source>Exposure Render blurs every iteration over 3 x 3 pixels before it counts. That hides noise and never averages out: the picture stays wrong. For comparison only.</source>
+        <source>Exposure Render blurs every iteration over 3 x 3 pixels before it counts. That hides noise and never averages out: the image stays wrong. For comparison only.</source>
         <translation>Exposure Render desenfoca cada iteración sobre 3 x 3 píxeles antes de contarla. Eso oculta el ruido y nunca se promedia: la imagen sigue siendo errónea. Solo para comparar.</translation>
     </message>
     <message>
@@ -1474,7 +1522,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>esquema %1 de Exposure Render</translation>
     </message>
     <message>
-        <source>Exposure Render's schedule takes whole pictures only</source>
+        <source>Exposure Render's schedule takes whole images only</source>
         <translation>el orden de trabajo de Exposure Render solo admite imágenes enteras</translation>
     </message>
     <message>
@@ -1514,7 +1562,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Archivos omitidos</translation>
     </message>
     <message>
-        <source>Fills the screen with the picture, the patient's name and its accuracy.</source>
+        <source>Fills the screen with the image, the patient's name and its accuracy.</source>
         <translation>Llena la pantalla con la imagen, el nombre del paciente y su exactitud.</translation>
     </message>
     <message>
@@ -1530,14 +1578,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Enfocar donde se haga clic</translation>
     </message>
     <message>
-        <source>Fold %1 away</source>
-        <translation>Plegar %1</translation>
-    </message>
-    <message>
-        <source>Fold away (%1)</source>
-        <translation>Plegar (%1)</translation>
-    </message>
-    <message>
         <source>Folders are often called after patients: anyone who uses this account can read the list.</source>
         <translation>Las carpetas suelen llevar el nombre de los pacientes: quien use esta cuenta puede leer la lista.</translation>
     </message>
@@ -1550,7 +1590,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Para capturas de pantalla: no se nombra a ningún paciente en la ventana.</translation>
     </message>
     <message>
-        <source>For the picture that is being saved. %1</source>
+        <source>For the image that is being saved. %1</source>
         <translation>Para la imagen que se está guardando. %1</translation>
     </message>
     <message>
@@ -1568,6 +1608,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Free points, or a curve that a few numbers say. It becomes free points when one is moved.</source>
         <translation>Puntos libres, o una curva descrita por pocos números. Pasa a puntos libres cuando se mueve uno.</translation>
+    </message>
+    <message>
+        <source>Freehand cuts: %1</source>
+        <translation>Cortes a mano alzada: %1</translation>
     </message>
     <message>
         <source>From a question to its answer [milliseconds]</source>
@@ -1598,11 +1642,11 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Desde los &amp;pies (F)</translation>
     </message>
     <message>
-        <source>From the top to the bottom of the picture</source>
+        <source>From the top to the bottom of the image</source>
         <translation>Desde el borde superior al inferior de la imagen</translation>
     </message>
     <message>
-        <source>From the top to the bottom of the picture. What is in focus keeps its size; the wider, the nearer the eye comes</source>
+        <source>From the top to the bottom of the image. What is in focus keeps its size; the wider, the nearer the eye comes</source>
         <translation>Desde el borde superior al inferior de la imagen. Lo enfocado conserva su tamaño; cuanto más ancho, más se acerca el ojo</translation>
     </message>
     <message>
@@ -1650,20 +1694,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Indique la parte del paquete llamada %1.</translation>
     </message>
     <message>
-        <source>Gives actions other keys.</source>
-        <translation>Asigna otras teclas a las acciones.</translation>
-    </message>
-    <message>
         <source>Glow</source>
         <translation>Brillo propio</translation>
     </message>
     <message>
         <source>Glowing tissue</source>
         <translation>Tejido luminoso</translation>
-    </message>
-    <message>
-        <source>Go on</source>
-        <translation>Continuar</translation>
     </message>
     <message>
         <source>Good for orientation</source>
@@ -1690,10 +1726,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Lámpara frontal</translation>
     </message>
     <message>
-        <source>Health</source>
-        <translation>Estado</translation>
-    </message>
-    <message>
         <source>Heart and great vessels</source>
         <translation>Corazón y grandes vasos</translation>
     </message>
@@ -1702,7 +1734,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>A&amp;ltura</translation>
     </message>
     <message>
-        <source>Height of the picture [pixels]</source>
+        <source>Height of the image [pixels]</source>
         <translation>Alto de la imagen [píxeles]</translation>
     </message>
     <message>
@@ -1714,39 +1746,11 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Ocultar el &amp;nombre del paciente</translation>
     </message>
     <message>
-        <source>Hold after so many seconds of rendering</source>
-        <translation>Detener tras tantos segundos de cálculo</translation>
-    </message>
-    <message>
-        <source>Hold at</source>
-        <translation>Detener en</translation>
-    </message>
-    <message>
-        <source>Hold sooner, more accurate</source>
-        <translation>Detener antes, más exacto</translation>
-    </message>
-    <message>
-        <source>Hold the rendering, or let it go on (Space)</source>
-        <translation>Detener el cálculo o continuarlo (Espacio)</translation>
-    </message>
-    <message>
-        <source>Hold when 95 % of the tissue is within so many grey levels</source>
-        <translation>Detener cuando el 95 % del tejido esté dentro de tantos niveles de gris</translation>
-    </message>
-    <message>
-        <source>Hold when each pixel has so many samples</source>
-        <translation>Detener cuando cada píxel tenga tantas muestras</translation>
-    </message>
-    <message>
-        <source>Holds the rendering, or lets it go on, also beyond the target.</source>
-        <translation>Detiene el cálculo o lo continúa, también más allá del objetivo.</translation>
-    </message>
-    <message>
         <source>Home</source>
         <translation>Inicio</translation>
     </message>
     <message>
-        <source>How far the grey levels on the screen are from those of the finished picture, at most, for 95 % of the pixels that show tissue. Four times the samples at least halve it. A smoothed picture has an error of its own, and may lack fine detail: S shows the raw one. A click tells more.</source>
+        <source>How far the grey levels on the screen are from those of the finished image, for 95 % of the pixels that show tissue. Four times the samples at least halve it. A denoised image has an error of its own and may lack fine detail: S shows the raw image. Click for details.</source>
         <translation>Cuánto distan como máximo los niveles de gris de la pantalla de los de la imagen terminada, para el 95 % de los píxeles que muestran tejido. Cuatro veces más muestras lo reducen al menos a la mitad. Una imagen suavizada tiene un error propio y puede carecer de detalles finos: S muestra la imagen sin suavizar. Un clic dice más.</translation>
     </message>
     <message>
@@ -1754,23 +1758,15 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>A qué distancia del centro del cuerpo está el plano, hacia el lado que corta</translation>
     </message>
     <message>
-        <source>How good the picture is</source>
-        <translation>Qué calidad tiene la imagen</translation>
-    </message>
-    <message>
-        <source>How good the picture is there</source>
-        <translation>Qué calidad tiene la imagen allí</translation>
-    </message>
-    <message>
         <source>How high the first selected point is; the others move with it</source>
         <translation>A qué altura está el primer punto elegido; los demás se mueven con él</translation>
     </message>
     <message>
-        <source>How iterations become pictures. Ours adds them up and shows them now and then. Exposure Render goes through all stages for each of them; K0 also uploads everything anew each time, K1 does not. For comparison only.</source>
+        <source>How iterations become images. Ours accumulates them and updates the display from time to time. Exposure Render runs all stages for each iteration; K0 also uploads everything each time, K1 does not. For comparison only.</source>
         <translation>Cómo las iteraciones se convierten en imágenes. El nuestro las suma y las muestra de vez en cuando. Exposure Render pasa por todas las etapas en cada una; K0 además lo carga todo de nuevo cada vez, K1 no. Solo para comparar.</translation>
     </message>
     <message>
-        <source>How light is followed. Unbiased: the picture becomes the true one. The march steps over 3 voxels at a time as Exposure Render does and scatters once: the picture stays wrong. For comparison only.</source>
+        <source>How light paths are sampled. Unbiased: the image converges to the exact one. The march steps over 3 voxels at a time as Exposure Render does and scatters once: the image stays wrong. For comparison only.</source>
         <translation>Cómo se sigue la luz. Insesgado: la imagen llega a ser la verdadera. Los pasos avanzan 3 vóxeles cada vez como en Exposure Render y dispersan una sola vez: la imagen sigue siendo errónea. Solo para comparar.</translation>
     </message>
     <message>
@@ -1778,28 +1774,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Cuánto tarda</translation>
     </message>
     <message>
-        <source>How many iterations are computed before the picture is shown anew. More is a little faster, fewer is livelier; the result is the same.</source>
-        <translation>Cuántas iteraciones se calculan antes de mostrar la imagen de nuevo. Más es algo más rápido, menos es más vivo; el resultado es el mismo.</translation>
-    </message>
-    <message>
-        <source>How many pictures a second are shown at least, where the device can.</source>
-        <translation>Cuántas imágenes por segundo se muestran como mínimo, si el dispositivo puede.</translation>
-    </message>
-    <message>
-        <source>How much is cut off there; also by the handle in the picture (C)</source>
+        <source>How much is cut off there; also by the handle in the image (C)</source>
         <translation>Cuánto se corta allí; también con el tirador en la imagen (C)</translation>
     </message>
     <message>
         <source>How much light the chosen lamp brings; at the left end it is off</source>
         <translation>Cuánta luz aporta la lámpara elegida; en el extremo izquierdo está apagada</translation>
-    </message>
-    <message>
-        <source>How much tissue lies one behind the other. Lights do not count.</source>
-        <translation>Cuánto tejido hay uno tras otro. Las luces no cuentan.</translation>
-    </message>
-    <message>
-        <source>How nodes are spoken to</source>
-        <translation>Cómo se habla con los equipos de render</translation>
     </message>
     <message>
         <source>How nodes share the work</source>
@@ -1814,6 +1794,18 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>ID %1</translation>
     </message>
     <message>
+        <source>Image</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>Image error ±%1 of 255 grey levels (95 % of the tissue)</source>
+        <translation>Error de la imagen ±%1 de 255 niveles de gris (95 % del tejido)</translation>
+    </message>
+    <message>
+        <source>Image error ±%1 of 255 grey levels before denoising (95 % of the tissue)</source>
+        <translation>Error de la imagen ±%1 de 255 niveles de gris antes de la reducción de ruido (95 % del tejido)</translation>
+    </message>
+    <message>
         <source>Implants</source>
         <translation>Implantes</translation>
     </message>
@@ -1826,8 +1818,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Importe una parte de la serie, cierre programas que usen el dispositivo o calcule en la CPU.</translation>
     </message>
     <message>
-        <source>In the box: %1</source>
-        <translation>En el recuadro: %1</translation>
+        <source>In the region: %1</source>
+        <translation>En la región: %1</translation>
     </message>
     <message>
         <source>Install a newer driver, or render on the CPU.</source>
@@ -1840,6 +1832,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Install one, or render on the CPU.</source>
         <translation>Instale uno o calcule en la CPU.</translation>
+    </message>
+    <message>
+        <source>Invalid samples</source>
+        <translation>Muestras no válidas</translation>
     </message>
     <message>
         <source>Is the disk full, or the folder write-protected?</source>
@@ -1858,7 +1854,11 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Se rechazó o el dispositivo falló antes.</translation>
     </message>
     <message>
-        <source>Iterations per picture</source>
+        <source>Iterations computed before the image is updated. More is slightly faster, fewer responds sooner; the result is the same.</source>
+        <translation>Cuántas iteraciones se calculan antes de mostrar la imagen de nuevo. Más es algo más rápido, menos es más vivo; el resultado es el mismo.</translation>
+    </message>
+    <message>
+        <source>Iterations per frame</source>
         <translation>Iteraciones por imagen</translation>
     </message>
     <message>
@@ -1876,6 +1876,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Keep inside</source>
         <translation>Conservar el interior</translation>
+    </message>
+    <message>
+        <source>Keep only the tissue inside the outline (K)</source>
+        <translation>Conservar solo el tejido dentro del contorno (K)</translation>
     </message>
     <message>
         <source>Key of the chosen action</source>
@@ -1902,6 +1906,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>I&amp;dioma</translation>
     </message>
     <message>
+        <source>Large soft light</source>
+        <translation>Luz grande y suave</translation>
+    </message>
+    <message>
         <source>Latency</source>
         <translation>Latencia</translation>
     </message>
@@ -1914,20 +1922,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Omita uno de los dos.</translation>
     </message>
     <message>
-        <source>Leave out</source>
-        <translation>Omitir</translation>
-    </message>
-    <message>
         <source>Leave out nodes that lie on a line between their neighbours.</source>
         <translation>Omita los puntos que estén en línea entre sus vecinos.</translation>
-    </message>
-    <message>
-        <source>Leaves out %1.</source>
-        <translation>Omite %1.</translation>
-    </message>
-    <message>
-        <source>Leaves out what nobody would see, and says first what that is</source>
-        <translation>Omite lo que nadie vería, y antes dice qué es</translation>
     </message>
     <message>
         <source>Leaving</source>
@@ -1954,20 +1950,16 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Luz</translation>
     </message>
     <message>
-        <source>Light by a picture of a sky or a room</source>
-        <translation>Iluminar con la imagen de un cielo o de una sala</translation>
-    </message>
-    <message>
-        <source>Light by a picture of a sky or a room, all around: an OpenEXR file, twice as wide as high</source>
+        <source>Light from a panorama of a sky or a room: an OpenEXR file, twice as wide as high</source>
         <translation>Luz de todas partes según la imagen de un cielo o de una sala: un archivo OpenEXR, el doble de ancho que de alto</translation>
-    </message>
-    <message>
-        <source>Light from all around</source>
-        <translation>Luz de todas partes</translation>
     </message>
     <message>
         <source>Light from all around, most from the head's side, and a sun</source>
         <translation>Luz de todas partes, sobre todo desde la cabeza, y un sol</translation>
+    </message>
+    <message>
+        <source>Light from an environment image</source>
+        <translation>Luz de una imagen de entorno</translation>
     </message>
     <message>
         <source>Light is scattered on and on: soft, with light in the shadows.</source>
@@ -1978,24 +1970,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>La luz se dispersa una vez: superficies nítidas y sombras oscuras.</translation>
     </message>
     <message>
-        <source>Light that seeps through tissue</source>
-        <translation>Luz que se filtra por el tejido</translation>
-    </message>
-    <message>
-        <source>Lightens what lies in shadow; at the left end there is none</source>
-        <translation>Aclara lo que está en sombra; en el extremo izquierdo no hay ninguna</translation>
-    </message>
-    <message>
-        <source>Lines drawn: %1</source>
-        <translation>Líneas dibujadas: %1</translation>
+        <source>Limit reached first</source>
+        <translation>Qué límite llega primero</translation>
     </message>
     <message>
         <source>Listen on port</source>
         <translation>Escuchar en el puerto</translation>
-    </message>
-    <message>
-        <source>Lists the CT series of a folder and shows the first that can be shown.</source>
-        <translation>Lista las series de TC de una carpeta y muestra la primera que se pueda mostrar.</translation>
     </message>
     <message>
         <source>Lit surfaces</source>
@@ -2018,8 +1998,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Aspecto (*.json)</translation>
     </message>
     <message>
-        <source>Looks hold no sky picture: this one has even light from all around.</source>
-        <translation>Los aspectos no contienen imágenes de cielo: este tiene luz uniforme de todas partes.</translation>
+        <source>Looks cannot hold an environment image: this one has uniform ambient light.</source>
+        <translation>Un aspecto no admite imagen de entorno: este tiene luz ambiental uniforme.</translation>
     </message>
     <message>
         <source>Looks, also of 3D Slicer (*.json *.vp)</source>
@@ -2042,24 +2022,16 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Pulmones</translation>
     </message>
     <message>
+        <source>M&amp;oves with</source>
+        <translation>Sig&amp;ue</translation>
+    </message>
+    <message>
         <source>MIP</source>
         <translation>MIP</translation>
     </message>
     <message>
         <source>MIP of the lungs</source>
         <translation>MIP de los pulmones</translation>
-    </message>
-    <message>
-        <source>Made anew, %1</source>
-        <translation>Creada de nuevo, %1</translation>
-    </message>
-    <message>
-        <source>Made anew, another size</source>
-        <translation>Creada de nuevo, otro tamaño</translation>
-    </message>
-    <message>
-        <source>Made by</source>
-        <translation>Calculado por</translation>
     </message>
     <message>
         <source>Make it of this volume.</source>
@@ -2086,7 +2058,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Haga unos con «pdrender-node --make-certificates CARPETA» y délos a ambas partes: --bundle, o «Certificados» en la ventana.</translation>
     </message>
     <message>
-        <source>Make the picture smaller, close programs that use the device, or choose another device.</source>
+        <source>Make the image smaller, close programs that use the device, or choose another device.</source>
         <translation>Haga la imagen más pequeña, cierre programas que usen el dispositivo o elija otro dispositivo.</translation>
     </message>
     <message>
@@ -2114,11 +2086,11 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 medido, %2 s de calibración</translation>
     </message>
     <message>
-        <source>Measuring %1, now and then, in a twentieth of the time</source>
+        <source>Measuring %1 from time to time, in 1/20 of the time</source>
         <translation>Midiendo %1, de vez en cuando, en una vigésima parte del tiempo</translation>
     </message>
     <message>
-        <source>Measuring as soon as the picture is at rest</source>
+        <source>Measuring begins when the image is at rest</source>
         <translation>Se medirá en cuanto la imagen esté en reposo</translation>
     </message>
     <message>
@@ -2134,6 +2106,18 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Arrastrar con el central o Mayús+izquierdo</translation>
     </message>
     <message>
+        <source>Minimum frames per second, where the device can reach it.</source>
+        <translation>Cuántas imágenes por segundo se muestran como mínimo, si el dispositivo puede.</translation>
+    </message>
+    <message>
+        <source>More about the image</source>
+        <translation>Más sobre la imagen</translation>
+    </message>
+    <message>
+        <source>Most used</source>
+        <translation>Lo más usado</translation>
+    </message>
+    <message>
         <source>Mouse at rest</source>
         <translation>Ratón en reposo</translation>
     </message>
@@ -2142,8 +2126,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Mover la vista</translation>
     </message>
     <message>
-        <source>Muscle is hardly shown. It shows who the patient is.</source>
-        <translation>Apenas se ve el músculo. La imagen muestra quién es el paciente.</translation>
+        <source>Muscle is hardly shown. The patient can be recognised.</source>
+        <translation>El músculo apenas se ve. El paciente es reconocible.</translation>
     </message>
     <message>
         <source>Muscles</source>
@@ -2174,15 +2158,15 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Control siguiente</translation>
     </message>
     <message>
-        <source>No known bias in the computing</source>
-        <translation>Ningún sesgo conocido en el cálculo</translation>
-    </message>
-    <message>
-        <source>No picture</source>
+        <source>No image</source>
         <translation>Sin imagen</translation>
     </message>
     <message>
-        <source>No render nodes: other machines can render along, and the picture becomes right sooner</source>
+        <source>No known systematic error</source>
+        <translation>Sin error sistemático conocido</translation>
+    </message>
+    <message>
+        <source>No render nodes: other machines can render along, and the image becomes right sooner</source>
         <translation>Sin equipos de render: otros equipos pueden calcular también, y la imagen es correcta antes</translation>
     </message>
     <message>
@@ -2198,6 +2182,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>No se ocultó ninguna mesa, porque %1.</translation>
     </message>
     <message>
+        <source>No tissue at this point</source>
+        <translation>No hay tejido en este punto</translation>
+    </message>
+    <message>
         <source>No tissue is in view</source>
         <translation>No hay tejido a la vista</translation>
     </message>
@@ -2208,10 +2196,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>None</source>
         <translation>Ninguna</translation>
-    </message>
-    <message>
-        <source>Nor can the picture go on elsewhere: %1</source>
-        <translation>La imagen tampoco puede seguir en otro lugar: %1</translation>
     </message>
     <message>
         <source>Not for diagnostic use</source>
@@ -2230,23 +2214,15 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>No se ofrece: %1.</translation>
     </message>
     <message>
-        <source>Nothing below the skin is shown. It shows who the patient is.</source>
-        <translation>No se ve nada bajo la piel. La imagen muestra quién es el paciente.</translation>
-    </message>
-    <message>
-        <source>Nothing is known of the error yet</source>
-        <translation>Aún no se sabe nada del error</translation>
-    </message>
-    <message>
-        <source>Of the picture's samples, that it took: what it adds to the error curve</source>
+        <source>Of the image's samples, that it took: what it adds to the error curve</source>
         <translation>De las muestras de la imagen: lo que aporta a la curva de error</translation>
     </message>
     <message>
-        <source>Of the whole picture, that its samples come to</source>
+        <source>Of the whole image, that its samples come to</source>
         <translation>De la imagen entera, a las que equivalen sus muestras</translation>
     </message>
     <message>
-        <source>Off, and nothing is lost: %1</source>
+        <source>Off, without any loss: %1</source>
         <translation>Desactivado, y no se pierde nada: %1</translation>
     </message>
     <message>
@@ -2258,20 +2234,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Solo se muestran huesos que contienen hueso denso.</translation>
     </message>
     <message>
-        <source>Only the first of the folders that were dropped is opened.</source>
+        <source>Only the first of the dropped folders is opened.</source>
         <translation>Solo se abre la primera de las carpetas soltadas.</translation>
     </message>
     <message>
         <source>Only the lungs are shown; %1 mm at the pleura are missing.</source>
         <translation>Solo se muestran los pulmones; faltan %1 mm junto a la pleura.</translation>
-    </message>
-    <message>
-        <source>Only what is taken for bone is shown: thin or porous bone may be missing, dense contrast may be left over.</source>
-        <translation>Solo se ve lo que se toma por hueso: puede faltar hueso fino o poroso y quedar contraste denso.</translation>
-    </message>
-    <message>
-        <source>Only what this scene calls for</source>
-        <translation>Solo lo que esta escena requiere</translation>
     </message>
     <message>
         <source>Opacity</source>
@@ -2324,7 +2292,7 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Abra la carpeta de nuevo: puede contener ahora imágenes de otro paciente.</translation>
     </message>
     <message>
-        <source>Open the series again, or start the program anew.</source>
+        <source>Open the series again, or restart the program.</source>
         <translation>Abra de nuevo la serie o reinicie el programa.</translation>
     </message>
     <message>
@@ -2336,16 +2304,16 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>OpenEXR con el error de cada píxel (*.exr)</translation>
     </message>
     <message>
-        <source>Opened last</source>
-        <translation>Abiertas últimamente</translation>
+        <source>Opens a folder of DICOM files.</source>
+        <translation>Abre una carpeta con archivos DICOM.</translation>
     </message>
     <message>
         <source>Operating lamp</source>
         <translation>Lámpara de quirófano</translation>
     </message>
     <message>
-        <source>Or drop a folder with DICOM files here, or one of its files: all CT series in it are listed, and the first that can be shown is.</source>
-        <translation>O suelte aquí una carpeta con archivos DICOM, o uno de sus archivos: se listan todas las series de TC que contiene y se muestra la primera que se pueda mostrar.</translation>
+        <source>Or drop a DICOM folder, or one of its files, here: its CT series are listed.</source>
+        <translation>O suelte aquí una carpeta DICOM o uno de sus archivos: se listan sus series de TC.</translation>
     </message>
     <message>
         <source>Organs</source>
@@ -2364,7 +2332,7 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>PD-Render - No apto para diagnóstico</translation>
     </message>
     <message>
-        <source>PNG picture (*.png)</source>
+        <source>PNG image (*.png)</source>
         <translation>Imagen PNG (*.png)</translation>
     </message>
     <message>
@@ -2388,10 +2356,6 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Parte que se muestra</translation>
     </message>
     <message>
-        <source>Parts with the chosen nodes; they forget the scan (Delete)</source>
-        <translation>Se despide de los equipos de render elegidos; olvidan el estudio (Supr)</translation>
-    </message>
-    <message>
         <source>Patient</source>
         <translation>Paciente</translation>
     </message>
@@ -2404,16 +2368,28 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Pausa</translation>
     </message>
     <message>
+        <source>Pause or continue rendering (Space)</source>
+        <translation>Detener el cálculo o continuarlo (Espacio)</translation>
+    </message>
+    <message>
+        <source>Pause or resume the selected nodes (Space)</source>
+        <translation>Pausar o reanudar los equipos elegidos (Espacio)</translation>
+    </message>
+    <message>
         <source>Paused</source>
         <translation>En pausa</translation>
     </message>
     <message>
-        <source>Peeled %1 mm: skin and what lies less deep is not shown.</source>
-        <translation>Pelado %1 mm: no se muestran la piel ni lo menos profundo.</translation>
+        <source>Paused on battery (Space: continue)</source>
+        <translation>En pausa con batería (Espacio: continuar)</translation>
     </message>
     <message>
-        <source>Peeled off</source>
-        <translation>Pelado</translation>
+        <source>Pauses rendering, or continues it, also beyond the target.</source>
+        <translation>Detiene el cálculo o lo continúa, también más allá del objetivo.</translation>
+    </message>
+    <message>
+        <source>Peeled %1 mm: skin and what lies less deep is not shown.</source>
+        <translation>Pelado %1 mm: no se muestran la piel ni lo menos profundo.</translation>
     </message>
     <message>
         <source>Percentiles</source>
@@ -2428,10 +2404,6 @@ Brillo propio: luz que emite el propio tejido</translation>
 Parallel: the same size at every depth, as for measuring</source>
         <translation>Perspectiva: lo cercano es mayor, como para el ojo
 Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation>
-    </message>
-    <message>
-        <source>Picture</source>
-        <translation>Imagen</translation>
     </message>
     <message>
         <source>Place of the selected point</source>
@@ -2454,24 +2426,24 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Los puertos son números de 1 a 65535.</translation>
     </message>
     <message>
-        <source>Preparing the volume of %1...</source>
-        <translation>Preparando el volumen de %1...</translation>
+        <source>Preparing %1...</source>
+        <translation>Preparando %1...</translation>
     </message>
     <message>
-        <source>Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels before denoising, wanted ±%2</source>
-        <translation>Vista previa, sin converger · 95 % del tejido dentro de ±%1 de 255 niveles de gris antes de eliminar el ruido, deseado ±%2</translation>
+        <source>Preview, not converged · denoised, image error ±%1 of 255 grey levels (95 % of the tissue), target ±%2</source>
+        <translation>Vista previa sin converger · sin ruido, error de la imagen ±%1 de 255 niveles de gris (95 % del tejido), objetivo ±%2</translation>
     </message>
     <message>
-        <source>Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels, wanted ±%2</source>
-        <translation>Vista previa, sin converger · 95 % del tejido dentro de ±%1 de 255 niveles de gris, deseado ±%2</translation>
+        <source>Preview, not converged · error not known yet</source>
+        <translation>Vista previa sin converger · error aún desconocido</translation>
     </message>
     <message>
-        <source>Preview, not converged · denoised: 95 % of the tissue within ±%1 of 255 grey levels, wanted ±%2</source>
-        <translation>Vista previa, sin converger · sin ruido: 95 % del tejido dentro de ±%1 de 255 niveles de gris, deseado ±%2</translation>
+        <source>Preview, not converged · image error ±%1 of 255 grey levels (95 % of the tissue), target ±%2</source>
+        <translation>Vista previa sin converger · error de la imagen ±%1 de 255 niveles de gris (95 % del tejido), objetivo ±%2</translation>
     </message>
     <message>
-        <source>Preview, not converged · how far it is off is not known yet</source>
-        <translation>Vista previa, sin converger · aún no se conoce el error</translation>
+        <source>Preview, not converged · image error ±%1 of 255 grey levels before denoising (95 % of the tissue), target ±%2</source>
+        <translation>Vista previa sin converger · error de la imagen ±%1 de 255 niveles de gris antes de la reducción de ruido (95 % del tejido), objetivo ±%2</translation>
     </message>
     <message>
         <source>Pro&amp;jection</source>
@@ -2510,6 +2482,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Recibido</translation>
     </message>
     <message>
+        <source>Recently opened</source>
+        <translation>Abiertas recientemente</translation>
+    </message>
+    <message>
         <source>Redo</source>
         <translation>Rehacer</translation>
     </message>
@@ -2542,7 +2518,7 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Rehacer: elegir un modelo óptico</translation>
     </message>
     <message>
-        <source>Redo choosing what is seen</source>
+        <source>Redo choosing the visible part</source>
         <translation>Rehacer: elegir lo visible</translation>
     </message>
     <message>
@@ -2582,6 +2558,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Referencia</translation>
     </message>
     <message>
+        <source>Refine a &amp;region</source>
+        <translation>Primero una &amp;región</translation>
+    </message>
+    <message>
         <source>Reflection</source>
         <translation>Reflexión</translation>
     </message>
@@ -2594,6 +2574,14 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Quitar</translation>
     </message>
     <message>
+        <source>Remove all c&amp;uts</source>
+        <translation>Quitar todos los cort&amp;es</translation>
+    </message>
+    <message>
+        <source>Remove image</source>
+        <translation>Quitar imagen</translation>
+    </message>
+    <message>
         <source>Remove inside</source>
         <translation>Quitar el interior</translation>
     </message>
@@ -2602,16 +2590,12 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Quite uno de ellos.</translation>
     </message>
     <message>
-        <source>Remove picture</source>
-        <translation>Quitar imagen</translation>
+        <source>Remove the last freehand cut</source>
+        <translation>Quitar el último corte a mano alzada</translation>
     </message>
     <message>
-        <source>Remove the last line</source>
-        <translation>Quitar la última línea</translation>
-    </message>
-    <message>
-        <source>Remove the line that was drawn last</source>
-        <translation>Quita la línea dibujada en último lugar</translation>
+        <source>Remove the last one</source>
+        <translation>Quitar el último</translation>
     </message>
     <message>
         <source>Remove the plane</source>
@@ -2630,12 +2614,28 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Quitar los puntos elegidos (Supr)</translation>
     </message>
     <message>
+        <source>Remove the tissue inside the outline (Del)</source>
+        <translation>Quitar el tejido dentro del contorno (Supr)</translation>
+    </message>
+    <message>
+        <source>Removed tissue casts &amp;shadows</source>
+        <translation>El tejido quitado proyecta &amp;sombra</translation>
+    </message>
+    <message>
+        <source>Removes all cuts; this can be undone.</source>
+        <translation>Muestra todo lo cortado; un solo paso para deshacer.</translation>
+    </message>
+    <message>
         <source>Rename the look</source>
         <translation>Renombrar el aspecto</translation>
     </message>
     <message>
         <source>Render at the window's si&amp;ze</source>
         <translation>Renderizar al tamaño de la &amp;ventana</translation>
+    </message>
+    <message>
+        <source>Render cost by effect</source>
+        <translation>Coste por efecto</translation>
     </message>
     <message>
         <source>Render node</source>
@@ -2662,16 +2662,36 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Calcule en la CPU.</translation>
     </message>
     <message>
+        <source>Rendered at %1</source>
+        <translation>Calculada a %1</translation>
+    </message>
+    <message>
+        <source>Rendered at another size</source>
+        <translation>Calculada a otro tamaño</translation>
+    </message>
+    <message>
+        <source>Rendered on</source>
+        <translation>Calculada en</translation>
+    </message>
+    <message>
         <source>Rendering</source>
         <translation>Cálculo</translation>
     </message>
     <message>
-        <source>Rendering holds at %1: drag the knob, to the left for sooner, to the right for more accurate.</source>
-        <translation>El cálculo se detiene en %1: arrastre el control, a la izquierda para antes, a la derecha para más exacto.</translation>
+        <source>Rendering cannot continue elsewhere: %1</source>
+        <translation>La imagen tampoco puede seguir en otro lugar: %1</translation>
     </message>
     <message>
-        <source>Rendering rests on battery: Space goes on</source>
-        <translation>Con batería el renderizado descansa: Espacio continúa</translation>
+        <source>Rendering continues on %1.</source>
+        <translation>La imagen sigue en: %1.</translation>
+    </message>
+    <message>
+        <source>Rendering stops at %1. Drag left to stop sooner, right for a more accurate image.</source>
+        <translation>El cálculo se detiene en %1. Arrastre a la izquierda para parar antes, a la derecha para más exactitud.</translation>
+    </message>
+    <message>
+        <source>Renders the image again at the size at which it is shown; the next edit does so as well.</source>
+        <translation>Empieza la imagen de nuevo con tantos píxeles como se muestran; el próximo cambio también lo hace.</translation>
     </message>
     <message>
         <source>Resample it first.</source>
@@ -2680,6 +2700,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Reset the view</source>
         <translation>Restablecer la vista</translation>
+    </message>
+    <message>
+        <source>Returns to the view in which the series was opened.</source>
+        <translation>Muestra al paciente como cuando se abrió la serie.</translation>
     </message>
     <message>
         <source>Right</source>
@@ -2694,8 +2718,12 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Derecha°</translation>
     </message>
     <message>
-        <source>Rim</source>
-        <translation>Contraluz</translation>
+        <source>Rotates the environment image about the patient's axis [degrees]</source>
+        <translation>Gira la imagen de entorno alrededor del eje del paciente [grados]</translation>
+    </message>
+    <message>
+        <source>Rotation of the environment image</source>
+        <translation>Giro de la imagen de entorno</translation>
     </message>
     <message>
         <source>Rough</source>
@@ -2710,6 +2738,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Sagital</translation>
     </message>
     <message>
+        <source>Sample CT (included)</source>
+        <translation>TC de ejemplo (incluida)</translation>
+    </message>
+    <message>
         <source>Samples: %1</source>
         <translation>Muestras: %1</translation>
     </message>
@@ -2718,12 +2750,12 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Guardar y compartir aspectos</translation>
     </message>
     <message>
-        <source>Save the look as it is now, rename and delete your own, share them as files</source>
-        <translation>Guarde el aspecto actual, renombre y borre los suyos, compártalos como archivos</translation>
+        <source>Save the image</source>
+        <translation>Guardar la imagen</translation>
     </message>
     <message>
-        <source>Save the picture</source>
-        <translation>Guardar la imagen</translation>
+        <source>Save the look as it is now, rename and delete your own, share them as files</source>
+        <translation>Guarde el aspecto actual, renombre y borre los suyos, compártalos como archivos</translation>
     </message>
     <message>
         <source>Save this look</source>
@@ -2734,7 +2766,11 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Las imágenes guardadas y copiadas dicen qué lado es cuál, qué muestran y que no son para diagnóstico.</translation>
     </message>
     <message>
-        <source>Saves the picture as PNG or EXR, as it is or made anew in any size.</source>
+        <source>Saved as %1</source>
+        <translation>Guardada como %1</translation>
+    </message>
+    <message>
+        <source>Saves the image as PNG or EXR, as shown or rendered at any size.</source>
         <translation>Guarda la imagen como PNG o EXR, tal como está o creada de nuevo en cualquier tamaño.</translation>
     </message>
     <message>
@@ -2786,7 +2822,7 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Desplazar la curva del tejido, ensancharla</translation>
     </message>
     <message>
-        <source>Shift+right drag on the picture</source>
+        <source>Shift+right drag on the image</source>
         <translation>Mayús+arrastrar con el derecho en la imagen</translation>
     </message>
     <message>
@@ -2818,28 +2854,24 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Muestra todo el mensaje</translation>
     </message>
     <message>
-        <source>Shows all that was cut away; one step to undo.</source>
-        <translation>Muestra todo lo cortado; un solo paso para deshacer.</translation>
+        <source>Shows or closes this panel.</source>
+        <translation>Muestra o cierra este panel.</translation>
     </message>
     <message>
         <source>Shows or hides what is solid, outside the body and thinner than 20 mm.</source>
         <translation>Muestra u oculta lo que es sólido, está fuera del cuerpo y tiene menos de 20 mm de grosor.</translation>
     </message>
     <message>
-        <source>Shows the patient as when the series was opened.</source>
-        <translation>Muestra al paciente como cuando se abrió la serie.</translation>
+        <source>Shows the denoised or the raw image.</source>
+        <translation>Muestra la imagen sin ruido o en bruto.</translation>
     </message>
     <message>
         <source>Shows the patient from this side, filling the view.</source>
         <translation>Muestra al paciente desde este lado, llenando la vista.</translation>
     </message>
     <message>
-        <source>Shows the picture without its noise, or raw as it is computed.</source>
-        <translation>Muestra la imagen sin su ruido, o sin suavizar, tal como se calcula.</translation>
-    </message>
-    <message>
-        <source>Shows this panel, or folds it away.</source>
-        <translation>Muestra este panel o lo pliega.</translation>
+        <source>Shows the version, the licence, and what this program is not for.</source>
+        <translation>Dice la versión, la licencia y para qué no sirve este programa.</translation>
     </message>
     <message>
         <source>Si&amp;ze</source>
@@ -2854,7 +2886,7 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Lados y paciente</translation>
     </message>
     <message>
-        <source>Sides, look, part, cut, scale and how far the image is; or who the patient is as well. OpenEXR carries none.</source>
+        <source>Sides, look, body part, cut, scale and accuracy; or the patient as well. OpenEXR files carry none.</source>
         <translation>Lados, aspecto, parte, corte, escala y hasta dónde ha llegado la imagen; o también quién es el paciente. OpenEXR no lleva ninguna.</translation>
     </message>
     <message>
@@ -2866,7 +2898,7 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Tamaño de la lámpara elegida</translation>
     </message>
     <message>
-        <source>Size of the picture</source>
+        <source>Size of the image</source>
         <translation>Tamaño de la imagen</translation>
     </message>
     <message>
@@ -2890,24 +2922,16 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Piel sobre hueso</translation>
     </message>
     <message>
+        <source>Skin surface only. The patient can be recognised.</source>
+        <translation>Solo la superficie de la piel. El paciente es reconocible.</translation>
+    </message>
+    <message>
         <source>Sky</source>
         <translation>Cielo</translation>
     </message>
     <message>
-        <source>Sky picture...</source>
-        <translation>Imagen de cielo...</translation>
-    </message>
-    <message>
         <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
         <translation>Las lámparas pequeñas dan sombras duras, las grandes suaves; la luz conserva su intensidad</translation>
-    </message>
-    <message>
-        <source>So much is taken off all around the body, such as skin [mm]</source>
-        <translation>Tanto se quita alrededor de todo el cuerpo, como la piel [mm]</translation>
-    </message>
-    <message>
-        <source>Soft box</source>
-        <translation>Panel difuso</translation>
     </message>
     <message>
         <source>Soft tissue is not shown, and bone below 230 HU is faint.</source>
@@ -2922,8 +2946,28 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Estado</translation>
     </message>
     <message>
-        <source>Still being told from the rest, which is shown until then.</source>
-        <translation>Aún se separa del resto, que se muestra hasta entonces.</translation>
+        <source>Still being separated; everything is shown until then.</source>
+        <translation>Aún se separa; hasta entonces se muestra todo.</translation>
+    </message>
+    <message>
+        <source>Stop after this many seconds of rendering</source>
+        <translation>Detener tras tantos segundos de cálculo</translation>
+    </message>
+    <message>
+        <source>Stop at</source>
+        <translation>Parar en</translation>
+    </message>
+    <message>
+        <source>Stop sooner, or more accurate</source>
+        <translation>Parar antes, o más exacto</translation>
+    </message>
+    <message>
+        <source>Stop when 95 % of the tissue is within this many grey levels</source>
+        <translation>Detener cuando el 95 % del tejido esté dentro de tantos niveles de gris</translation>
+    </message>
+    <message>
+        <source>Stop when each pixel has this many samples</source>
+        <translation>Detener cuando cada píxel tenga tantas muestras</translation>
     </message>
     <message>
         <source>Stren&amp;gth</source>
@@ -2934,8 +2978,8 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Intensidad de la lámpara elegida</translation>
     </message>
     <message>
-        <source>T&amp;urns with</source>
-        <translation>Gira c&amp;on</translation>
+        <source>Systematic error</source>
+        <translation>Error sistemático</translation>
     </message>
     <message>
         <source>Tab</source>
@@ -2946,20 +2990,12 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Mesa y soporte ocultos: %1 fuera del cuerpo.</translation>
     </message>
     <message>
-        <source>Take another.</source>
-        <translation>Elija otro.</translation>
-    </message>
-    <message>
         <source>Take the model singleScattering, or the estimator unbiased.</source>
         <translation>Elija el modelo singleScattering o el estimador unbiased.</translation>
     </message>
     <message>
-        <source>Target: how accurate the picture is to become</source>
-        <translation>Objetivo: la exactitud que debe alcanzar la imagen</translation>
-    </message>
-    <message>
-        <source>Tells the version, the licence, and what this program is not for.</source>
-        <translation>Dice la versión, la licencia y para qué no sirve este programa.</translation>
+        <source>Target accuracy of the image</source>
+        <translation>Exactitud deseada de la imagen</translation>
     </message>
     <message>
         <source>The CPU renders, since the GPU cannot be used: %1.</source>
@@ -2970,16 +3006,20 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>La lámpara elegida</translation>
     </message>
     <message>
-        <source>The chosen nodes take nothing new, or go on (Space)</source>
-        <translation>Los equipos de render elegidos no aceptan nada nuevo, o continúan (espacio)</translation>
-    </message>
-    <message>
         <source>The densest contrast looks like bone, and marrow looks like blood.</source>
         <translation>El contraste más denso parece hueso; la médula, sangre.</translation>
     </message>
     <message>
         <source>The densest tissue on each line of sight; not which of two lies in front.</source>
         <translation>El tejido más denso en cada línea de visión; no cuál de dos está delante.</translation>
+    </message>
+    <message>
+        <source>The device that renders. Rendering continues there with the samples taken so far.</source>
+        <translation>Lo que calcula la imagen. Continúa allí con las muestras que tiene.</translation>
+    </message>
+    <message>
+        <source>The error is not known yet</source>
+        <translation>El error aún no se conoce</translation>
     </message>
     <message>
         <source>The folder of this machine's certificates</source>
@@ -2996,6 +3036,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>The image is in %1 instead.</source>
         <translation>La imagen está en %1 en su lugar.</translation>
+    </message>
+    <message>
+        <source>The language changes after a restart</source>
+        <translation>El idioma cambia tras reiniciar</translation>
     </message>
     <message>
         <source>The last one is cuda:%1.</source>
@@ -3018,16 +3062,8 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>El lado del paciente que se mira (%1)</translation>
     </message>
     <message>
-        <source>The picture goes on on %1.</source>
-        <translation>La imagen sigue en: %1.</translation>
-    </message>
-    <message>
         <source>The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom.</source>
         <translation>El volumen calculado. Las flechas lo giran, Mayús y flechas lo mueven, más y menos amplían y reducen.</translation>
-    </message>
-    <message>
-        <source>The scan's grid is %1 × %2 × %3 mm</source>
-        <translation>La rejilla de la exploración es de %1 × %2 × %3 mm</translation>
     </message>
     <message>
         <source>The view: each side is lit alike
@@ -3052,24 +3088,48 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Este teji&amp;do...</translation>
     </message>
     <message>
+        <source>Thickness removed</source>
+        <translation>Grosor quitado</translation>
+    </message>
+    <message>
+        <source>Thickness removed from the body surface, e.g. skin [mm]</source>
+        <translation>Grosor que se quita de la superficie del cuerpo, p. ej. la piel [mm]</translation>
+    </message>
+    <message>
         <source>Thin bone</source>
         <translation>Hueso fino</translation>
+    </message>
+    <message>
+        <source>This image cannot be rendered: %1</source>
+        <translation>Esta imagen no se puede hacer: %1</translation>
     </message>
     <message>
         <source>This image shows skin: share it like a photograph of the patient.</source>
         <translation>Esta imagen muestra piel: compártala como una fotografía del paciente.</translation>
     </message>
     <message>
-        <source>This language is spoken from the next start on</source>
-        <translation>Este idioma se usará a partir del próximo inicio</translation>
+        <source>This pixel ±%1</source>
+        <translation>Este píxel ±%1</translation>
     </message>
     <message>
-        <source>This picture cannot be made: %1</source>
-        <translation>Esta imagen no se puede hacer: %1</translation>
+        <source>This pixel ±%1; it is larger than 1 mm</source>
+        <translation>Este píxel ±%1; es mayor que 1 mm</translation>
     </message>
     <message>
-        <source>Three points</source>
-        <translation>Tres puntos</translation>
+        <source>This pixel ±%1; mean over 1 mm not known yet</source>
+        <translation>Este píxel ±%1; media en 1 mm aún desconocida</translation>
+    </message>
+    <message>
+        <source>This pixel ±%1; mean over 1 mm ±%2</source>
+        <translation>Este píxel ±%1; media en 1 mm ±%2</translation>
+    </message>
+    <message>
+        <source>This pixel: not known yet</source>
+        <translation>Este píxel: aún desconocido</translation>
+    </message>
+    <message>
+        <source>Three-point light</source>
+        <translation>Luz de tres puntos</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -3080,7 +3140,7 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Teselas: %1</translation>
     </message>
     <message>
-        <source>Tiles: each node renders a part of the picture. Samples: each renders the whole picture, a block of samples at a time, which is sooner where tiles would be too small.</source>
+        <source>Tiles: each node renders a part of the image. Samples: each renders the whole image, a block of samples at a time, which is sooner where tiles would be too small.</source>
         <translation>Teselas: cada equipo de render calcula una parte de la imagen. Muestras: cada uno calcula la imagen entera, un bloque de muestras tras otro, lo que es más rápido donde las teselas serían demasiado pequeñas.</translation>
     </message>
     <message>
@@ -3092,6 +3152,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Tejido con sus propios colores, sin luz ni sombra.</translation>
     </message>
     <message>
+        <source>Total attenuation along the line of sight, as in a radiograph. Lamps have no effect.</source>
+        <translation>Atenuación total a lo largo de la línea de visión, como en una radiografía. Las lámparas no influyen.</translation>
+    </message>
+    <message>
+        <source>Translucent tissue (multiple scattering)</source>
+        <translation>Tejido translúcido (dispersión múltiple)</translation>
+    </message>
+    <message>
         <source>Try OpenEXR (.exr).</source>
         <translation>Pruebe OpenEXR (.exr).</translation>
     </message>
@@ -3100,8 +3168,12 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Vuelva a intentarlo.</translation>
     </message>
     <message>
-        <source>Turn of the sky picture</source>
-        <translation>Giro de la imagen de cielo</translation>
+        <source>Turn off</source>
+        <translation>Desactivar</translation>
+    </message>
+    <message>
+        <source>Turn off effects that do not show</source>
+        <translation>Desactivar efectos que no se ven</translation>
     </message>
     <message>
         <source>Turn the lights</source>
@@ -3112,8 +3184,12 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Girar la vista</translation>
     </message>
     <message>
-        <source>Turns the sky picture about the patient's axis [degrees]</source>
-        <translation>Gira la imagen de cielo alrededor del eje del paciente [grados]</translation>
+        <source>Turns off %1.</source>
+        <translation>Desactiva %1.</translation>
+    </message>
+    <message>
+        <source>Turns off the effects that nobody would see, and lists them first</source>
+        <translation>Desactiva los efectos que nadie vería, y antes los enumera</translation>
     </message>
     <message>
         <source>Two lamps behind: bright outlines</source>
@@ -3160,7 +3236,7 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Deshacer: elegir un modelo óptico</translation>
     </message>
     <message>
-        <source>Undo choosing what is seen</source>
+        <source>Undo choosing the visible part</source>
         <translation>Deshacer: elegir lo visible</translation>
     </message>
     <message>
@@ -3200,6 +3276,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Deshacer: zoom</translation>
     </message>
     <message>
+        <source>Uniform ambient light instead, as bright</source>
+        <translation>En su lugar, luz uniforme de todas partes, igual de intensa</translation>
+    </message>
+    <message>
         <source>Unlit tissue</source>
         <translation>Tejido sin iluminar</translation>
     </message>
@@ -3236,11 +3316,19 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Vista desde: %1</translation>
     </message>
     <message>
+        <source>Voxel size %1 × %2 × %3 mm</source>
+        <translation>Tamaño de vóxel %1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Voxel size of the scan</source>
+        <translation>Tamaño de vóxel de la exploración</translation>
+    </message>
+    <message>
         <source>Wait for it, or cancel it.</source>
         <translation>Espere a que termine o cancélela.</translation>
     </message>
     <message>
-        <source>Wait until the picture that you want is there.</source>
+        <source>Wait until the new image is there.</source>
         <translation>Espere a que esté la imagen que desea.</translation>
     </message>
     <message>
@@ -3252,20 +3340,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Qué se puede hacer</translation>
     </message>
     <message>
-        <source>What computes the picture. It goes on there with the samples that it has.</source>
-        <translation>Lo que calcula la imagen. Continúa allí con las muestras que tiene.</translation>
-    </message>
-    <message>
         <source>What could not be done</source>
         <translation>Lo que no se pudo hacer</translation>
-    </message>
-    <message>
-        <source>What else is true of the picture</source>
-        <translation>Qué más es cierto de la imagen</translation>
-    </message>
-    <message>
-        <source>What is known of the error</source>
-        <translation>Lo que se sabe del error</translation>
     </message>
     <message>
         <source>What is sharp</source>
@@ -3274,10 +3350,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>What is shown</source>
         <translation>Qué se muestra</translation>
-    </message>
-    <message>
-        <source>What is taken for bone is left out: the densest contrast may be missing, rims of bone may be left over.</source>
-        <translation>Se omite lo que se toma por hueso: puede faltar el contraste más denso y quedar bordes de hueso.</translation>
     </message>
     <message>
         <source>What is written over the image</source>
@@ -3308,24 +3380,12 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Lo que lo ilumina</translation>
     </message>
     <message>
-        <source>What one does most</source>
-        <translation>Lo más habitual</translation>
-    </message>
-    <message>
         <source>What stands behind the volume. A plain colour lights nothing</source>
         <translation>Lo que hay detrás del volumen. Un color liso no ilumina nada</translation>
     </message>
     <message>
-        <source>What the lamps turn with</source>
+        <source>What the lamps move with</source>
         <translation>Con qué giran las lámparas</translation>
-    </message>
-    <message>
-        <source>What the scan itself resolves</source>
-        <translation>Lo que resuelve la propia exploración</translation>
-    </message>
-    <message>
-        <source>What the seconds go to</source>
-        <translation>En qué se van los segundos</translation>
     </message>
     <message>
         <source>What this look does not show</source>
@@ -3344,18 +3404,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Dónde espera un equipo que ha de calcular también: uno en el que se ejecuta «pdrender-node --listen». Sin puerto es %1.</translation>
     </message>
     <message>
-        <source>Where it is rough before denoising</source>
-        <translation>Dónde es aproximada antes de eliminar el ruido</translation>
-    </message>
-    <message>
-        <source>Where it is still r&amp;ough</source>
-        <translation>Dónde es aún apr&amp;oximada</translation>
-    </message>
-    <message>
-        <source>Where it is still rough</source>
-        <translation>Dónde es aún aproximada</translation>
-    </message>
-    <message>
         <source>Where the first selected point lies; the others move with it</source>
         <translation>Dónde está el primer punto elegido; los demás se mueven con él</translation>
     </message>
@@ -3364,12 +3412,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>De dónde viene la luz (F8)</translation>
     </message>
     <message>
-        <source>Whether what box and planes cut away still throws its shadow</source>
-        <translation>Si lo que cortan la caja y los planos sigue proyectando sombra</translation>
-    </message>
-    <message>
-        <source>Which limit comes first</source>
-        <translation>Qué límite llega primero</translation>
+        <source>Whether the tissue removed by box and planes still casts shadows</source>
+        <translation>Si el tejido quitado por la caja y los planos sigue proyectando sombra</translation>
     </message>
     <message>
         <source>White</source>
@@ -3380,7 +3424,7 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Por qué no se puede usar esta tecla</translation>
     </message>
     <message>
-        <source>Width of the picture [pixels]</source>
+        <source>Width of the image [pixels]</source>
         <translation>Ancho de la imagen [píxeles]</translation>
     </message>
     <message>
@@ -3416,6 +3460,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>una caja, un plano o una línea dibujada corta el volumen</translation>
     </message>
     <message>
+        <source>a built-in look has this name</source>
+        <translation>un aspecto del programa tiene este nombre</translation>
+    </message>
+    <message>
         <source>a certificate cannot be made: %1</source>
         <translation>no se puede hacer un certificado: %1</translation>
     </message>
@@ -3424,7 +3472,7 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>falta una tabla de códigos</translation>
     </message>
     <message>
-        <source>a colour picture (%1), not a CT slice</source>
+        <source>a colour image (%1), not a CT slice</source>
         <translation>una imagen en color (%1), no un corte de TC</translation>
     </message>
     <message>
@@ -3464,10 +3512,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>un aspecto necesita un nombre</translation>
     </message>
     <message>
-        <source>a look of the program has this name</source>
-        <translation>un aspecto del programa tiene este nombre</translation>
-    </message>
-    <message>
         <source>a message of a kind that must be understood, but is not known here</source>
         <translation>un mensaje de un tipo que hay que entender, pero que aquí no se conoce</translation>
     </message>
@@ -3486,14 +3530,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>a path may have one event only</source>
         <translation>un camino solo puede tener un evento</translation>
-    </message>
-    <message>
-        <source>a picture of %1 x %2 pixels needs %3 of memory, %4 are free</source>
-        <translation>una imagen de %1 x %2 píxeles necesita %3 de memoria; hay %4 libres</translation>
-    </message>
-    <message>
-        <source>a picture was torn on its way from the device</source>
-        <translation>una imagen se rompió en el camino desde el dispositivo</translation>
     </message>
     <message>
         <source>a piece of a scan that was not asked for</source>
@@ -3607,33 +3643,29 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <source>an earlier coding</source>
         <translation>una codificación anterior</translation>
     </message>
+    <message>
+        <source>an image of %1 x %2 pixels needs %3 of memory, %4 are free</source>
+        <translation>una imagen de %1 x %2 píxeles necesita %3 de memoria; hay %4 libres</translation>
+    </message>
+    <message>
+        <source>an image was damaged on its way from the device</source>
+        <translation>una imagen se rompió en el camino desde el dispositivo</translation>
+    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation><numerusform>y %n más</numerusform><numerusform>y %n más</numerusform></translation>
     </message>
     <message>
-        <source>another picture has taken its place</source>
+        <source>another image has taken its place</source>
         <translation>otra imagen ha ocupado su lugar</translation>
     </message>
     <message>
-        <source>another picture is being made</source>
+        <source>another image is being rendered</source>
         <translation>se está haciendo otra imagen</translation>
     </message>
     <message>
-        <source>any number</source>
-        <translation>cualquier número</translation>
-    </message>
-    <message>
-        <source>any time</source>
-        <translation>cualquier tiempo</translation>
-    </message>
-    <message>
-        <source>as wanted; Space goes on</source>
-        <translation>según lo deseado; Espacio continúa</translation>
-    </message>
-    <message>
-        <source>at least %1 % of the tissue not seen yet</source>
-        <translation>al menos el %1 % del tejido aún no visto</translation>
+        <source>at least %1 % of the tissue not sampled yet</source>
+        <translation>al menos el %1 % del tejido sin muestrear aún</translation>
     </message>
     <message>
         <source>at least %1 and below %2</source>
@@ -3700,10 +3732,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>cancelado</translation>
     </message>
     <message>
-        <source>cancelled, no picture was saved</source>
-        <translation>Cancelado, no se ha guardado ninguna imagen</translation>
-    </message>
-    <message>
         <source>cannot be read</source>
         <translation>no se puede leer</translation>
     </message>
@@ -3712,7 +3740,7 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>corte</translation>
     </message>
     <message>
-        <source>closing the series before</source>
+        <source>closing the previous series</source>
         <translation>se cierra la serie anterior</translation>
     </message>
     <message>
@@ -3732,28 +3760,12 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>contraste</translation>
     </message>
     <message>
-        <source>copied</source>
-        <translation>copiado</translation>
-    </message>
-    <message>
         <source>cut: %1</source>
         <translation>corte: %1</translation>
     </message>
     <message>
         <source>denoised: 95 % of the tissue within ±%1 levels, noise included</source>
         <translation>sin ruido: el 95 % del tejido dentro de ±%1 niveles, ruido incluido</translation>
-    </message>
-    <message>
-        <source>denoised: 95 % of the tissue within ±%1 of 255 grey levels</source>
-        <translation>sin ruido: 95 % del tejido dentro de ±%1 de 255 niveles de gris</translation>
-    </message>
-    <message>
-        <source>denoised: 95 % of the tissue within ±%1, thin structures may be further off</source>
-        <translation>sin ruido: 95 % del tejido dentro de ±%1, las estructuras finas pueden desviarse más</translation>
-    </message>
-    <message>
-        <source>denoised: error not known yet</source>
-        <translation>sin ruido: error aún no conocido</translation>
     </message>
     <message>
         <source>denoised: how much is not known yet</source>
@@ -3764,16 +3776,20 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>profundidad de campo</translation>
     </message>
     <message>
+        <source>detail below %1 % contrast may be missing</source>
+        <translation>pueden faltar detalles de menos del %1 % de contraste</translation>
+    </message>
+    <message>
         <source>directed scattering</source>
         <translation>dispersión dirigida</translation>
     </message>
     <message>
-        <source>each iteration blurred</source>
-        <translation>cada iteración, desenfocada</translation>
+        <source>duplicate slice position</source>
+        <translation>posición de corte duplicada</translation>
     </message>
     <message>
-        <source>each pixel's 95 % margin, of 255</source>
-        <translation>margen del 95 % de cada píxel, de 255</translation>
+        <source>each iteration blurred</source>
+        <translation>cada iteración, desenfocada</translation>
     </message>
     <message>
         <source>efficiency %1 %</source>
@@ -3820,16 +3836,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>pies</translation>
     </message>
     <message>
-        <source>finding the part to show</source>
-        <translation>se busca la parte que se ha de mostrar</translation>
-    </message>
-    <message>
-        <source>fine detail below %1 % contrast is not shown yet</source>
-        <translation>el detalle fino por debajo del %1 % de contraste aún no se muestra</translation>
-    </message>
-    <message>
-        <source>fine detail is not shown yet</source>
-        <translation>el detalle fino aún no se muestra</translation>
+        <source>fine detail may be missing</source>
+        <translation>pueden faltar detalles finos</translation>
     </message>
     <message>
         <source>for %1 voxels (%2)</source>
@@ -3864,7 +3872,11 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>delante</translation>
     </message>
     <message>
-        <source>goes with a gradient only, not with a picture</source>
+        <source>gantry tilt</source>
+        <translation>inclinación del gantry</translation>
+    </message>
+    <message>
+        <source>goes with a gradient only, not with an image</source>
         <translation>va solo con un degradado, no con una imagen</translation>
     </message>
     <message>
@@ -3882,30 +3894,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>head</source>
         <translation>cabeza</translation>
-    </message>
-    <message>
-        <source>held after %1, with %2 samples</source>
-        <translation>detenido tras %1, con %2 muestras</translation>
-    </message>
-    <message>
-        <source>here ±%1</source>
-        <translation>aquí ±%1</translation>
-    </message>
-    <message>
-        <source>here ±%1; a pixel is larger than 1 mm</source>
-        <translation>aquí ±%1; un píxel es mayor que 1 mm</translation>
-    </message>
-    <message>
-        <source>here ±%1; over 1 mm ±%2</source>
-        <translation>aquí ±%1; sobre 1 mm ±%2</translation>
-    </message>
-    <message>
-        <source>here ±%1; over 1 mm: not known yet</source>
-        <translation>aquí ±%1; sobre 1 mm: aún no se conoce</translation>
-    </message>
-    <message>
-        <source>here: not known yet</source>
-        <translation>aquí: aún no se conoce</translation>
     </message>
     <message>
         <source>hidden parts</source>
@@ -3964,8 +3952,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>en un %1 % del tejido como máximo</translation>
     </message>
     <message>
-        <source>in the box 95 % of the tissue within ±%1</source>
-        <translation>en el recuadro, 95 % del tejido dentro de ±%1</translation>
+        <source>in the region ±%1 (95 % of the tissue)</source>
+        <translation>en la región ±%1 (95 % del tejido)</translation>
     </message>
     <message>
         <source>is "%1", must be "%2"</source>
@@ -4028,7 +4016,7 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>respondió a un trabajo que no se le había dado</translation>
     </message>
     <message>
-        <source>it does not begin as a JPEG picture</source>
+        <source>it does not begin as a JPEG image</source>
         <translation>no empieza como una imagen JPEG</translation>
     </message>
     <message>
@@ -4052,7 +4040,7 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>termina en medio de un elemento</translation>
     </message>
     <message>
-        <source>it ends inside the compressed picture</source>
+        <source>it ends inside the compressed image</source>
         <translation>termina dentro de la imagen comprimida</translation>
     </message>
     <message>
@@ -4100,12 +4088,12 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>contiene más de %1 elementos, ítems, fragmentos y valores</translation>
     </message>
     <message>
-        <source>it holds no map</source>
-        <translation>no contiene ninguna tabla</translation>
+        <source>it holds no image</source>
+        <translation>no contiene ninguna imagen</translation>
     </message>
     <message>
-        <source>it holds no picture</source>
-        <translation>no contiene ninguna imagen</translation>
+        <source>it holds no map</source>
+        <translation>no contiene ninguna tabla</translation>
     </message>
     <message>
         <source>it is called as the slices beside it, but holds no DICOM</source>
@@ -4172,7 +4160,7 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>su certificado no es el de un %1</translation>
     </message>
     <message>
-        <source>its compressed picture is not made of fragments</source>
+        <source>its compressed image is not made of fragments</source>
         <translation>su imagen comprimida no está hecha de fragmentos</translation>
     </message>
     <message>
@@ -4194,6 +4182,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>its header takes more than %1 MB</source>
         <translation>su cabecera ocupa más de %1 MB</translation>
+    </message>
+    <message>
+        <source>its images differ from this machine's in the last bits: it runs a different build</source>
+        <translation>sus imágenes difieren de las de este equipo en los últimos bits: su programa está compilado de otro modo</translation>
     </message>
     <message>
         <source>its map has keys that are no numbers, or too many</source>
@@ -4218,10 +4210,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>its messages are laid out in another way</source>
         <translation>sus mensajes están dispuestos de otro modo</translation>
-    </message>
-    <message>
-        <source>its pictures differ from this machine's in their last bits: it is of another build</source>
-        <translation>sus imágenes difieren de las de este equipo en los últimos bits: su programa está compilado de otro modo</translation>
     </message>
     <message>
         <source>its pixel format cannot be read (%1 bits allocated, %2 stored, high bit %3)</source>
@@ -4332,14 +4320,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>hay pulmones en este estudio</translation>
     </message>
     <message>
-        <source>making the picture</source>
-        <translation>Creando la imagen</translation>
-    </message>
-    <message>
-        <source>making the picture: %1 samples in %2</source>
-        <translation>Creando la imagen: %1 muestras en %2</translation>
-    </message>
-    <message>
         <source>march of 3 voxels</source>
         <translation>pasos de 3 vóxeles</translation>
     </message>
@@ -4358,6 +4338,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>metal is in this body</source>
         <translation>hay metal en este cuerpo</translation>
+    </message>
+    <message>
+        <source>missing position data</source>
+        <translation>faltan datos de posición</translation>
+    </message>
+    <message>
+        <source>mixed slice orientations</source>
+        <translation>orientaciones de corte mezcladas</translation>
     </message>
     <message>
         <source>more than half of what is solid is thinner than 20 mm</source>
@@ -4464,10 +4452,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no se ha encontrado contraste en la sangre</translation>
     </message>
     <message>
-        <source>no geometry</source>
-        <translation>sin geometría</translation>
-    </message>
-    <message>
         <source>no image, but %1</source>
         <translation>no es una imagen, sino %1</translation>
     </message>
@@ -4484,8 +4468,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>ninguna luz alumbra</translation>
     </message>
     <message>
-        <source>no light was seen in the box</source>
-        <translation>no se vio luz en el recuadro</translation>
+        <source>no limit</source>
+        <translation>sin límite</translation>
     </message>
     <message>
         <source>no lungs are in this scan</source>
@@ -4526,6 +4510,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>no such tile is asked for</source>
         <translation>no se pide esa tesela</translation>
+    </message>
+    <message>
+        <source>no time limit</source>
+        <translation>sin límite de tiempo</translation>
+    </message>
+    <message>
+        <source>no tissue in the region</source>
+        <translation>no hay tejido en la región</translation>
     </message>
     <message>
         <source>no tissue is opaque at the HU that the volume holds</source>
@@ -4580,7 +4572,7 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>ahora, %1</translation>
     </message>
     <message>
-        <source>on a picture of %1 × %2 pixels on the CPU (%3)</source>
+        <source>on an image of %1 × %2 pixels on the CPU (%3)</source>
         <translation>en una imagen de %1 × %2 píxeles en la CPU (%3)</translation>
     </message>
     <message>
@@ -4596,11 +4588,11 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>una de sus tablas de cuantización está cortada</translation>
     </message>
     <message>
-        <source>one of its segments is longer than the picture</source>
+        <source>one of its segments is longer than the image</source>
         <translation>uno de sus segmentos es más largo que la imagen</translation>
     </message>
     <message>
-        <source>one render node has the whole picture</source>
+        <source>one render node has the whole image</source>
         <translation>un equipo de render tiene la imagen entera</translation>
     </message>
     <message>
@@ -4648,8 +4640,16 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>se leen los cortes</translation>
     </message>
     <message>
-        <source>reading the picture</source>
+        <source>reading the image</source>
         <translation>se lee la imagen</translation>
+    </message>
+    <message>
+        <source>rendering the image</source>
+        <translation>Creando la imagen</translation>
+    </message>
+    <message>
+        <source>rendering the image: %1 samples in %2</source>
+        <translation>Creando la imagen: %1 muestras en %2</translation>
     </message>
     <message>
         <source>results that never came: %1</source>
@@ -4676,10 +4676,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>muestras omitidas: no son un número</translation>
     </message>
     <message>
-        <source>saved as %1</source>
-        <translation>Guardado como %1</translation>
-    </message>
-    <message>
         <source>saved, but its bias could not be measured: %1</source>
         <translation>guardada, pero no se pudo medir su sesgo: %1</translation>
     </message>
@@ -4704,6 +4700,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>elegido, %1 UH: %2</translation>
     </message>
     <message>
+        <source>separating the body parts</source>
+        <translation>separando las partes del cuerpo</translation>
+    </message>
+    <message>
         <source>shadows</source>
         <translation>sombras</translation>
     </message>
@@ -4714,10 +4714,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>slices between the scan's own are a cubic's: a choice, and no error of the computing</source>
         <translation>los cortes entre los del estudio son de una interpolación cúbica: una elección, no un error del cálculo</translation>
-    </message>
-    <message>
-        <source>slices look in different directions</source>
-        <translation>cortes con orientaciones distintas</translation>
     </message>
     <message>
         <source>slices of different size</source>
@@ -4744,6 +4740,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el espaciado o la dirección cambia en el camino; un píxel está hasta a %1 mm de donde lo pondría el primer corte</translation>
     </message>
     <message>
+        <source>stopped after %1, with %2 samples</source>
+        <translation>parada tras %1, con %2 muestras</translation>
+    </message>
+    <message>
         <source>such a message goes the other way</source>
         <translation>un mensaje así va en la otra dirección</translation>
     </message>
@@ -4766,6 +4766,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>target</source>
         <translation>objetivo</translation>
+    </message>
+    <message>
+        <source>target reached (Space: continue)</source>
+        <translation>objetivo alcanzado (Espacio: continuar)</translation>
     </message>
     <message>
         <source>target: %1</source>
@@ -4816,19 +4820,19 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no se pueden escribir los certificados</translation>
     </message>
     <message>
-        <source>the compressed picture cannot be decoded</source>
+        <source>the compressed image cannot be decoded</source>
         <translation>la imagen comprimida no se puede descodificar</translation>
     </message>
     <message>
-        <source>the compressed picture is damaged: %1</source>
+        <source>the compressed image is damaged: %1</source>
         <translation>la imagen comprimida está dañada: %1</translation>
     </message>
     <message>
-        <source>the compressed picture is damaged: %1 of its pixels hold numbers that %2 bits cannot</source>
+        <source>the compressed image is damaged: %1 of its pixels hold numbers that %2 bits cannot</source>
         <translation>la imagen comprimida está dañada: %1 de sus píxeles contienen números que no caben en %2 bits</translation>
     </message>
     <message>
-        <source>the compressed picture is damaged: its decoder says "%1"</source>
+        <source>the compressed image is damaged: its decoder says "%1"</source>
         <translation>la imagen comprimida está dañada: su descodificador dice «%1»</translation>
     </message>
     <message>
@@ -4850,6 +4854,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the driver is too old: it knows CUDA %1, %2 is needed</source>
         <translation>el controlador es demasiado antiguo: conoce CUDA %1 y se necesita %2</translation>
+    </message>
+    <message>
+        <source>the environment image is not complete</source>
+        <translation>la imagen del entorno no está completa</translation>
     </message>
     <message>
         <source>the environment is black</source>
@@ -4948,6 +4956,46 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el factor de gradiente es mayor que 0</translation>
     </message>
     <message>
+        <source>the image cannot be read as OpenEXR (%1)</source>
+        <translation>la imagen no se puede leer como OpenEXR (%1)</translation>
+    </message>
+    <message>
+        <source>the image could not be encoded as OpenEXR (%1)</source>
+        <translation>la imagen no se pudo codificar como OpenEXR (%1)</translation>
+    </message>
+    <message>
+        <source>the image could not be encoded as PNG</source>
+        <translation>la imagen no se pudo codificar como PNG</translation>
+    </message>
+    <message>
+        <source>the image could not be rendered</source>
+        <translation>no se pudo hacer la imagen</translation>
+    </message>
+    <message>
+        <source>the image has no channel %1</source>
+        <translation>la imagen no tiene canal %1</translation>
+    </message>
+    <message>
+        <source>the image holds fewer pixels than its header says</source>
+        <translation>la imagen contiene menos píxeles de los que dice su cabecera</translation>
+    </message>
+    <message>
+        <source>the image is %1 x %2 pixels, at most %3 x %3 can be read</source>
+        <translation>la imagen tiene %1 x %2 píxeles; se pueden leer %3 x %3 como máximo</translation>
+    </message>
+    <message>
+        <source>the image is black and lights nothing</source>
+        <translation>la imagen es negra y no ilumina nada</translation>
+    </message>
+    <message>
+        <source>the image is not complete</source>
+        <translation>la imagen no está completa</translation>
+    </message>
+    <message>
+        <source>the image was closed</source>
+        <translation>se cerró la imagen</translation>
+    </message>
+    <message>
         <source>the lens is open</source>
         <translation>el objetivo está abierto</translation>
     </message>
@@ -4992,7 +5040,7 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el modelo no muestra luz del interior</translation>
     </message>
     <message>
-        <source>the name says no format that pictures are saved in</source>
+        <source>the name says no format that images are saved in</source>
         <translation>el nombre no indica un formato en el que se guarden imágenes</translation>
     </message>
     <message>
@@ -5036,52 +5084,16 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el paciente</translation>
     </message>
     <message>
-        <source>the picture cannot be read as OpenEXR (%1)</source>
-        <translation>la imagen no se puede leer como OpenEXR (%1)</translation>
+        <source>the previous series is still in memory</source>
+        <translation>la serie anterior sigue en memoria</translation>
     </message>
     <message>
-        <source>the picture could not be encoded as OpenEXR (%1)</source>
-        <translation>la imagen no se pudo codificar como OpenEXR (%1)</translation>
+        <source>the region is still black</source>
+        <translation>la región sigue negra</translation>
     </message>
     <message>
-        <source>the picture could not be encoded as PNG</source>
-        <translation>la imagen no se pudo codificar como PNG</translation>
-    </message>
-    <message>
-        <source>the picture could not be made</source>
-        <translation>no se pudo hacer la imagen</translation>
-    </message>
-    <message>
-        <source>the picture has no channel %1</source>
-        <translation>la imagen no tiene canal %1</translation>
-    </message>
-    <message>
-        <source>the picture holds fewer pixels than its header says</source>
-        <translation>la imagen contiene menos píxeles de los que dice su cabecera</translation>
-    </message>
-    <message>
-        <source>the picture is %1 x %2 pixels, at most %3 x %3 can be read</source>
-        <translation>la imagen tiene %1 x %2 píxeles; se pueden leer %3 x %3 como máximo</translation>
-    </message>
-    <message>
-        <source>the picture is black and lights nothing</source>
-        <translation>la imagen es negra y no ilumina nada</translation>
-    </message>
-    <message>
-        <source>the picture is not complete</source>
-        <translation>la imagen no está completa</translation>
-    </message>
-    <message>
-        <source>the picture of the surroundings is not complete</source>
-        <translation>la imagen del entorno no está completa</translation>
-    </message>
-    <message>
-        <source>the picture was closed</source>
-        <translation>se cerró la imagen</translation>
-    </message>
-    <message>
-        <source>the rest of the picture waits for the box</source>
-        <translation>el resto de la imagen espera al recuadro</translation>
+        <source>the rest of the image waits for the region</source>
+        <translation>el resto de la imagen espera a la región</translation>
     </message>
     <message>
         <source>the samples come first: %3 in %2, within ±%1</source>
@@ -5090,10 +5102,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the scene that was ordered cannot be rendered: %1</source>
         <translation>la escena pedida no se puede calcular: %1</translation>
-    </message>
-    <message>
-        <source>the series before is still held in memory</source>
-        <translation>la serie anterior sigue en memoria</translation>
     </message>
     <message>
         <source>the slices differ in size: %1</source>
@@ -5152,10 +5160,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el volumen necesita %1 de memoria, que no se pudo obtener</translation>
     </message>
     <message>
-        <source>the whole picture, which waits for the box: 95 % of the tissue within ±%1</source>
-        <translation>la imagen entera, que espera al recuadro: 95 % del tejido dentro de ±%1</translation>
-    </message>
-    <message>
         <source>there are %1 nodes, at most %2 are taken</source>
         <translation>hay %1 puntos; se admiten %2 como máximo</translation>
     </message>
@@ -5196,12 +5200,12 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no hay controlador para una GPU de NVIDIA</translation>
     </message>
     <message>
-        <source>there is no light</source>
-        <translation>no hay luz</translation>
+        <source>there is no image</source>
+        <translation>no hay imagen</translation>
     </message>
     <message>
-        <source>there is no picture</source>
-        <translation>no hay imagen</translation>
+        <source>there is no light</source>
+        <translation>no hay luz</translation>
     </message>
     <message>
         <source>there is no scene on the device</source>
@@ -5228,10 +5232,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no existe ese puerto</translation>
     </message>
     <message>
-        <source>there is no tissue in the box</source>
-        <translation>no hay tejido en el recuadro</translation>
-    </message>
-    <message>
         <source>there is not enough memory</source>
         <translation>no hay memoria suficiente</translation>
     </message>
@@ -5256,12 +5256,12 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>hay muy poca memoria</translation>
     </message>
     <message>
-        <source>there is too little tissue at that place</source>
-        <translation>Hay demasiado poco tejido en ese lugar</translation>
-    </message>
-    <message>
         <source>these certificates do not belong together</source>
         <translation>estos certificados no van juntos</translation>
+    </message>
+    <message>
+        <source>thin structures may be further off</source>
+        <translation>las estructuras finas pueden desviarse más</translation>
     </message>
     <message>
         <source>this body is no wider than a head</source>
@@ -5376,15 +5376,11 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>las teselas serían más cortas de lo que un equipo de render necesita para empezar: %1 de %2</translation>
     </message>
     <message>
-        <source>tilted stack</source>
-        <translation>pila inclinada</translation>
-    </message>
-    <message>
         <source>tissue is seen against the environment, else against white</source>
         <translation>el tejido se ve ante el entorno, si no ante blanco</translation>
     </message>
     <message>
-        <source>tissue is seen against white: without it there is no picture</source>
+        <source>tissue is seen against white: without it there is no image</source>
         <translation>el tejido se ve ante blanco: sin ello no hay imagen</translation>
     </message>
     <message>
@@ -5398,10 +5394,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>too few measurements: %1 sizes with %2 numbers of iterations</source>
         <translation>muy pocas mediciones: %1 tamaños con %2 números de iteraciones</translation>
-    </message>
-    <message>
-        <source>two slices at one place</source>
-        <translation>dos cortes en un mismo lugar</translation>
     </message>
     <message>
         <source>visible background</source>
@@ -5432,6 +5424,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>aún no se sabe cuál de ellos llega primero</translation>
     </message>
     <message>
+        <source>whole image, waiting for the region: ±%1 (95 % of the tissue)</source>
+        <translation>toda la imagen, a la espera de la región: ±%1 (95 % del tejido)</translation>
+    </message>
+    <message>
         <source>without certificates only this machine itself may be dialled</source>
         <translation>sin certificados solo se puede llamar a este mismo equipo</translation>
     </message>
@@ -5440,7 +5436,7 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>se escriben los cortes</translation>
     </message>
     <message>
-        <source>writing the picture</source>
+        <source>writing the image</source>
         <translation>Escribiendo la imagen</translation>
     </message>
     <message>

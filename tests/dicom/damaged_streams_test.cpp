@@ -91,7 +91,7 @@ class DamagedStreamsTest : public QObject {
         test::writeBytes(file_, bytes);
         const auto slice = dicom::decodeSlice({file_, 0}, dicom::Padding::keep);
         QVERIFY(!slice);
-        QVERIFY2(slice.error().what.find("the compressed picture is damaged: ") == 0, slice.error().what.c_str());
+        QVERIFY2(slice.error().what.find("the compressed image is damaged: ") == 0, slice.error().what.c_str());
         QCOMPARE(slice.error().where, file_.string());
     }
 

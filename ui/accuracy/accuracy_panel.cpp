@@ -33,16 +33,16 @@ AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), plot_(new Error
     grid->setHorizontalSpacing(10);
     grid->setVerticalSpacing(3);
     grid->setColumnStretch(1, 1);
-    auto* holdAt = new QLabel(tr("Hold at"));
+    auto* holdAt = new QLabel(tr("Stop at"));
     holdAt->setForegroundRole(QPalette::PlaceholderText);
     grid->addWidget(holdAt, 0, 0, Qt::AlignRight | Qt::AlignVCenter);
     grid->addWidget(stop_, 0, 1);
     comesFirst_ = addFact(*grid, {});
-    comesFirst_->setAccessibleName(tr("Which limit comes first"));
+    comesFirst_->setAccessibleName(tr("Limit reached first"));
     noise_ = addFact(*grid, tr("Noise"));
-    bias_ = addFact(*grid, tr("Besides noise"));
-    health_ = addFact(*grid, tr("Health"));
-    making_ = addFact(*grid, tr("Made by"));
+    bias_ = addFact(*grid, tr("Systematic error"));
+    health_ = addFact(*grid, tr("Invalid samples"));
+    making_ = addFact(*grid, tr("Rendered on"));
     grid->setRowStretch(grid->rowCount(), 1);
 
     // Let them scroll where room is short
@@ -52,7 +52,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), plot_(new Error
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::TabFocus);
-    scroll->setAccessibleName(tr("What is known of the error"));
+    scroll->setAccessibleName(tr("Error of the image"));
     scroll->setMinimumWidth(200);
 
     // Put them beside the plot

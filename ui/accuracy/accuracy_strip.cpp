@@ -32,7 +32,7 @@ AccuracyStrip::AccuracyStrip(QWidget* parent) : QAbstractSlider(parent) {
     setValue(maximum());
     setFocusPolicy(Qt::TabFocus);  // a click must not take the keyboard focus from the image
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setAccessibleName(tr("Target: how accurate the picture is to become"));
+    setAccessibleName(tr("Target accuracy of the image"));
     connect(this, &QAbstractSlider::valueChanged, this, [this] { take(kQualitySteps[std::size_t(value())]); });
     describe();
 }
@@ -214,8 +214,7 @@ bool AccuracyStrip::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip)
         return QAbstractSlider::event(event);
     QStringList lines{
-        tr("Rendering holds at %1: drag the knob, to the left for sooner, to the right for more accurate.")
-            .arg(stepText(target_))};
+        tr("Rendering stops at %1. Drag left to stop sooner, right for a more accurate image.").arg(stepText(target_))};
     for (const QualityStep& step : marks())
         lines << stepForecastText(step, accuracy_.seconds);
     QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), lines.join('\n'), this);

@@ -68,11 +68,11 @@ EffectLedger::EffectLedger(QWidget* parent)
       table_(new QGridLayout),
       off_(cell({}, true)),
       how_(cell({}, true)),
-      onlyNeeded_(new QPushButton(tr("Only what this scene calls for"))),
+      onlyNeeded_(new QPushButton(tr("Turn off effects that do not show"))),
       statement_(new QWidget),
       question_(new QWidget),
       questionText_(new QLabel),
-      leaveOut_(new QPushButton(tr("Leave out"))),
+      leaveOut_(new QPushButton(tr("Turn off"))),
       keep_(new QPushButton(tr("Keep all"))) {
     layOut();
     connect(onlyNeeded_, &QPushButton::clicked, this, &EffectLedger::ask);
@@ -96,7 +96,7 @@ void EffectLedger::layOut() {
     for (QLabel* label : {off_, how_})
         mayBeCut(label);
     questionText_->setWordWrap(true);
-    onlyNeeded_->setToolTip(tr("Leaves out what nobody would see, and says first what that is"));
+    onlyNeeded_->setToolTip(tr("Turns off the effects that nobody would see, and lists them first"));
     // A click leaves the keyboard focus with the image; Tab still reaches everything.
     for (QPushButton* button : {onlyNeeded_, leaveOut_, keep_})
         button->setFocusPolicy(Qt::TabFocus);
@@ -169,17 +169,17 @@ void EffectLedger::fill() {
     QStringList names;
     for (const QString& effect : rows_.off)
         names << nameOf(effect);
-    off_->setText(names.isEmpty() ? QString() : tr("Off, and nothing is lost: %1").arg(names.join(", ")));
+    off_->setText(names.isEmpty() ? QString() : tr("Off, without any loss: %1").arg(names.join(", ")));
     off_->setToolTip(rows_.off.join('\n'));
     // State how the costs were measured
     const bool allNeeded = rows_.complete && rows_.leftOut.isEmpty();
-    how_->setText(allNeeded ? tr("%1 · all that is on is called for").arg(rows_.how) : rows_.how);
+    how_->setText(allNeeded ? tr("%1 · all active effects are needed").arg(rows_.how) : rows_.how);
     how_->setToolTip(how_->text());
     onlyNeeded_->setEnabled(!rows_.leftOut.isEmpty());
 }
 
 void EffectLedger::ask() {
-    questionText_->setText(tr("Leaves out %1.").arg(rows_.leftOut.join("; ")));
+    questionText_->setText(tr("Turns off %1.").arg(rows_.leftOut.join("; ")));
     showQuestion(true);
 }
 

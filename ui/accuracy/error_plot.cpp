@@ -89,7 +89,7 @@ void ErrorPlot::paintEvent(QPaintEvent*) {
     painter.restore();
     if (accuracy_.points.empty()) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
-        painter.drawText(axes.area(), Qt::AlignCenter, tr("Nothing is known of the error yet"));
+        painter.drawText(axes.area(), Qt::AlignCenter, tr("The error is not known yet"));
     }
 }
 

@@ -23,8 +23,8 @@ Foot::Foot(QWidget* parent)
     : QWidget(parent),
       status_(new StatusLine),
       strip_(new AccuracyStrip),
-      remarks_(smallLabel(tr("What else is true of the picture"))),
-      limit_(smallLabel(tr("What the scan itself resolves"))) {
+      remarks_(smallLabel(tr("More about the image"))),
+      limit_(smallLabel(tr("Voxel size of the scan"))) {
     // Long remarks must not widen the window; the limit is short, and gets its room first.
     limit_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     auto* last = new QHBoxLayout;

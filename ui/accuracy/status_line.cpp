@@ -7,7 +7,7 @@
 namespace pdr::ui {
 
 StatusLine::StatusLine(QWidget* parent) : QWidget(parent), cancel_(tr("Cancel")) {
-    text_.setAccessibleName(tr("How good the picture is"));
+    text_.setAccessibleName(tr("Accuracy of the image"));
     text_.setCursor(Qt::PointingHandCursor);
     setDetails({});
     // A long remark leaves the text some room.
@@ -17,7 +17,7 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent), cancel_(tr("Cancel"))
     bar_.setRange(0, 1000);
     bar_.setTextVisible(false);
     bar_.setFixedSize(180, 10);
-    cancel_.setAccessibleName(tr("Cancel what runs"));
+    cancel_.setAccessibleName(tr("Cancel"));
     connect(&cancel_, &QPushButton::clicked, this, &StatusLine::cancelRequested);
 
     // Hide a remark after a while
@@ -50,9 +50,9 @@ void StatusLine::setDetails(const QString& details) {
 /// Updates the tool tip. It repeats the text, which may be cut off with dots.
 void StatusLine::showTip() {
     const QString meaning =
-        tr("How far the grey levels on the screen are from those of the finished picture, at most, for 95 % of the "
-           "pixels that show tissue. Four times the samples at least halve it. A smoothed picture has an error of its "
-           "own, and may lack fine detail: S shows the raw one. A click tells more.");
+        tr("How far the grey levels on the screen are from those of the finished image, for 95 % of the pixels that "
+           "show tissue. Four times the samples at least halve it. A denoised image has an error of its own and may "
+           "lack fine detail: S shows the raw image. Click for details.");
     QString tip;
     for (const QString& part : {text_.text(), meaning, details_})
         if (!part.isEmpty())

@@ -46,9 +46,9 @@ void CameraPanel::describeControls() {
     };
     // Describe the fields
     describe(fieldOfView_, 1, 120, tr("°"), tr("Field of view"),
-             tr("From the top to the bottom of the picture. What is in focus keeps its size; the wider, the nearer the "
+             tr("From the top to the bottom of the image. What is in focus keeps its size; the wider, the nearer the "
                 "eye comes"));
-    describe(height_, 1, 1e5, tr(" mm"), tr("Height of what is seen"), tr("From the top to the bottom of the picture"));
+    describe(height_, 1, 1e5, tr(" mm"), tr("Height of what is seen"), tr("From the top to the bottom of the image"));
     describe(aperture_, 0, 200, tr(" mm"), tr("Aperture"),
              tr("Diameter of the lens. At 0 all is sharp; the larger, the less is sharp before and behind the focus"));
     // Describe focus and background

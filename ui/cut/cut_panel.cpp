@@ -9,15 +9,16 @@
 namespace pdr::ui {
 
 CutPanel::CutPanel(QWidget* parent) : QWidget(parent), planeColumn_(new QVBoxLayout) {
-    freehand_.setText(tr("&Draw a line"));
-    freehand_.setToolTip(tr("Draw a closed line on the picture, then cut away what lies behind it, or all else (X)"));
+    freehand_.setText(tr("&Freehand cut"));
+    freehand_.setToolTip(
+        tr("Draw a closed outline on the image, then remove the tissue inside it, or everything else (X)"));
     removeLine_.setText(QChar(0x2212));
-    removeLine_.setAccessibleName(tr("Remove the last line"));
-    removeLine_.setToolTip(tr("Remove the line that was drawn last"));
+    removeLine_.setAccessibleName(tr("Remove the last one"));
+    removeLine_.setToolTip(tr("Remove the last freehand cut"));
     removeLine_.setFocusPolicy(Qt::TabFocus);
-    shadows_.setText(tr("&Shadows of what was cut"));
-    shadows_.setToolTip(tr("Whether what box and planes cut away still throws its shadow"));
-    undoAll_.setText(tr("&Undo all cuts"));
+    shadows_.setText(tr("Removed tissue casts &shadows"));
+    shadows_.setToolTip(tr("Whether the tissue removed by box and planes still casts shadows"));
+    undoAll_.setText(tr("Remove all c&uts"));
     for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{&freehand_, &shadows_, &undoAll_})
         button->setFocusPolicy(Qt::TabFocus);
 
@@ -61,8 +62,8 @@ QLayout* CutPanel::boxRows() {
         side.setDecimals(1);
         side.setSuffix(tr(" mm"));
         side.setKeyboardTracking(false);
-        side.setAccessibleName(tr("Cut off at the side: %1").arg(faceName(face)));
-        side.setToolTip(tr("How much is cut off there; also by the handle in the picture (C)"));
+        side.setAccessibleName(tr("Distance cut off, side: %1").arg(faceName(face)));
+        side.setToolTip(tr("How much is cut off there; also by the handle in the image (C)"));
         grid->addWidget(new QLabel(faceName(face)), face / 2, face % 2 * 2);
         grid->addWidget(&side, face / 2, face % 2 * 2 + 1);
         connect(&side, &QDoubleSpinBox::valueChanged, this, [this, face](double mm) { typeSide(face, mm); });
@@ -103,7 +104,7 @@ void CutPanel::setCuts(const Clip& clip, const std::optional<Uncut>& uncut) {
     showPlanes();
     for (QPushButton* button : addPlane_)
         button->setEnabled(clip.planes.size() < kMostPlanes);
-    lines_.setText(tr("Lines drawn: %1").arg(clip.freehand.size()));
+    lines_.setText(tr("Freehand cuts: %1").arg(clip.freehand.size()));
     for (QWidget* part : std::initializer_list<QWidget*>{&lines_, &removeLine_})
         part->setVisible(!clip.freehand.empty());
     shadows_.setChecked(clip.shadows);

@@ -7,10 +7,10 @@ CutTools::CutTools(QWidget* picture)
       layer_(new CutLayer(picture)),
       pen_(new FreehandPen(picture)),
       panel_(new CutPanel),
-      handles_(new QAction(tr("&Handles of box and planes"), this)),
+      handles_(new QAction(tr("Cut with &handles"), this)),
       plane_(new QAction(tr("Add a &plane that faces you"), this)),
-      freehand_(new QAction(tr("&Draw a line"), this)),
-      uncut_(new QAction(tr("&Undo all cuts"), this)) {
+      freehand_(new QAction(tr("&Freehand cut"), this)),
+      uncut_(new QAction(tr("Remove all c&uts"), this)) {
     nameActions();
     for (QAction* action : {handles_, freehand_})
         action->setCheckable(true);
@@ -33,11 +33,10 @@ void CutTools::nameActions() {
         action->setToolTip(toolTip);
     };
     name(handles_, "cutHandles", Qt::Key_C, tr("Drag a side of the box to cut off what lies outside, in millimetres."));
-    name(plane_, "cutPlane", Qt::Key_P,
-         tr("Cuts away what lies in front of a plane through the middle of the picture."));
+    name(plane_, "cutPlane", Qt::Key_P, tr("Cuts away what lies in front of a plane through the middle of the image."));
     name(freehand_, "cutFreehand", Qt::Key_X,
-         tr("Draw a closed line on the picture, then cut away what lies behind it, or all else."));
-    name(uncut_, "uncut", {}, tr("Shows all that was cut away; one step to undo."));
+         tr("Draw a closed outline on the image, then remove the tissue inside it, or everything else."));
+    name(uncut_, "uncut", {}, tr("Removes all cuts; this can be undone."));
 }
 
 void CutTools::fillMenu(QMenu& menu) {

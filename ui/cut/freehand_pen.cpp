@@ -20,8 +20,8 @@ constexpr double kTolerancePx = 0.7;  ///< error allowed by leaving out a corner
 
 FreehandPen::FreehandPen(QWidget* picture)
     : PictureLayer(picture), answers_(this), remove_(tr("Remove inside")), keep_(tr("Keep inside")) {
-    remove_.setToolTip(tr("Cut away what lies behind the inside of the line (Del)"));
-    keep_.setToolTip(tr("Cut away all but what lies behind the inside of the line (K)"));
+    remove_.setToolTip(tr("Remove the tissue inside the outline (Del)"));
+    keep_.setToolTip(tr("Keep only the tissue inside the outline (K)"));
     remove_.setShortcut(Qt::Key_Delete);
     keep_.setShortcut(Qt::Key_K);
     auto* row = new QHBoxLayout(&answers_);

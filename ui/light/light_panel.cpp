@@ -48,10 +48,9 @@ void LightPanel::describeControls() {
              tr("How much light the chosen lamp brings; at the left end it is off"));
     describe(size_, kSmallest, kLargest, tr("Size of the chosen lamp"),
              tr("Small lamps throw hard shadows, large ones soft ones; the light stays as strong"));
-    describe(ambient_, kFaintest, kGlaring, tr("Light from all around"),
-             tr("Lightens what lies in shadow; at the left end there is none"));
+    describe(ambient_, kFaintest, kGlaring, tr("Ambient light"), tr("Brightens shadows; none at the left end"));
     follows_.addItems({tr("the view"), tr("the patient")});
-    follows_.setAccessibleName(tr("What the lamps turn with"));
+    follows_.setAccessibleName(tr("What the lamps move with"));
     follows_.setToolTip(
         tr("The view: each side is lit alike\nThe patient: the lamps stay where they are when the patient is turned"));
     follows_.setFocusPolicy(Qt::TabFocus);
@@ -89,8 +88,8 @@ void LightPanel::layOut() {
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addRow(tr("Stren&gth"), &strength_);
     rows->addRow(tr("Si&ze"), &size_);
-    rows->addRow(tr("All aroun&d"), &ambient_);
-    rows->addRow(tr("T&urns with"), &follows_);
+    rows->addRow(tr("Am&bient"), &ambient_);
+    rows->addRow(tr("M&oves with"), &follows_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 4, 10, 8);
     column->setSpacing(6);

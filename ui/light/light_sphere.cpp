@@ -26,7 +26,7 @@ LightSphere::LightSphere(QWidget* parent) : QWidget(parent) {
         tr("Arrow keys move the chosen lamp, Page up and Page down choose another, Shift and arrow keys turn all."));
     setToolTip(
         tr("Drag a lamp to where the light is to come from: over the ball it stands on your side, in the ring about it "
-           "behind the patient. Beside the lamps, a drag turns them all. On the picture, Shift and the right button do "
+           "behind the patient. Beside the lamps, a drag turns them all. On the image, Shift and the right button do "
            "the same."));
 }
 

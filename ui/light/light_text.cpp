@@ -37,13 +37,13 @@ QString rigName(NamedRig name) {
         case NamedRig::headlight:
             return Texts::tr("Headlight");
         case NamedRig::threePoint:
-            return Texts::tr("Three points");
+            return Texts::tr("Three-point light");
         case NamedRig::operatingLamp:
             return Texts::tr("Operating lamp");
         case NamedRig::rim:
-            return Texts::tr("Rim");
+            return Texts::tr("Back light");
         case NamedRig::softBox:
-            return Texts::tr("Soft box");
+            return Texts::tr("Large soft light");
         case NamedRig::sky:
             return Texts::tr("Sky");
     }

@@ -62,7 +62,7 @@ QString modelTitle(Model model) {
         case Model::singleScattering:
             return ModelChoice::tr("Lit surfaces");
         case Model::multipleScattering:
-            return ModelChoice::tr("Light that seeps through tissue");
+            return ModelChoice::tr("Translucent tissue (multiple scattering)");
         case Model::absorption:
             return ModelChoice::tr("X-ray");
         case Model::maximumIntensity:
@@ -82,11 +82,12 @@ QString modelText(Model model) {
         case Model::multipleScattering:
             return ModelChoice::tr("Light is scattered on and on: soft, with light in the shadows.");
         case Model::absorption:
-            return ModelChoice::tr("How much tissue lies one behind the other. Lights do not count.");
+            return ModelChoice::tr(
+                "Total attenuation along the line of sight, as in a radiograph. Lamps have no effect.");
         case Model::maximumIntensity:
             return ModelChoice::tr("The densest tissue on each line of sight; not which of two lies in front.");
         case Model::emission:
-            return ModelChoice::tr("All tissue glows through all other. Lights do not count.");
+            return ModelChoice::tr("All tissue glows through all other. Lamps have no effect.");
         case Model::emissionAbsorption:
             return ModelChoice::tr("Tissue in its own colours, without light or shadow.");
     }
@@ -95,12 +96,11 @@ QString modelText(Model model) {
 
 QString costText(const ModelCost& cost) {
     const int digits = cost.timeFactor < 10 ? 1 : 0;
-    return ModelChoice::tr(
-               "A sample takes about %1 times as long as with “%2”; 95 % of the picture changes by at most "
-               "%3 of 255 levels.")
-        .arg(cost.timeFactor, 0, 'f', digits)
-        .arg(modelTitle(cost.before))
-        .arg(cost.levels, 0, 'f', 0);
+    return ModelChoice::
+        tr("A sample takes about %1 times as long as with “%2”; 95 % of the image changes by at most %3 of 255 levels.")
+            .arg(cost.timeFactor, 0, 'f', digits)
+            .arg(modelTitle(cost.before))
+            .arg(cost.levels, 0, 'f', 0);
 }
 
 }  // namespace pdr::ui

@@ -11,15 +11,15 @@
 namespace pdr::ui {
 
 SkyRow::SkyRow(QWidget* parent) : QWidget(parent) {
-    choose_.setText(tr("Sky picture..."));
-    choose_.setToolTip(tr("Light by a picture of a sky or a room, all around: an OpenEXR file, twice as wide as high"));
+    choose_.setText(tr("Environment image..."));
+    choose_.setToolTip(tr("Light from a panorama of a sky or a room: an OpenEXR file, twice as wide as high"));
     choose_.setCheckable(true);
-    remove_.setText(tr("Remove picture"));
-    remove_.setToolTip(tr("Even light from all around instead, as bright"));
+    remove_.setText(tr("Remove image"));
+    remove_.setToolTip(tr("Uniform ambient light instead, as bright"));
     turn_.setRange(-180, 180);
     turn_.setPageStep(15);
-    turn_.setAccessibleName(tr("Turn of the sky picture"));
-    turn_.setToolTip(tr("Turns the sky picture about the patient's axis [degrees]"));
+    turn_.setAccessibleName(tr("Rotation of the environment image"));
+    turn_.setToolTip(tr("Rotates the environment image about the patient's axis [degrees]"));
     for (QWidget* control : std::initializer_list<QWidget*>{&choose_, &remove_, &turn_})
         control->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard focus with the image
 

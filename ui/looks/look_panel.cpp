@@ -30,7 +30,7 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     connect(&brightness_, &QSlider::sliderReleased, this, choose);
 
     pause_.setAccessibleName(tr("Pause"));
-    pause_.setToolTip(tr("Hold the rendering, or let it go on (Space)"));
+    pause_.setToolTip(tr("Pause or continue rendering (Space)"));
     pause_.setCheckable(true);
     connect(&pause_, &QPushButton::clicked, this, &LookPanel::pauseChosen);
     setPaused(false);
@@ -107,7 +107,7 @@ void LookPanel::setBrightness(double stops) {
 
 void LookPanel::setPaused(bool paused) {
     pause_.setChecked(paused);
-    pause_.setText(paused ? tr("Go on") : tr("Pause"));
+    pause_.setText(paused ? tr("Continue") : tr("Pause"));
 }
 
 }  // namespace pdr::ui

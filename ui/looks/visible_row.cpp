@@ -14,8 +14,8 @@ VisibleRow::VisibleRow(QWidget* parent) : QWidget(parent) {
     part_.setToolTip(tr("The part of the patient that is shown; the scan itself is not changed"));
     connect(&part_, &QComboBox::activated, this, &VisibleRow::choose);
 
-    peel_.setAccessibleName(tr("Peeled off"));
-    peel_.setToolTip(tr("So much is taken off all around the body, such as skin [mm]"));
+    peel_.setAccessibleName(tr("Thickness removed"));
+    peel_.setToolTip(tr("Thickness removed from the body surface, e.g. skin [mm]"));
     peel_.setRange(0, 50);
     peel_.setDecimals(1);
     peel_.setSingleStep(1);
@@ -33,7 +33,7 @@ VisibleRow::VisibleRow(QWidget* parent) : QWidget(parent) {
     auto* form = new QFormLayout(this);
     form->setContentsMargins(10, 0, 10, 8);
     form->addRow(tr("Sho&w"), &part_);
-    form->addRow(tr("&Peel"), &peel_);
+    form->addRow(tr("&Remove surface"), &peel_);
     form->addRow(&notShown_);
 }
 

@@ -81,7 +81,7 @@ QString nodeSentence(const NodeRow& node) {
     if (node.iterationsPerSecond > 0)
         parts << translated("%1 iterations/s").arg(number(node.iterationsPerSecond, 2));
     if (node.share > 0)
-        parts << translated("%1 % of the picture's samples").arg(number(100 * node.share, 0));
+        parts << translated("%1 % of the image's samples").arg(number(100 * node.share, 0));
     if (const QString faults = faultsText(node.faults); !faults.isEmpty())
         parts << faults;
     return parts.join(", ");
@@ -93,10 +93,10 @@ QString bitsText(const QList<NodeRow>& nodes) {
     if (known == 0)
         return {};
     if (others == 0)
-        return translated("All nodes make the same bits as this machine");
+        return translated("All nodes compute the same bits as this machine");
     if (others == 1)
-        return translated("1 node makes other bits than this machine, and takes no part");
-    return translated("%1 nodes make other bits than this machine, and take no part").arg(others);
+        return translated("1 node runs a different build and was excluded");
+    return translated("%1 nodes run a different build and were excluded").arg(others);
 }
 
 }  // namespace pdr::ui

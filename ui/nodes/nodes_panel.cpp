@@ -56,15 +56,15 @@ void NodesPanel::setUpTable() {
 }
 
 void NodesPanel::describe() {
-    pause_.setToolTip(tr("The chosen nodes take nothing new, or go on (Space)"));
+    pause_.setToolTip(tr("Pause or resume the selected nodes (Space)"));
     remove_.setText(tr("Remove"));
-    remove_.setToolTip(tr("Parts with the chosen nodes; they forget the scan (Delete)"));
+    remove_.setToolTip(tr("Disconnect the selected nodes and erase the scan on them (Delete)"));
     for (QPushButton* button : {&pause_, &remove_})
         button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard focus with the image
     problem_.setAccessibleName(tr("What could not be done"));
     problem_.setWordWrap(true);
     problem_.setTextFormat(Qt::PlainText);
-    security_.setAccessibleName(tr("How nodes are spoken to"));
+    security_.setAccessibleName(tr("Connection security"));
     notes_.setAccessibleName(tr("How the work is split"));
     for (QLabel* label : {static_cast<QLabel*>(&security_), static_cast<QLabel*>(&notes_)})
         label->setForegroundRole(QPalette::PlaceholderText);
@@ -174,7 +174,7 @@ void NodesPanel::enableWhatCounts() {
     const bool any = table_.selectionModel()->hasSelection();
     pause_.setEnabled(any);
     remove_.setEnabled(any);
-    pause_.setText(any && allPaused() ? tr("Go on") : tr("Pause"));
+    pause_.setText(any && allPaused() ? tr("Continue") : tr("Pause"));
 }
 
 void NodesPanel::pauseOrGoOn() {
@@ -192,8 +192,7 @@ void NodesPanel::showNotes() {
     QStringList notes{split_, bitsText(model_.nodes())};
     notes.removeAll({});
     if (model_.nodes().isEmpty())
-        notes =
-            QStringList{tr("No render nodes: other machines can render along, and the picture becomes right sooner")};
+        notes = QStringList{tr("No render nodes: other machines can render along, and the image becomes right sooner")};
     notes_.setLine(notes.join(QString::fromUtf8(" · ")));
 }
 

@@ -37,9 +37,8 @@ QComboBox* annotateField(const PictureOffer& offer) {
         field->addItem(PictureSizeBox::tr("Sides and patient"), int(Annotate::patient));
     field->setCurrentIndex(field->findData(int(offer.annotate)));
     field->setAccessibleName(PictureSizeBox::tr("What is written over the image"));
-    field->setToolTip(
-        PictureSizeBox::tr("Sides, look, part, cut, scale and how far the image is; or who the patient is as well. "
-                           "OpenEXR carries none."));
+    field->setToolTip(PictureSizeBox::tr(
+        "Sides, look, body part, cut, scale and accuracy; or the patient as well. OpenEXR files carry none."));
     return field;
 }
 
@@ -49,17 +48,17 @@ PictureSizeBox::PictureSizeBox(const PictureOffer& offer, QWidget* parent)
     : QWidget(parent),
       cost_(offer.cost),
       sizes_(new QComboBox),
-      width_(sideField(tr("Width of the picture [pixels]"), offer.view.width())),
-      height_(sideField(tr("Height of the picture [pixels]"), offer.view.height())),
+      width_(sideField(tr("Width of the image [pixels]"), offer.view.width())),
+      height_(sideField(tr("Height of the image [pixels]"), offer.view.height())),
       stop_(new StopRow),
       takes_(new QLabel),
       annotate_(annotateField(offer)) {
     // Fill the fields
-    sizes_->setAccessibleName(tr("Size of the picture"));
-    sizes_->addItem(tr("As it is on the screen, %1").arg(sizeText(offer.view)), offer.view);
+    sizes_->setAccessibleName(tr("Size of the image"));
+    sizes_->addItem(tr("As on the screen, %1").arg(sizeText(offer.view)), offer.view);
     for (const QSize size : {offer.view, QSize(2000, 2000), QSize(3840, 2160)})
-        sizes_->addItem(tr("Made anew, %1").arg(sizeText(size)), size);
-    sizes_->addItem(tr("Made anew, another size"));
+        sizes_->addItem(tr("Rendered at %1").arg(sizeText(size)), size);
+    sizes_->addItem(tr("Rendered at another size"));
     stop_->setRule({.levels = kPlanningLevels});
     takes_->setAccessibleName(tr("How long it takes"));
 

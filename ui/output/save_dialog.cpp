@@ -30,9 +30,9 @@ void addBelow(QFileDialog& dialog, QWidget* widget) {
 }  // namespace
 
 std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, const PictureOffer& offer) {
-    const QString png = translated("PNG picture (*.png)");
+    const QString png = translated("PNG image (*.png)");
     const QString exr = translated("OpenEXR with the error of every pixel (*.exr)");
-    ForgetfulDialog dialog(parent, translated("Save the picture"));
+    ForgetfulDialog dialog(parent, translated("Save the image"));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setNameFilters({png, exr});
     dialog.setDirectory(offer.folder.isEmpty() ? documents() : offer.folder);

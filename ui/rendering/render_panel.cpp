@@ -30,7 +30,7 @@ RenderPanel::RenderPanel(QWidget* parent) : QWidget(parent) {
     rows->addRow(&device_);  // the whole row: names of GPUs are long
     rows->addRow(&automatic_);
     rows->addRow(tr("Frame &rate"), &framesPerSecond_);
-    rows->addRow(tr("&Iterations per picture"), &iterations_);
+    rows->addRow(tr("&Iterations per frame"), &iterations_);
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 8, 10, 10);
@@ -45,25 +45,25 @@ RenderPanel::RenderPanel(QWidget* parent) : QWidget(parent) {
 
 void RenderPanel::describeControls() {
     device_.setAccessibleName(tr("Device"));
-    device_.setToolTip(tr("What computes the picture. It goes on there with the samples that it has."));
+    device_.setToolTip(tr("The device that renders. Rendering continues there with the samples taken so far."));
     // Describe the pace of refreshing the image
     automatic_.setText(tr("Automatic"));
     automatic_.setAccessibleName(tr("Automatic"));
     automatic_.setToolTip(
-        tr("As many iterations between two pictures as it takes for showing them to cost next to nothing, but no more "
-           "than the number of pictures per second allows. The result is the same."));
+        tr("As many iterations per frame as keep the cost of display negligible, within the frame rate. The result is "
+           "the same."));
     automatic_.setChecked(true);
     framesPerSecond_.setAccessibleName(tr("Frame rate"));
-    framesPerSecond_.setToolTip(tr("How many pictures a second are shown at least, where the device can."));
+    framesPerSecond_.setToolTip(tr("Minimum frames per second, where the device can reach it."));
     framesPerSecond_.setRange(0.1, 60);
     framesPerSecond_.setDecimals(1);
     framesPerSecond_.setValue(10);
     framesPerSecond_.setSuffix(tr(" per second"));
     framesPerSecond_.setKeyboardTracking(false);
-    iterations_.setAccessibleName(tr("Iterations per picture"));
+    iterations_.setAccessibleName(tr("Iterations per frame"));
     iterations_.setToolTip(
-        tr("How many iterations are computed before the picture is shown anew. More is a little faster, "
-           "fewer is livelier; the result is the same."));
+        tr("Iterations computed before the image is updated. More is slightly faster, fewer responds sooner; the "
+           "result is the same."));
     iterations_.setRange(1, 1000);
     iterations_.setKeyboardTracking(false);
     // Describe the button that shows the comparison
@@ -80,20 +80,20 @@ QWidget* RenderPanel::comparison() {
     schedule_.setAccessibleName(tr("Schedule"));
     schedule_.addItems({tr("Ours"), tr("Exposure Render, K0"), tr("Exposure Render, K1")});
     schedule_.setToolTip(
-        tr("How iterations become pictures. Ours adds them up and shows them now and then. Exposure Render goes "
-           "through all stages for each of them; K0 also uploads everything anew each time, K1 does not. For "
+        tr("How iterations become images. Ours accumulates them and updates the display from time to time. Exposure "
+           "Render runs all stages for each iteration; K0 also uploads everything each time, K1 does not. For "
            "comparison only."));
     filter_.setText(tr("Blur each iteration"));
     filter_.setAccessibleName(tr("Blur each iteration"));
     filter_.setToolTip(
-        tr("Exposure Render blurs every iteration over 3 x 3 pixels before it counts. That hides noise "
-           "and never averages out: the picture stays wrong. For comparison only."));
+        tr("Exposure Render blurs every iteration over 3 x 3 pixels before it counts. That hides noise and never "
+           "averages out: the image stays wrong. For comparison only."));
     filter_.setChecked(true);
     estimator_.setAccessibleName(tr("Estimator"));
     estimator_.addItems({tr("Unbiased"), tr("March of 3 voxels (biased)")});
     estimator_.setToolTip(
-        tr("How light is followed. Unbiased: the picture becomes the true one. The march steps over 3 voxels at a "
-           "time as Exposure Render does and scatters once: the picture stays wrong. For comparison only."));
+        tr("How light paths are sampled. Unbiased: the image converges to the exact one. The march steps over 3 voxels "
+           "at a time as Exposure Render does and scatters once: the image stays wrong. For comparison only."));
 
     auto* part = new QWidget;
     auto* rows = new QFormLayout(part);

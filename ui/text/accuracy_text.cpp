@@ -46,9 +46,9 @@ QString withLastTime(const QString& sentence, const Accuracy& accuracy) {
 QString unknownText(const Accuracy& accuracy) {
     const FilmStatus& status = accuracy.status;
     if (status.samplesPerPixel < kSamplesToEstimate)
-        return withLastTime(translated("Estimating how good the picture is"), accuracy);
+        return withLastTime(translated("Estimating how good the image is"), accuracy);
     if (status.unseenShare > 0)
-        return translated("Estimating · no light has been seen yet");
+        return translated("Estimating · image still black");
     return std::isfinite(status.relativeError) ? translated("No tissue is in view")
                                                : translated("Estimating · the error is not known yet");
 }
@@ -69,13 +69,13 @@ QString numberText(const Accuracy& accuracy) {
     const QString within = levels(accuracy.status.displayError);
     switch (accuracy.of) {
         case ErrorOf::denoised:
-            return translated("denoised: 95 % of the tissue within ±%1 of 255 grey levels").arg(within);
+            return translated("Denoised, image error ±%1 of 255 grey levels (95 % of the tissue)").arg(within);
         case ErrorOf::beforeDenoising:
-            return translated("95 % of the tissue within ±%1 of 255 grey levels before denoising").arg(within);
+            return translated("Image error ±%1 of 255 grey levels before denoising (95 % of the tissue)").arg(within);
         case ErrorOf::film:
             break;
     }
-    return translated("95 % of the tissue within ±%1 of 255 grey levels").arg(within);
+    return translated("Image error ±%1 of 255 grey levels (95 % of the tissue)").arg(within);
 }
 
 /// Returns the time to the next step, or why rendering has stopped. `next`: the next step, for a forecast.
@@ -91,7 +91,7 @@ QString endingText(Ending ending, const QualityStep* next, const Accuracy& accur
         case Ending::paused:
             return translated("paused");
         case Ending::reached:
-            return translated("as wanted; Space goes on");
+            return translated("target reached (Space: continue)");
         case Ending::none:
             break;
     }
@@ -102,22 +102,23 @@ QString previewSentence(ErrorOf of) {
     switch (of) {
         case ErrorOf::denoised:
             return translated(
-                "Preview, not converged · denoised: 95 % of the tissue within ±%1 of 255 grey levels, wanted ±%2");
+                "Preview, not converged · denoised, image error ±%1 of 255 grey levels (95 % of the tissue), target "
+                "±%2");
         case ErrorOf::beforeDenoising:
             return translated(
-                "Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels before denoising, "
-                "wanted ±%2");
+                "Preview, not converged · image error ±%1 of 255 grey levels before denoising (95 % of the tissue), "
+                "target ±%2");
         case ErrorOf::film:
             break;
     }
-    return translated("Preview, not converged · 95 % of the tissue within ±%1 of 255 grey levels, wanted ±%2");
+    return translated("Preview, not converged · image error ±%1 of 255 grey levels (95 % of the tissue), target ±%2");
 }
 
 /// Returns the accuracy sentence without the prefix for the box.
 QString sentenceOn(const Accuracy& accuracy) {
     const FilmStatus& status = accuracy.status;
     if (accuracy.coarse)
-        return withLastTime(translated("A coarse picture first; the full one follows"), accuracy);
+        return withLastTime(translated("Coarse preview; the full image follows"), accuracy);
     if (!std::isfinite(status.displayError))
         return accuracy.holding == Holding::paused ? translated("%1 · paused").arg(unknownText(accuracy))
                                                    : unknownText(accuracy);
@@ -142,7 +143,7 @@ QString accuracyText(const Accuracy& accuracy) {
     if (accuracy.status.samplesPerPixel == 0)
         return {};
     const QString sentence = sentenceOn(accuracy);
-    return accuracy.box ? translated("In the box: %1").arg(sentence) : sentence;
+    return accuracy.box ? translated("In the region: %1").arg(sentence) : sentence;
 }
 
 QString previewText(const ShownStatus& shown, double target) {
@@ -150,7 +151,7 @@ QString previewText(const ShownStatus& shown, double target) {
     if (off <= target)
         return {};
     if (!std::isfinite(off))
-        return translated("Preview, not converged · how far it is off is not known yet");
+        return translated("Preview, not converged · error not known yet");
     return previewSentence(shown.of).arg(levels(off), levels(target));
 }
 
@@ -170,15 +171,15 @@ QString hereText(const LevelErrorsAt& errors, ErrorOf of) {
     if (!errors.tissue)
         return {};
     if (!std::isfinite(errors.here))
-        return translated("here: not known yet");
+        return translated("This pixel: not known yet");
     const QString here = levels(double(errors.here));
     if (of == ErrorOf::denoised)
-        return translated("here ±%1").arg(here);
-    QString text = translated("here ±%1; over 1 mm: not known yet").arg(here);
+        return translated("This pixel ±%1").arg(here);
+    QString text = translated("This pixel ±%1; mean over 1 mm not known yet").arg(here);
     if (errors.side < 1)
-        text = translated("here ±%1; a pixel is larger than 1 mm").arg(here);
+        text = translated("This pixel ±%1; it is larger than 1 mm").arg(here);
     else if (std::isfinite(errors.over))
-        text = translated("here ±%1; over 1 mm ±%2").arg(here, levels(double(errors.over)));
+        text = translated("This pixel ±%1; mean over 1 mm ±%2").arg(here, levels(double(errors.over)));
     return of == ErrorOf::beforeDenoising ? translated("%1, before denoising").arg(text) : text;
 }
 
@@ -190,7 +191,7 @@ QString stopText(const StopRule& rule, const Accuracy& accuracy) {
     const QString by = levels(stop->levels), samples = number(std::ceil(stop->samples), 0);
     const QString left = durationText(std::max(stop->seconds - accuracy.seconds, 0.0));
     if (accuracy.holding == Holding::reached)
-        return translated("held after %1, with %2 samples")
+        return translated("stopped after %1, with %2 samples")
             .arg(durationText(accuracy.seconds))
             .arg(accuracy.status.samplesPerPixel);
     switch (stop->cause) {

@@ -31,21 +31,21 @@ struct Accuracy {
 /// Returns a duration as "8 s", "1.5 min" or "2.0 h".
 QString durationText(double seconds);
 
-/// Returns the accuracy sentence: "Good for orientation · denoised: 95 % of the tissue within ±16 of 255 grey levels ·
-/// ±8 in 40 s": a word, the error of the image shown, and the time to the next step. It says what is not known yet, and
-/// how long the previous rendering took. It begins with "In the box: ..." where it applies to the box alone. Empty
-/// without samples.
+/// Returns the accuracy sentence: "Good for orientation · Denoised, image error ±16 of 255 grey levels (95 % of the
+/// tissue) · ±8 in 40 s": a word, the error of the image shown, and the time to the next step. It says what is not known
+/// yet, and how long the previous rendering took. It begins with "In the region: ..." where it applies to the region
+/// alone. Empty without samples.
 QString accuracyText(const Accuracy& accuracy);
 
-/// Returns a remark for images that leave the program: "Preview, not converged · 95 % of the tissue within ±12 of 255
-/// grey levels, wanted ±1". Empty if the image is within `target` levels.
+/// Returns a remark for images that leave the program: "Preview, not converged · image error ±12 of 255 grey levels
+/// (95 % of the tissue), target ±1". Empty if the image is within `target` levels.
 QString previewText(const ShownStatus& shown, double target);
 
 /// Returns the noise of the film itself: "±16 levels for 95 % of the tissue; 8 % of its light", "... before denoising"
 /// if a denoised image is shown; or that it is not known. Empty without samples.
 QString noiseText(const Accuracy& accuracy);
 
-/// Returns the error at one place: "here ±12; over 1 mm ±3", and which of them is not known yet. For a denoised image,
+/// Returns the error at one place: "This pixel ±12; mean over 1 mm ±3", and which of them is not known yet. For a denoised image,
 /// whose pixels' errors are correlated, "here ±6". Empty without tissue.
 QString hereText(const LevelErrorsAt& errors, ErrorOf of);
 

@@ -32,15 +32,15 @@ const char* stackWord(dicom::Stack stack) {
         case Stack::gap:
             return QT_TRANSLATE_NOOP("series", "a slice is missing");
         case Stack::doubled:
-            return QT_TRANSLATE_NOOP("series", "two slices at one place");
+            return QT_TRANSLATE_NOOP("series", "duplicate slice position");
         case Stack::tilted:
-            return QT_TRANSLATE_NOOP("series", "tilted stack");
+            return QT_TRANSLATE_NOOP("series", "gantry tilt");
         case Stack::mixedOrientation:
-            return QT_TRANSLATE_NOOP("series", "slices look in different directions");
+            return QT_TRANSLATE_NOOP("series", "mixed slice orientations");
         case Stack::mixedSize:
             return QT_TRANSLATE_NOOP("series", "slices of different size");
         case Stack::noGeometry:
-            return QT_TRANSLATE_NOOP("series", "no geometry");
+            return QT_TRANSLATE_NOOP("series", "missing position data");
         case Stack::notCt:
             return QT_TRANSLATE_NOOP("series", "not a CT volume");
         case Stack::unreadable:

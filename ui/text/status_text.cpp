@@ -36,24 +36,11 @@ QString samplesText(std::uint64_t count) {
     return count == 1 ? translated("1 sample") : translated("%1 samples").arg(counted);
 }
 
-/// Returns the remarks on a denoised image's error: its bound, and the contrast below which detail is hidden.
-QStringList errorTexts(const std::optional<SmoothedError>& error) {
-    if (!error)
-        return {translated("denoised: error not known yet")};
-    QStringList texts{translated("denoised: 95 % of the tissue within ±%1, thin structures may be further off")
-                          .arg(localNumber(levelsText(error->levelsAtMost)))};
-    const int hidden = int(std::ceil(100 * std::min(error->hiddenContrast, 1.0)));
-    if (hidden >= 100)
-        texts << translated("fine detail is not shown yet");
-    else if (hidden >= kFaintestPercent)
-        texts << translated("fine detail below %1 % contrast is not shown yet").arg(hidden);
-    return texts;
-}
-
 }  // namespace
 
 QStringList smoothedTexts(const std::optional<SmoothedError>& error, std::size_t lostLines) {
-    QStringList texts = errorTexts(error);
+    QStringList texts{error ? translated("Denoised, error ±%1").arg(localNumber(levelsText(error->levelsAtMost)))
+                            : translated("Denoised, error not known yet")};
     if (lostLines >= denoise::kMostLostLines)
         texts << translated("%1 or more thin lines hidden by denoising: E shows where").arg(lostLines);
     else if (lostLines > 0)
@@ -63,8 +50,18 @@ QStringList smoothedTexts(const std::optional<SmoothedError>& error, std::size_t
     return texts;
 }
 
+QStringList hiddenDetailTexts(const SmoothedError& error) {
+    QStringList texts{translated("thin structures may be further off")};
+    const int hidden = int(std::ceil(100 * std::min(error.hiddenContrast, 1.0)));
+    if (hidden >= 100)
+        texts << translated("fine detail may be missing");
+    else if (hidden >= kFaintestPercent)
+        texts << translated("detail below %1 % contrast may be missing").arg(hidden);
+    return texts;
+}
+
 QString gridText(dvec3 spacingMm) {
-    return translated("The scan's grid is %1 × %2 × %3 mm")
+    return translated("Voxel size %1 × %2 × %3 mm")
         .arg(shortNumber(spacingMm.x), shortNumber(spacingMm.y), shortNumber(spacingMm.z));
 }
 
@@ -82,20 +79,19 @@ QString stretchedText(ivec2 picture, QSize view) {
 QString boxText(const FilmStatus& box, bool first, const FilmStatus& picture) {
     const auto levels = [](const FilmStatus& status) { return localNumber(levelsText(status.displayError)); };
     if (first && std::isfinite(picture.displayError))
-        return translated("the whole picture, which waits for the box: 95 % of the tissue within ±%1")
-            .arg(levels(picture));
+        return translated("whole image, waiting for the region: ±%1 (95 % of the tissue)").arg(levels(picture));
     if (first)
-        return translated("the rest of the picture waits for the box");
+        return translated("the rest of the image waits for the region");
     if (box.tissuePixels == 0)
-        return translated("there is no tissue in the box");
+        return translated("no tissue in the region");
     if (!std::isfinite(box.displayError))
-        return translated("no light was seen in the box");
-    return translated("in the box 95 % of the tissue within ±%1").arg(levels(box));
+        return translated("the region is still black");
+    return translated("in the region ±%1 (95 % of the tissue)").arg(levels(box));
 }
 
 QString unseenText(const FilmStatus& status) {
     const int percent = int(std::lround(100 * status.unseenTissue));
-    return percent < 1 ? QString() : translated("at least %1 % of the tissue not seen yet").arg(percent);
+    return percent < 1 ? QString() : translated("at least %1 % of the tissue not sampled yet").arg(percent);
 }
 
 QString comparisonText(const Schedule& schedule, Estimator estimator) {

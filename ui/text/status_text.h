@@ -14,23 +14,26 @@
 
 namespace pdr::ui {
 
-/// Returns the voxel spacing of the scan: "The scan's grid is 0.96 × 0.96 × 1.5 mm".
+/// Returns the voxel spacing of the scan: "Voxel size 0.96 × 0.96 × 1.5 mm".
 QString gridText(dvec3 spacingMm);
 
 /// Returns "153 × 164 pixels stretched to 765 × 818"; empty if the image has as many pixels as the view.
 QString stretchedText(ivec2 picture, QSize view);
 
-/// Returns the remarks on a denoised image: "denoised: 95 % of the tissue within ±7, thin structures may be further
-/// off", and "fine detail below 38 % contrast is not shown yet"; or that the error is not known yet; and how many
+/// Returns what stands on a denoised image: "Denoised, error ±7", or that the error is not known yet; and how many thin
 /// `lostLines` it lacks, which the error map marks.
 QStringList smoothedTexts(const std::optional<SmoothedError>& error, std::size_t lostLines);
 
-/// Returns the remark on an image with a box, whose status is `box`: "in the box 95 % of the tissue within ±4", for the
+/// Returns what a denoised image may lack beyond its error: "thin structures may be further off", and "detail below 38
+/// % contrast may be missing".
+QStringList hiddenDetailTexts(const SmoothedError& error);
+
+/// Returns the remark on an image with a box, whose status is `box`: "in the region ±4 (95 % of the tissue)", for the
 /// image shown, as `picture` is for the whole image. If the box is `first` and gets all samples, the status of the
 /// whole image meanwhile.
 QString boxText(const FilmStatus& box, bool first, const FilmStatus& picture);
 
-/// Returns "at least 11 % of the tissue not seen yet": the error has no estimate for it. Empty below 1 %.
+/// Returns "at least 11 % of the tissue not sampled yet": the error has no estimate for it. Empty below 1 %.
 QString unseenText(const FilmStatus& status);
 
 /// Returns a device to choose: "CPU (2 threads)".

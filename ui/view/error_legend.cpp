@@ -46,9 +46,8 @@ void paintErrorLegend(QPainter& painter, const QRect& area, bool beforeDenoising
     small.setPointSizeF(kSmall * small.pointSizeF());
     painter.setFont(small);
     const QFontMetrics metrics = painter.fontMetrics();
-    const QString title =
-        translated(beforeDenoising ? "Where it is rough before denoising" : "Where it is still rough");
-    const QString unit = translated("each pixel's 95 % margin, of 255"), unknown = translated("not known yet");
+    const QString title = translated(beforeDenoising ? "Error map before denoising" : "Error map");
+    const QString unit = translated("95 % error per pixel, of 255"), unknown = translated("not known yet");
     const int line = metrics.height(), barHeight = line * 3 / 4, end = metrics.horizontalAdvance("±64") / 2;
     const int width = std::max(metrics.horizontalAdvance(title), metrics.horizontalAdvance(unit));
     const QRect box(area.left(), area.top(), width + 2 * kPadding, 4 * line + barHeight + kGap + 8 + 2 * kPadding);

@@ -30,7 +30,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setCursor(Qt::ArrowCursor);
     setMouseTracking(true);  // to notice when the pointer moves on
-    setAccessibleName(tr("Picture"));
+    setAccessibleName(tr("Image"));
     setAccessibleDescription(
         tr("The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom."));
     restTimer_.setSingleShot(true);

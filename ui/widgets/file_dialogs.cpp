@@ -42,7 +42,7 @@ QString askForLook(QWidget* parent) {
 }
 
 QString askForSky(QWidget* parent) {
-    return askForFile(parent, translated("Light by a picture of a sky or a room"),
+    return askForFile(parent, translated("Light from an environment image"),
                       translated("Panorama, twice as wide as high (*.exr)"));
 }
 

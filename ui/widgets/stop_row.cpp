@@ -30,16 +30,16 @@ StopRow::StopRow(QWidget* parent)
     levels_->setDecimals(1);
     levels_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     levels_->setPrefix(tr("±"));
-    prepare(*levels_, tr("Hold when 95 % of the tissue is within so many grey levels"));
+    prepare(*levels_, tr("Stop when 95 % of the tissue is within this many grey levels"));
     seconds_->setRange(0, kMostSeconds);
     seconds_->setDecimals(0);
     seconds_->setSuffix(tr(" s"));
-    seconds_->setSpecialValueText(tr("any time"));
-    prepare(*seconds_, tr("Hold after so many seconds of rendering"));
+    seconds_->setSpecialValueText(tr("no time limit"));
+    prepare(*seconds_, tr("Stop after this many seconds of rendering"));
     samples_->setRange(0, kMostSamples);
     samples_->setSuffix(tr(" samples"));
-    samples_->setSpecialValueText(tr("any number"));
-    prepare(*samples_, tr("Hold when each pixel has so many samples"));
+    samples_->setSpecialValueText(tr("no limit"));
+    prepare(*samples_, tr("Stop when each pixel has this many samples"));
 
     // Lay them out in a row
     auto* row = new QHBoxLayout(this);

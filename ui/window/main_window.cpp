@@ -362,7 +362,7 @@ void MainWindow::escape() {
 
 void MainWindow::about() {
     QMessageBox::about(this, tr("About PD-Render"),
-                       tr("<h3>PD-Render %1</h3><p>Photorealistic pictures of CT volumes, with a measure of how right "
+                       tr("<h3>PD-Render %1</h3><p>Photorealistic images of CT volumes, with a measure of how right "
                           "they are.</p><p><b>Not for diagnostic use.</b> PD-Render is not a certified medical "
                           "device.</p><p>Apache License 2.0. Made with Qt, DCMTK, OpenEXR and oneTBB.</p>")
                            .arg(PDR_VERSION));

@@ -21,8 +21,8 @@ QWidget* panelTitle(const QString& title, QAction& toggle) {
     fold->setText(QChar(0x00D7));
     fold->setAutoRaise(true);
     fold->setFocusPolicy(Qt::TabFocus);
-    fold->setAccessibleName(Texts::tr("Fold %1 away").arg(title));
-    fold->setToolTip(Texts::tr("Fold away (%1)").arg(toggle.shortcut().toString()));
+    fold->setAccessibleName(Texts::tr("Close %1").arg(title));
+    fold->setToolTip(Texts::tr("Close panel (%1)").arg(toggle.shortcut().toString()));
     QObject::connect(fold, &QToolButton::clicked, &toggle, &QAction::trigger);
 
     auto* bar = new QWidget;

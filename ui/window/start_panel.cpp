@@ -24,14 +24,12 @@ StartPanel::StartPanel(QWidget* parent) : QFrame(parent), recentColumn_(new QVBo
     connect(&open_, &QPushButton::clicked, this, &StartPanel::openRequested);
     example_.setText(tr("Open the e&xample"));
     example_.setAccessibleName(tr("Open the example"));
-    example_.setToolTip(tr("A CT to try with, which belongs to the program"));
+    example_.setToolTip(tr("Sample CT (included)"));
     example_.hide();
     connect(&example_, &QPushButton::clicked, this, [this] { emit folderChosen(exampleFolder_); });
-    auto* hint = new QLabel(
-        tr("Or drop a folder with DICOM files here, or one of its files: all CT series in it are listed, and the first "
-           "that can be shown is."));
+    auto* hint = new QLabel(tr("Or drop a DICOM folder, or one of its files, here: its CT series are listed."));
     hint->setWordWrap(true);
-    auto* heading = new QLabel(tr("Opened last"));
+    auto* heading = new QLabel(tr("Recently opened"));
     heading->setForegroundRole(QPalette::PlaceholderText);
     recentColumn_->setContentsMargins(0, 8, 0, 0);
     recentColumn_->addWidget(heading);

@@ -25,7 +25,7 @@ void fillFileMenu(QMenuBar& bar, WindowActions& actions) {
     actions.open = menu->addAction(Texts::tr("&Open folder..."), QKeySequence::Open);
     actions.recent = new RecentMenu(&bar);
     menu->addMenu(actions.recent);
-    actions.save = menu->addAction(Texts::tr("&Save picture..."), QKeySequence::Save);
+    actions.save = menu->addAction(Texts::tr("&Save image..."), QKeySequence::Save);
     menu->addSeparator();
     actions.quit = menu->addAction(Texts::tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q));
 }
@@ -36,7 +36,7 @@ void fillEditMenu(QMenuBar& bar, WindowActions& actions) {
     actions.redo = menu->addAction(Texts::tr("&Redo"));
     actions.redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     menu->addSeparator();
-    actions.copy = menu->addAction(Texts::tr("&Copy picture"), QKeySequence::Copy);
+    actions.copy = menu->addAction(Texts::tr("&Copy image"), QKeySequence::Copy);
 }
 
 void addViews(QMenu& menu, WindowActions& actions) {
@@ -53,21 +53,21 @@ void addViews(QMenu& menu, WindowActions& actions) {
 void addPicture(QMenu& menu, WindowActions& actions) {
     actions.pause = checkable(menu.addAction(Texts::tr("&Pause"), QKeySequence(Qt::Key_Space)));
     actions.pause->setShortcutContext(Qt::WidgetShortcut);  // elsewhere Space presses the button that has the focus
-    actions.smoothed = checkable(menu.addAction(Texts::tr("&Smoothed"), QKeySequence(Qt::Key_S)));
+    actions.smoothed = checkable(menu.addAction(Texts::tr("&Denoised"), QKeySequence(Qt::Key_S)));
     actions.table = checkable(menu.addAction(Texts::tr("&Table and holder"), QKeySequence(Qt::Key_T)));
     actions.captioned = checkable(
         menu.addAction(Texts::tr("A&nnotate saved images")),
         Texts::tr("Saved and copied images say which side is which, what they show, and that they are not for "
                   "diagnostic use."));
     actions.captioned->setChecked(true);
-    actions.errorMap = checkable(menu.addAction(Texts::tr("Where it is still r&ough"), QKeySequence(Qt::Key_E)));
+    actions.errorMap = checkable(menu.addAction(Texts::tr("E&rror map"), QKeySequence(Qt::Key_E)));
     actions.boxFirst =
-        checkable(menu.addAction(Texts::tr("&Box first"), QKeySequence(Qt::Key_B)),
-                  Texts::tr("Draw a box on the picture: it gets all samples until it is as good as wanted."));
+        checkable(menu.addAction(Texts::tr("Refine a &region"), QKeySequence(Qt::Key_B)),
+                  Texts::tr("Draw a box on the image: it gets all samples until it reaches the target."));
 }
 
 void addThemes(QMenu& view, WindowActions& actions) {
-    QMenu* menu = view.addMenu(Texts::tr("&Colours of the window"));
+    QMenu* menu = view.addMenu(Texts::tr("&Theme"));
     auto* one = new QActionGroup(menu);
     const std::array<QString, 3> names{Texts::tr("&Dark"), Texts::tr("&Light"), Texts::tr("As the &system")};
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -120,33 +120,30 @@ void describe(const WindowActions& actions) {
         actions.views[i]->setToolTip(Texts::tr("Shows the patient from this side, filling the view."));
     }
     for (const auto& [action, name, toolTip] : std::initializer_list<Sentence>{
-             {actions.open, "open",
-              Texts::tr("Lists the CT series of a folder and shows the first that can be shown.")},
-             {actions.save, "save", Texts::tr("Saves the picture as PNG or EXR, as it is or made anew in any size.")},
-             {actions.quit, "quit", Texts::tr("Closes the window. Pictures that are not saved are lost.")},
+             {actions.open, "open", Texts::tr("Opens a folder of DICOM files.")},
+             {actions.save, "save", Texts::tr("Saves the image as PNG or EXR, as shown or rendered at any size.")},
+             {actions.quit, "quit", Texts::tr("Closes the window. Unsaved images are lost.")},
              {actions.undo, "undo", {}},
              {actions.redo, "redo", {}},
-             {actions.copy, "copy", Texts::tr("Copies the picture to the clipboard, with its caption and no name.")},
-             {actions.firstView, "firstView", Texts::tr("Shows the patient as when the series was opened.")},
+             {actions.copy, "copy",
+              Texts::tr("Copies the image to the clipboard, with its caption and without the patient's name.")},
+             {actions.firstView, "firstView", Texts::tr("Returns to the view in which the series was opened.")},
              {actions.fit, "fitImage",
-              Texts::tr(
-                  "Begins the image anew with as many pixels as it is shown with; the next edit does so as well.")},
-             {actions.pause, "pause", Texts::tr("Holds the rendering, or lets it go on, also beyond the target.")},
-             {actions.smoothed, "smoothed",
-              Texts::tr("Shows the picture without its noise, or raw as it is computed.")},
+              Texts::tr("Renders the image again at the size at which it is shown; the next edit does so as well.")},
+             {actions.pause, "pause", Texts::tr("Pauses rendering, or continues it, also beyond the target.")},
+             {actions.smoothed, "smoothed", Texts::tr("Shows the denoised or the raw image.")},
              {actions.table, "table",
               Texts::tr("Shows or hides what is solid, outside the body and thinner than 20 mm.")},
              {actions.captioned, "caption", {}},
-             {actions.errorMap, "errorMap",
-              Texts::tr("Colours each pixel by how far it may be off, in grey levels of 255.")},
+             {actions.errorMap, "errorMap", Texts::tr("Colours each pixel by its 95 % error, in grey levels of 255.")},
              {actions.boxFirst, "box", {}},
              {actions.hideName, "hideName", {}},
              {actions.alone, "alone",
-              Texts::tr("Fills the screen with the picture, the patient's name and its accuracy.")},
+              Texts::tr("Fills the screen with the image, the patient's name and its accuracy.")},
              {actions.keys, "keys", Texts::tr("Shows all keys and what they do.")},
-             {actions.editKeys, "editKeys", Texts::tr("Gives actions other keys.")},
+             {actions.editKeys, "editKeys", Texts::tr("Changes keyboard shortcuts.")},
              {actions.about, "about",
-              Texts::tr("Tells the version, the licence, and what this program is not for.")}}) {
+              Texts::tr("Shows the version, the licence, and what this program is not for.")}}) {
         action->setObjectName(name);
         if (!toolTip.isEmpty())
             action->setToolTip(toolTip);

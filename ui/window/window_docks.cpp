@@ -39,7 +39,7 @@ WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture, const Panels& pa
       cut_(add("Cut", tr("Cut"), scrolled(panels.cut), Qt::RightDockWidgetArea, Qt::Key_F9)),
       rendering_(add("Rendering", tr("Rendering"), scrolled(panels.rendering), Qt::RightDockWidgetArea, Qt::Key_F4)),
       accuracy_(new FloatingPanel(&picture, tr("Accuracy"), panels.accuracy, Qt::SHIFT | Qt::Key_E)),
-      effects_(add("Effects", tr("What the seconds go to"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)),
+      effects_(add("Effects", tr("Render cost by effect"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)),
       nodes_(add("Nodes", tr("Render nodes"), panels.nodes, Qt::BottomDockWidgetArea, Qt::Key_F12)) {
     look_->widget()->setMinimumHeight(kLookHeight);
     for (QDockWidget* folded : {tissue_, light_, camera_, cut_, rendering_, effects_, nodes_})
@@ -107,7 +107,7 @@ QDockWidget* WindowDocks::add(const QString& name, const QString& title, QWidget
 /// Names the action; the name is that under which its key is saved.
 void WindowDocks::nameToggle(QAction& toggle, const QString& panel) {
     toggle.setObjectName(panel + "Panel");
-    toggle.setToolTip(tr("Shows this panel, or folds it away."));
+    toggle.setToolTip(tr("Shows or closes this panel."));
 }
 
 /// Hides docks below the image that have no room: side by side they are legible in wide windows only, and the one

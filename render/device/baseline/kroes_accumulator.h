@@ -71,7 +71,7 @@ class KroesAccumulator final : public Accumulator {
 
     Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) override {
         if (!(region == area_))
-            return Error{phrase("Exposure Render's schedule takes whole pictures only"), "",
+            return Error{phrase("Exposure Render's schedule takes whole images only"), "",
                          phrase("Choose the schedule of PD-Render."), ErrorKind::refused};
         for (; n > 0 && !stop.stop_requested(); --n)
             if (Result<void> done = iterateOnce(stop); !done)

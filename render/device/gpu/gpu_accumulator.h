@@ -199,7 +199,7 @@ Result<Picture> GpuAccumulator<G>::readback() {
     std::memcpy(&head, slot.onHost.data(), sizeof head);
     std::memcpy(&tail, slot.onHost.data() + layout_.tailAt(), sizeof tail);
     if (head != slot.id || tail != slot.id)
-        return Error{phrase("a picture was torn on its way from the device"), gpu_.name(),
+        return Error{phrase("an image was damaged on its way from the device"), gpu_.name(),
                      phrase("Choose another device; this one cannot be trusted."), ErrorKind::deviceLost};
     return pictureIn(slot);
 }

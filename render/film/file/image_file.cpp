@@ -205,7 +205,7 @@ Result<void> writePng(const Film& film, const Display& wanted, SmoothedView& vie
         image.texts.push_back(entry);
     }
     if (!encodePng(image, *file))
-        return Error{phrase("the picture could not be encoded as PNG"), path.string(), phrase("Try OpenEXR (.exr).")};
+        return Error{phrase("the image could not be encoded as PNG"), path.string(), phrase("Try OpenEXR (.exr).")};
     return commitUnlessStopped(*file, stop);
 }
 
@@ -219,7 +219,7 @@ Result<void> writeExr(const Film& film, const Provenance& provenance, const std:
     } catch (const std::exception& failure) {
         if (Result<void> state = file->state(); !state)  // the file has the reason why it could not be written
             return state.error();
-        return Error{phrase("the picture could not be encoded as OpenEXR (%1)", std::string(failure.what())),
+        return Error{phrase("the image could not be encoded as OpenEXR (%1)", std::string(failure.what())),
                      path.string(), ""};
     }
     return commitUnlessStopped(*file, stop);
@@ -236,10 +236,10 @@ Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress&
         const std::int64_t height = std::int64_t(window.max.y) - window.min.y + 1;
         if (width < 1 || height < 1 || width > kLongestSide || height > kLongestSide)
             return Error{
-                phrase("the picture is %1 x %2 pixels, at most %3 x %3 can be read", width, height, kLongestSide),
+                phrase("the image is %1 x %2 pixels, at most %3 x %3 can be read", width, height, kLongestSide),
                 path.string(), phrase("Make it smaller.")};
         if (!file.isComplete())
-            return Error{phrase("the picture is not complete"), path.string(),
+            return Error{phrase("the image is not complete"), path.string(),
                          phrase("Copy the file again from its source.")};
         // Find the channels: R, G and B, or Y
         const Imf::ChannelList& channels = file.header().channels();
@@ -249,7 +249,7 @@ Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress&
         for (int channel = 0; channel < 3; ++channel) {
             const char* name = grey ? "Y" : kChannels[channel];
             if (channels.findChannel(name) == nullptr)
-                return Error{phrase("the picture has no channel %1", std::string(name)), path.string(),
+                return Error{phrase("the image has no channel %1", std::string(name)), path.string(),
                              phrase("It needs R, G and B, or Y.")};
             frame.insert(name, Imf::Slice::Make(Imf::FLOAT, &image.pixels[0][channel], window, sizeof(vec3),
                                                 sizeof(vec3) * std::size_t(width)));
@@ -260,7 +260,7 @@ Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress&
         // Read the rows in batches, so that reading can be cancelled
         constexpr int kRows = 256;  // no compression of OpenEXR joins more lines
         for (int y = window.min.y; y <= window.max.y; y += kRows) {
-            if (!progress(double(y - window.min.y) / double(height), "reading the picture"))
+            if (!progress(double(y - window.min.y) / double(height), "reading the image"))
                 return cancelled();
             file.readPixels(y, std::min(y + kRows - 1, window.max.y));
         }
@@ -269,7 +269,7 @@ Result<RadianceImage> readExr(const std::filesystem::path& path, const Progress&
                 pixel = vec3(pixel.x);
         return image;
     } catch (const std::exception& failure) {
-        return Error{phrase("the picture cannot be read as OpenEXR (%1)", std::string(failure.what())), path.string(),
+        return Error{phrase("the image cannot be read as OpenEXR (%1)", std::string(failure.what())), path.string(),
                      phrase("Check the file.")};
     }
 }

@@ -70,7 +70,7 @@ void TestCopiedPicture::theCopyIsThePictureOnTheScreen() {
     QVERIFY(bytesOf(image) == frame.rgba);
     QVERIFY(image.textKeys().isEmpty());
     QVERIFY2(!QGuiApplication::clipboard()->mimeData()->hasText(), "words go with the picture");
-    QVERIFY(trial.said().contains("copied"));
+    QVERIFY(trial.said().contains("Copied"));
 }
 
 void TestCopiedPicture::anUnfinishedCopySaysSoUnlessItIsToldNotTo() {

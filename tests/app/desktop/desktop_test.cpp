@@ -198,19 +198,18 @@ void TestDesktop::brightnessWorksWithoutARestart() {
 void TestDesktop::aSmoothedPictureIsMarkedAndOneKeyShowsTheRawOne() {
     Trial trial;
     trial.openAndWait(series_);
-    QTRY_VERIFY_WITH_TIMEOUT(trial.said().contains(QString::fromUtf8("denoised: 95 % of the tissue within ±")),
-                             test::kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.said().contains(QString::fromUtf8("Denoised, image error ±")), test::kPatience);
     const auto number = [&] {
-        return QString::fromUtf8("denoised: 95 % of the tissue within ±%1 of 255 grey levels")
+        return QString::fromUtf8("Denoised, image error ±%1 of 255 grey levels (95 % of the tissue)")
             .arg(ui::localNumber(levelsText(trial.frames.back()->smoothedError->levelsAtMost)));
     };
     QTRY_VERIFY2_WITH_TIMEOUT(trial.said().contains(number()), qPrintable(trial.said()), test::kPatience);
-    QVERIFY2(!trial.said().contains("No known bias"), qPrintable(trial.said()));
+    QVERIFY2(!trial.said().contains("No known systematic error"), qPrintable(trial.said()));
     const std::uint64_t revision = trial.frames.back()->revision;
     QTest::keyClick(&trial.desktop.window().viewport(), Qt::Key_S);
     QTRY_VERIFY_WITH_TIMEOUT(!trial.frames.back()->smoothed, test::kPatience);
-    QVERIFY2(!trial.said().contains("denoised: "), qPrintable(trial.said()));
-    QVERIFY2(trial.said().contains("No known bias in the computing"), qPrintable(trial.said()));
+    QVERIFY2(!trial.said().contains("Denoised, "), qPrintable(trial.said()));
+    QVERIFY2(trial.said().contains("No known systematic error"), qPrintable(trial.said()));
     QCOMPARE(trial.frames.back()->revision, revision);
 }
 

@@ -57,7 +57,7 @@ void TestEffectsPanel::whatNobodySeesIsLeftOutInOneStepThatCanBeUndone() {
     Told told;
     const LeanSetup lean = leanSetup(told.document, ledgerOf(told.document, {"light from all around"}));
     QCOMPARE(lean.leftOut.size(), 1);
-    QVERIFY(lean.leftOut[0].startsWith("light from all around (the picture changes by 0.00 levels"));
+    QVERIFY(lean.leftOut[0].startsWith("light from all around (the image changes by 0.00 levels"));
     told.document.setSetup(lean.setup);
     QCOMPARE(told.scenes.size(), std::size_t(2));
     QVERIFY(told.scenes[1].environment.isBlack() && !told.scenes[0].environment.isBlack());
@@ -134,7 +134,7 @@ void TestEffectsPanel::theTableSaysWhatIsMeasuredAndWhatIsOff() {
     ledger.effects[0].trial.reset();
     QCOMPARE(effectRows(ledger, {}).needed[0].milliseconds, QString::fromUtf8("…"));
     ledger.effects[1].ofViewBefore = true;
-    QVERIFY(effectRows(ledger, {}).how.contains("view before"));
+    QVERIFY(effectRows(ledger, {}).how.contains("previous view"));
     QVERIFY(effectRows({}, {}).needed.isEmpty() && effectRows({}, {}).how.isEmpty());
 }
 
@@ -157,7 +157,7 @@ void TestEffectsPanel::nothingIsMeasuredWhileThePanelIsClosed() {
         const auto labels = window.effects().findChildren<QLabel*>();
         return std::ranges::any_of(labels, [&](QLabel* label) { return label->text().contains(words); });
     };
-    QVERIFY(says("shadows") && says("Measured on a picture of"));
+    QVERIFY(says("shadows") && says("Measured on an image of"));
     QTest::keyClick(&window, Qt::Key_F6);
     QTRY_VERIFY_WITH_TIMEOUT(!bridge.lastLedger(), test::kPatience);
     changes = 0;

@@ -94,7 +94,7 @@ void TestNodesInWindow::nodesDialInAndThePictureGoesOnWithoutThem() {
     const QString first = trial.panel().table().model()->index(0, 0).data().toString();
     QVERIFY2(first.startsWith("one (127.0.0.1:") || first.startsWith("two (127.0.0.1:"), qPrintable(first));
     const QString lastLine = test::named<QLabel>(trial.panel(), "How the work is split").text();
-    QVERIFY2(lastLine.startsWith("Tiles: ") && lastLine.endsWith("All nodes make the same bits as this machine"),
+    QVERIFY2(lastLine.startsWith("Tiles: ") && lastLine.endsWith("All nodes compute the same bits as this machine"),
              qPrintable(lastLine));
     one.signal(SIGKILL);
     QTRY_COMPARE_WITH_TIMEOUT(trial.nodes().rows().size(), 1, test::kPatience);

@@ -45,7 +45,7 @@ static QPushButton* cancelButton(Trial& trial) {
 }
 
 static bool isMade(Trial& trial) {
-    return trial.said().contains("making the picture");
+    return trial.said().contains("rendering the image");
 }
 
 static QStringList pictures(const Trial& trial) {
@@ -97,7 +97,7 @@ void TestOrderedPicture::theButtonCancelsIt() {
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames, test::kPatience);
     cancelButton(trial)->click();
     QVERIFY(!trial.desktop.parts().picture.isRunning());
-    QVERIFY2(trial.said().contains("no picture was saved"), qPrintable(trial.said()));
+    QVERIFY2(trial.said().contains("no image was saved"), qPrintable(trial.said()));
     QVERIFY(!cancelButton(trial)->isVisible());
     QVERIFY(trial.desktop.parts().document.hasVolume());
     QCOMPARE(pictures(trial), QStringList());
@@ -134,7 +134,7 @@ void TestOrderedPicture::closingTheWindowAsksWhileItIsMade() {
     const auto closedWith = [&](QMessageBox::StandardButton answer) {
         QTimer::singleShot(0, &trial.desktop.window(), [&asked, answer] {
             auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            QVERIFY(question && question->text().contains("still being made"));
+            QVERIFY(question && question->text().contains("still rendering"));
             ++asked;
             question->button(answer)->click();
         });

@@ -39,7 +39,7 @@ struct SkyTrial : Trial {
             dialog->selectFile(file);
             accept ? static_cast<QDialog*>(dialog)->accept() : dialog->reject();
         });
-        button("Sky picture...").click();
+        button("Environment image...").click();
     }
     void choose(const QString& file) {
         ask(file);
@@ -93,7 +93,7 @@ void TestSkyInWindow::aPictureLightsTheVolumeAndUndoBringsTheSameBits() {
     QVERIFY(std::abs(strengthOf(trial.panel.lighting()) / strengthOf({before.look.rig, before.look.environment}) - 1) <
             1e-5);
     QCOMPARE(trial.environment().visible, before.look.environment.visible);
-    QVERIFY(trial.button("Sky picture...").isChecked());
+    QVERIFY(trial.button("Environment image...").isChecked());
     QCOMPARE(undoText(trial.document.undoable()), QString("Undo changing the light"));
     QCOMPARE(provenanceOf(trial.document.scene(), {}).sky, std::string("32 x 16, turned by 0 degrees"));
     trial.waitForNewest();
@@ -101,7 +101,7 @@ void TestSkyInWindow::aPictureLightsTheVolumeAndUndoBringsTheSameBits() {
     trial.document.undo();
     QVERIFY(!trial.document.canUndo() && trial.document.setup() == before);
     QVERIFY(test::sameBits(rendered(trial.document), picture));
-    QVERIFY(!trial.button("Sky picture...").isChecked());
+    QVERIFY(!trial.button("Environment image...").isChecked());
     QVERIFY(provenanceOf(trial.document.scene(), {}).sky.empty());
 }
 
@@ -111,7 +111,7 @@ void TestSkyInWindow::givingUpTheDialogChangesNothing() {
     trial.ask(at("sky.exr"), false);
     QVERIFY(!trial.desktop.parts().sky.isRunning());
     QVERIFY(!trial.document.canUndo() && trial.document.setup() == before);
-    QVERIFY(!trial.button("Sky picture...").isChecked());
+    QVERIFY(!trial.button("Environment image...").isChecked());
 }
 
 void TestSkyInWindow::whatCannotBeReadIsSaidAndChangesNothing_data() {
@@ -136,7 +136,7 @@ void TestSkyInWindow::whatCannotBeReadIsSaidAndChangesNothing() {
 
 void TestSkyInWindow::itIsTurnedDimmedAndTakenAway() {
     SkyTrial trial(at("series"));
-    auto& turn = test::named<QSlider>(trial.panel, "Turn of the sky picture");
+    auto& turn = test::named<QSlider>(trial.panel, "Rotation of the environment image");
     QVERIFY(turn.parentWidget()->isHidden());
     trial.choose(at("sky.exr"));
     const Environment chosen = trial.environment();
@@ -144,14 +144,14 @@ void TestSkyInWindow::itIsTurnedDimmedAndTakenAway() {
     turn.setValue(90);
     QCOMPARE(trial.environment().rotationDegrees, 90.0);
     QCOMPARE(undoText(trial.document.undoable()), QString("Undo changing the light"));
-    auto& around = test::named<QSlider>(trial.panel, "Light from all around");
+    auto& around = test::named<QSlider>(trial.panel, "Ambient light");
     around.setValue(around.value() - 10);
     QVERIFY(std::abs(trial.environment().radiance.x / chosen.radiance.x - 0.5f) < 0.04f);  // the slider has steps
     QVERIFY(trial.environment().image == chosen.image);
     const Environment dimmed = trial.environment();
-    trial.button("Remove picture").click();
+    trial.button("Remove image").click();
     QVERIFY(!trial.environment().image && trial.environment().radiance == dimmed.radiance);
-    QVERIFY(trial.button("Remove picture").isHidden());
+    QVERIFY(trial.button("Remove image").isHidden());
     trial.document.undo();
     QVERIFY(trial.environment() == dimmed);
     trial.document.undo();
@@ -167,7 +167,7 @@ void TestSkyInWindow::aRigTakesItsPlace() {
     QVERIFY(!trial.environment().image && nameOf(trial.document.setup().look.rig) == NamedRig::sky);
     QVERIFY(std::abs(strengthOf(trial.panel.lighting()) / before - 1) < 1e-5);
     trial.document.undo();
-    QVERIFY(trial.environment().image && trial.button("Sky picture...").isChecked());
+    QVERIFY(trial.environment().image && trial.button("Environment image...").isChecked());
 }
 
 void TestSkyInWindow::itMayBeDropped() {
@@ -184,7 +184,7 @@ void TestSkyInWindow::aLookIsKeptWithoutIt() {
     saveLook(trial.desktop.parts(), "mine");
     QVERIFY(!trial.environment().image && trial.environment().radiance == chosen.radiance);
     QVERIFY(trial.document.look() >= 0);
-    QVERIFY(trial.desktop.window().message().text().contains("picture"));
+    QVERIFY(trial.desktop.window().message().text().contains("environment image"));
 }
 
 }  // namespace pdr::app

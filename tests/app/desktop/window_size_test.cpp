@@ -142,14 +142,14 @@ void TestWindowSize::aFinishedPictureHoldsAndGoesOnWithOneKey() {
     trial.desktop.parts().document.setBrightness(-4);
     bridge.setPace({.iterations = 100});
     QTRY_VERIFY_WITH_TIMEOUT(bridge.reached(), test::kPatience);
-    QVERIFY2(trial.said().contains("as wanted; Space goes on"), qPrintable(trial.said()));
+    QVERIFY2(trial.said().contains("target reached (Space: continue)"), qPrintable(trial.said()));
     QVERIFY(!bridge.paused());
     const std::uint64_t held = trial.heldSamples();
     QTest::qWait(200);
     QCOMPARE(samplesOf(trial), held);
     QTest::keyClick(&trial.desktop.window().viewport(), Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(samplesOf(trial) > held, test::kPatience);
-    QVERIFY(!trial.said().contains("as wanted"));
+    QVERIFY(!trial.said().contains("target reached"));
     QTest::keyClick(&trial.desktop.window().viewport(), Qt::Key_Space);
     QVERIFY(bridge.paused());  // now it is a pause
 }
@@ -168,7 +168,7 @@ void TestWindowSize::theKnobStopsRenderingAndGoesOn() {
     };
     QTest::keyClick(&strip, Qt::Key_Home);
     QTRY_VERIFY_WITH_TIMEOUT(reached(32), test::kPatience);
-    QVERIFY(trial.said().contains("as wanted"));
+    QVERIFY(trial.said().contains("target reached"));
     QTest::keyClick(&strip, Qt::Key_End);
     QTest::keyClick(&strip, Qt::Key_Left);
     QTRY_VERIFY_WITH_TIMEOUT(reached(2), test::kPatience);
@@ -184,7 +184,7 @@ void TestWindowSize::beforeTheFirstPictureTheViewSaysWhatHappens() {
     QObject::connect(&trial.desktop.parts().document, &Document::sceneChanged, &viewport,
                      [&] { said = viewport.message(); });
     trial.openAndWait(series_);
-    QCOMPARE(said, "Preparing the volume of CT series 1...");
+    QCOMPARE(said, "Preparing CT series 1...");
     QVERIFY(viewport.message().isEmpty());
 }
 

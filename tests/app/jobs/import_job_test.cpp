@@ -89,7 +89,7 @@ void TestImportJob::aSeriesThatIsNotLetGoOfIsAnError() {
     QObject::connect(&folder.job, &ImportJob::failed, [&](const Error& failure) { error = failure; });
     folder.job.loadSeries(0);
     QTRY_VERIFY_WITH_TIMEOUT(!error.what.empty(), test::kPatience);
-    QVERIFY(error.what.find("still held") != std::string::npos && !error.hint.empty());
+    QVERIFY(error.what.find("still in memory") != std::string::npos && !error.hint.empty());
 }
 
 static Error errorOf(const QString& folder) {

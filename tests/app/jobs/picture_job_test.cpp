@@ -143,7 +143,7 @@ void TestPictureJob::itTellsHowFarItIs() {
     });
     job.make(endless(path("head.png")));
     QTRY_VERIFY_WITH_TIMEOUT(last.contains(" left"), test::kPatience);
-    QVERIFY2(last.startsWith("making the picture"), qPrintable(last));
+    QVERIFY2(last.startsWith("rendering the image"), qPrintable(last));
     QVERIFY(fractions.front() == 0 && fractions.back() > 0 && fractions.back() < 1);
 }
 
@@ -192,7 +192,7 @@ void TestPictureJob::anotherOneHasToWait() {
     connect(&job, &PictureJob::failed, this, [&](const Error& failure) { error = failure; });
     job.make(task(path("first.png"), 2));
     job.make(task(path("second.png"), 2));
-    QVERIFY2(error.text().find("another picture is being made") != std::string::npos, error.text().c_str());
+    QVERIFY2(error.text().find("another image is being rendered") != std::string::npos, error.text().c_str());
     QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
     QCOMPARE(files(), QStringList("first.png"));
 }

@@ -212,7 +212,7 @@ class ImageFileTest : public QObject {
         const auto refused = readExr(at("c.exr"));
         ::setrlimit(RLIMIT_AS, &before);
         QVERIFY(!refused);
-        QVERIFY2(refused.error().what == "the picture is not complete", refused.error().text().c_str());
+        QVERIFY2(refused.error().what == "the image is not complete", refused.error().text().c_str());
     }
 
     /// A file is read piece by piece, so that reading can be cancelled.

@@ -108,7 +108,7 @@ class FaultsTest : public QObject {
         QCOMPARE(screen.notices().size(), std::size_t(1));
         const QString notice = QString::fromStdString(screen.notices().front());
         QVERIFY2(notice.startsWith("The GPU failing ") && notice.contains("the device is lost") &&
-                     notice.endsWith("The picture goes on on the CPU."),
+                     notice.endsWith("Rendering continues on the CPU."),
                  qPrintable(notice));
     }
 

@@ -145,7 +145,7 @@ class FirstLookTest : public QObject {
         QTest::qWait(100);
         session.submit(largeScene(2), false);
         const auto refusal = pending.refusal();
-        QVERIFY(refusal && refusal->what.find("another picture") != std::string::npos && !refusal->hint.empty());
+        QVERIFY(refusal && refusal->what.find("another image") != std::string::npos && !refusal->hint.empty());
         session.requestSnapshot(1, late.look());
         QVERIFY(late.refusal());
     }
@@ -159,7 +159,7 @@ class FirstLookTest : public QObject {
         Answer pending, late;
         session.requestSnapshot(1, pending.look());
         const auto refusal = pending.refusal();
-        QVERIFY(refusal && refusal->what.find("could not be made") != std::string::npos);
+        QVERIFY(refusal && refusal->what.find("could not be rendered") != std::string::npos);
         session.requestSnapshot(1, late.look());
         QVERIFY(late.refusal());
     }

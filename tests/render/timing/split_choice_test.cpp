@@ -80,7 +80,7 @@ class SplitChoiceTest : public QObject {
         SplitFacts alone = facts();
         alone.nodes = 1;
         QCOMPARE(chooseSplit(alone).split, Split::tiles);
-        QCOMPARE(chooseSplit(alone).reason, std::string("one render node has the whole picture"));
+        QCOMPARE(chooseSplit(alone).reason, std::string("one render node has the whole image"));
     }
 
     /// The chosen way is always the one that is predicted to be sooner.

@@ -175,11 +175,10 @@ void TestAccuracyPanel::noiseAndWhatIsNotNoiseAreTwoSentences() {
     for (const QLabel* label : panel.findChildren<QLabel*>())
         if (!label->accessibleName().isEmpty())
             facts << label->accessibleName() + ": " + label->text();
-    QCOMPARE(
-        facts,
-        QStringList({QString::fromUtf8("Which limit comes first: ±4 comes first: in 1.6 min, with 256 samples"),
-                     "Noise: ±8 levels for 95 % of the tissue; 8 % of its light", "Besides noise: smoothed\nstretched",
-                     "Health: No sample was left out", "Made by: 64 samples on the CPU"}));
+    QCOMPARE(facts, QStringList({QString::fromUtf8("Limit reached first: ±4 comes first: in 1.6 min, with 256 samples"),
+                                 "Noise: ±8 levels for 95 % of the tissue; 8 % of its light",
+                                 "Systematic error: smoothed\nstretched", "Health: No sample was left out",
+                                 "Made by: 64 samples on the CPU"}));
     panel.clear();
     for (const QLabel* label : panel.findChildren<QLabel*>())
         QVERIFY(label->accessibleName().isEmpty() || label->text().isEmpty());
@@ -195,7 +194,8 @@ void TestAccuracyPanel::theLimitThatComesFirstIsTold() {
     QVERIFY(told({.levels = 2, .seconds = 1e6, .samples = 10'000'000}).startsWith(QString::fromUtf8("±2 comes first")));
     Accuracy held = accuracy;
     held.holding = Holding::reached;
-    QVERIFY(stopText({.levels = 8}, held).startsWith("held after ") && stopText({}, held).endsWith("with 64 samples"));
+    QVERIFY(stopText({.levels = 8}, held).startsWith("stopped after ") &&
+            stopText({}, held).endsWith("with 64 samples"));
     QCOMPARE(stopText({}, {{.samplesPerPixel = 40}}), "which of them comes first is not known yet");
 }
 

@@ -14,8 +14,8 @@ static EffectRows twoEffects() {
          "122.3 (115.8 to 128.8)", "36 % (22 to 60)"},
         {"highlights", "a point of the curve is specular", "< 0.47", "< 11 %", "0", "0", "100 % (97 to 103)", true}};
     rows.off = {"emission: no point of the curve emits light", "depth of field: the aperture is 0"};
-    rows.how = "Measured on a picture of 96 x 70 pixels";
-    rows.leftOut = {"highlights (the picture changes by 0.00 levels)"};
+    rows.how = "Measured on an image of 96 x 70 pixels";
+    rows.leftOut = {"highlights (the image changes by 0.00 levels)"};
     rows.complete = true;
     return rows;
 }
@@ -77,14 +77,14 @@ void TestEffectLedger::nothingIsLeftOutWithoutAQuestion() {
     EffectLedger panel;
     panel.setRows(twoEffects());
     QSignalSpy chosen(&panel, &EffectLedger::leaveOutChosen);
-    button(panel, "Only what this scene calls for")->click();
-    QVERIFY(labelWith(panel, "Leaves out highlights (the picture changes by 0.00 levels)"));
+    button(panel, "Turn off effects that do not show")->click();
+    QVERIFY(labelWith(panel, "Turns off highlights (the image changes by 0.00 levels)"));
     QCOMPARE(chosen.size(), 0);
     button(panel, "Keep all")->click();
-    QVERIFY(!labelWith(panel, "Leaves out") && chosen.isEmpty());
-    button(panel, "Only what this scene calls for")->click();
-    button(panel, "Leave out")->click();
-    QVERIFY(!labelWith(panel, "Leaves out"));
+    QVERIFY(!labelWith(panel, "Turns off") && chosen.isEmpty());
+    button(panel, "Turn off effects that do not show")->click();
+    button(panel, "Turn off")->click();
+    QVERIFY(!labelWith(panel, "Turns off"));
     QCOMPARE(chosen.size(), 1);
 }
 
@@ -92,13 +92,13 @@ void TestEffectLedger::theQuestionGoesWithWhatItAsked() {
     EffectLedger panel;
     EffectRows rows = twoEffects();
     panel.setRows(rows);
-    button(panel, "Only what this scene calls for")->click();
+    button(panel, "Turn off effects that do not show")->click();
     rows.how = "a little later";
     panel.setRows(rows);
-    QVERIFY(labelWith(panel, "Leaves out"));
+    QVERIFY(labelWith(panel, "Turns off"));
     rows.leftOut = {"something else"};
     panel.setRows(rows);
-    QVERIFY(!labelWith(panel, "Leaves out"));
+    QVERIFY(!labelWith(panel, "Turns off"));
 }
 
 void TestEffectLedger::whereNothingCanBeLeftOutNothingIsOffered() {
@@ -106,10 +106,10 @@ void TestEffectLedger::whereNothingCanBeLeftOutNothingIsOffered() {
     EffectRows rows = twoEffects();
     rows.leftOut.clear();
     panel.setRows(rows);
-    const QPushButton* only = button(panel, "Only what this scene calls for");
-    QVERIFY(!only->isEnabled() && labelWith(panel, "all that is on is called for"));
+    const QPushButton* only = button(panel, "Turn off effects that do not show");
+    QVERIFY(!only->isEnabled() && labelWith(panel, "all active effects are needed"));
     panel.setRows(twoEffects());
-    QVERIFY(only->isEnabled() && !labelWith(panel, "all that is on is called for"));
+    QVERIFY(only->isEnabled() && !labelWith(panel, "all active effects are needed"));
 }
 
 /// Otherwise the image would begin anew with each row.

@@ -62,28 +62,30 @@ void TestFoot::theSentenceSaysWordNumberAndPrice_data() {
     const auto row = [](const char* name, const Accuracy& accuracy, const char* expected) {
         QTest::newRow(name) << accuracy << QString::fromUtf8(expected);
     };
-    row("rough", accuracyAt(26), "Rough · 95 % of the tissue within ±26 of 255 grey levels · ±16 in 8 s");
+    row("rough", accuracyAt(26), "Rough · Image error ±26 of 255 grey levels (95 % of the tissue) · ±16 in 8 s");
     row("orientation", accuracyAt(15.2),
-        "Good for orientation · 95 % of the tissue within ±16 of 255 grey levels · ±8 in 34 s");
+        "Good for orientation · Image error ±16 of 255 grey levels (95 % of the tissue) · ±8 in 34 s");
     row("planning", accuracyAt(4.4),
-        "Good for planning · 95 % of the tissue within ±5 of 255 grey levels · ±4 in 2.2 min");
-    row("reference", accuracyAt(0.9), "Reference · 95 % of the tissue within ±0.9 of 255 grey levels");
+        "Good for planning · Image error ±5 of 255 grey levels (95 % of the tissue) · ±4 in 2.2 min");
+    row("reference", accuracyAt(0.9), "Reference · Image error ±0.9 of 255 grey levels (95 % of the tissue)");
     Accuracy held = accuracyAt(7.9);
     held.holding = Holding::reached;
     row("as wanted", held,
-        "Good for planning · 95 % of the tissue within ±8 of 255 grey levels · as wanted; Space goes on");
+        "Good for planning · Image error ±8 of 255 grey levels (95 % of the tissue) · target reached (Space: "
+        "continue)");
     held.holding = Holding::paused;
-    row("paused", held, "Good for planning · 95 % of the tissue within ±8 of 255 grey levels · paused");
+    row("paused", held, "Good for planning · Image error ±8 of 255 grey levels (95 % of the tissue) · paused");
     Accuracy rare = accuracyAt(26);
     rare.steps[1].seconds.high = std::numeric_limits<double>::infinity();
-    row("at least", rare, "Rough · 95 % of the tissue within ±26 of 255 grey levels · ±16 in at least 8 s");
+    row("at least", rare, "Rough · Image error ±26 of 255 grey levels (95 % of the tissue) · ±16 in at least 8 s");
     Accuracy smoothed = accuracyAt(26);
     smoothed.of = ErrorOf::denoised;
-    row("denoised", smoothed, "Rough · denoised: 95 % of the tissue within ±26 of 255 grey levels · ±16 in 8 s");
+    row("denoised", smoothed, "Rough · Denoised, image error ±26 of 255 grey levels (95 % of the tissue) · ±16 in 8 s");
     smoothed.of = ErrorOf::beforeDenoising;
     row("not known of the denoised image", smoothed,
-        "Rough · 95 % of the tissue within ±26 of 255 grey levels before denoising · ±16 in 8 s");
-    row("no forecast", {statusOf(12)}, "Good for orientation · 95 % of the tissue within ±12 of 255 grey levels");
+        "Rough · Image error ±26 of 255 grey levels before denoising (95 % of the tissue) · ±16 in 8 s");
+    row("no forecast", {statusOf(12)},
+        "Good for orientation · Image error ±12 of 255 grey levels (95 % of the tissue)");
     row("nothing", {}, "");
 }
 
@@ -96,25 +98,25 @@ void TestFoot::theSentenceSaysWordNumberAndPrice() {
 void TestFoot::theSentenceSaysWhatIsNotKnown() {
     constexpr double kUnknown = std::numeric_limits<double>::infinity();
     Accuracy accuracy{{.samplesPerPixel = 31}};
-    QCOMPARE(accuracyText(accuracy), "Estimating how good the picture is");
+    QCOMPARE(accuracyText(accuracy), "Estimating how good the image is");
     accuracy.planningSeconds = 90;
     QCOMPARE(accuracyText(accuracy),
-             QString::fromUtf8("Estimating how good the picture is · ±8 took 1.5 min the last time"));
+             QString::fromUtf8("Estimating how good the image is · ±8 took 1.5 min the last time"));
     accuracy.coarse = true;
     QCOMPARE(accuracyText(accuracy),
-             QString::fromUtf8("A coarse picture first; the full one follows · ±8 took 1.5 min the last time"));
+             QString::fromUtf8("Coarse preview; the full image follows · ±8 took 1.5 min the last time"));
     accuracy.planningSeconds.reset();
-    QCOMPARE(accuracyText(accuracy), "A coarse picture first; the full one follows");
+    QCOMPARE(accuracyText(accuracy), "Coarse preview; the full image follows");
     accuracy = {{.samplesPerPixel = 40}};
     QCOMPARE(accuracyText(accuracy), "No tissue is in view");
     accuracy.status.relativeError = kUnknown;
     QCOMPARE(accuracyText(accuracy), QString::fromUtf8("Estimating · the error is not known yet"));
     accuracy.status.unseenShare = 1e-3;
-    QCOMPARE(accuracyText(accuracy), QString::fromUtf8("Estimating · no light has been seen yet"));
+    QCOMPARE(accuracyText(accuracy), QString::fromUtf8("Estimating · image still black"));
     accuracy.holding = Holding::paused;
-    QCOMPARE(accuracyText(accuracy), QString::fromUtf8("Estimating · no light has been seen yet · paused"));
+    QCOMPARE(accuracyText(accuracy), QString::fromUtf8("Estimating · image still black · paused"));
     accuracy.box = true;
-    QCOMPARE(accuracyText(accuracy), QString::fromUtf8("In the box: Estimating · no light has been seen yet · paused"));
+    QCOMPARE(accuracyText(accuracy), QString::fromUtf8("In the region: Estimating · image still black · paused"));
     accuracy.status = {};
     QCOMPARE(accuracyText(accuracy), QString());
 }
@@ -123,8 +125,9 @@ void TestFoot::theSentenceSaysWhatIsNotKnown() {
 void TestFoot::aPreviewSaysThatItIsOne() {
     const auto text = [](const FilmStatus& status, ErrorOf of) { return previewText({status, of}, 4); };
     QCOMPARE(text(statusOf(12), ErrorOf::film),
-             QString::fromUtf8("Preview, not converged · 95 % of the tissue within ±12 of 255 grey levels, wanted ±4"));
-    QVERIFY(text(statusOf(12), ErrorOf::denoised).contains("denoised: 95 % of the tissue within"));
+             QString::fromUtf8(
+                 "Preview, not converged · image error ±12 of 255 grey levels (95 % of the tissue), target ±4"));
+    QVERIFY(text(statusOf(12), ErrorOf::denoised).contains("denoised, image error"));
     QVERIFY(text(statusOf(12), ErrorOf::beforeDenoising)
                 .contains(QString::fromUtf8("±12 of 255 grey levels before denoising")));
     QVERIFY(text({.samplesPerPixel = 31}, ErrorOf::film).startsWith("Preview, not converged"));
@@ -144,15 +147,16 @@ void TestFoot::stepsAreToldInWords() {
 
 void TestFoot::onePlaceIsToldInWords() {
     constexpr float kUnknown = std::numeric_limits<float>::infinity();
-    QCOMPARE(hereText({true, 11.2f, 3, 2.81f}, ErrorOf::film), QString::fromUtf8("here ±12; over 1 mm ±2.9"));
+    QCOMPARE(hereText({true, 11.2f, 3, 2.81f}, ErrorOf::film),
+             QString::fromUtf8("This pixel ±12; mean over 1 mm ±2.9"));
     QCOMPARE(hereText({true, 11.2f, 3, 2.81f}, ErrorOf::beforeDenoising),
-             QString::fromUtf8("here ±12; over 1 mm ±2.9, before denoising"));
+             QString::fromUtf8("This pixel ±12; mean over 1 mm ±2.9, before denoising"));
     QCOMPARE(hereText({true, 5.2f, 3, 2.81f}, ErrorOf::denoised), QString::fromUtf8("here ±6"));
     QCOMPARE(hereText({true, 11.2f, 3, kUnknown}, ErrorOf::film),
-             QString::fromUtf8("here ±12; over 1 mm: not known yet"));
+             QString::fromUtf8("This pixel ±12; mean over 1 mm not known yet"));
     QCOMPARE(hereText({true, 11.2f, 0, 11.2f}, ErrorOf::film),
-             QString::fromUtf8("here ±12; a pixel is larger than 1 mm"));
-    QCOMPARE(hereText({true, kUnknown, 3, kUnknown}, ErrorOf::beforeDenoising), "here: not known yet");
+             QString::fromUtf8("This pixel ±12; it is larger than 1 mm"));
+    QCOMPARE(hereText({true, kUnknown, 3, kUnknown}, ErrorOf::beforeDenoising), "This pixel: not known yet");
     QCOMPARE(hereText({false, 0, 3, 0}, ErrorOf::film), QString());
 }
 
@@ -309,8 +313,8 @@ void TestFoot::nothingIsCutOffInASmallWindow() {
     MainWindow window;
     window.resize(800, 600);
     window.foot().setAccuracy(accuracyAt(15.2));
-    window.foot().setRemarks({"No known bias in the computing"});
-    window.foot().setLimit(QString::fromUtf8("The scan's grid is 0.96 × 0.96 × 1.5 mm"));
+    window.foot().setRemarks({"No known systematic error"});
+    window.foot().setLimit(QString::fromUtf8("Voxel size 0.96 × 0.96 × 1.5 mm"));
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window));
     QVERIFY(window.width() <= 800 && window.height() <= 600);

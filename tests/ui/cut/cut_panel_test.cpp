@@ -52,10 +52,10 @@ class TestCutPanel : public QObject {
         QCOMPARE(live.count, 6);
         live.side(0)->setValue(5000);
         QCOMPARE(live.side(0)->value(), 200 - 1 - 11.5);
-        live.button("&Undo all cuts")->click();
+        live.button("Remove all c&uts")->click();
         QVERIFY(live.clip.empty());
         QCOMPARE(live.side(3)->value(), 0.0);
-        QVERIFY(!live.button("&Undo all cuts")->isEnabled());
+        QVERIFY(!live.button("Remove all c&uts")->isEnabled());
     }
 
     void planesAreTypedFlippedAndRemoved() {
@@ -91,7 +91,7 @@ class TestCutPanel : public QObject {
         LivePanel live;
         QToolButton* remove = nullptr;
         for (auto* button : live.panel.findChildren<QToolButton*>())
-            if (button->accessibleName() == "Remove the last line")
+            if (button->accessibleName() == "Remove the last one")
                 remove = button;
         QVERIFY(remove->isHidden());
         live.clip.freehand = {{{}, {{0, 0}, {1, 0}, {0, 1}}, true}, {{}, {{0, 0}, {1, 0}, {0, 1}}, false}};

@@ -200,7 +200,8 @@ void TestLightPanel::keysMoveChooseAndTurn() {
 
 void TestLightPanel::aRigIsChosenByItsButton() {
     Lit lit;
-    for (const char* name : {"Sky", "Operating lamp", "Three points", "Headlight", "Soft box", "Rim"}) {
+    for (const char* name :
+         {"Sky", "Operating lamp", "Three-point light", "Headlight", "Large soft light", "Back light"}) {
         const int before = lit.rests;
         lit.button(name).click();
         QCOMPARE(lit.rests, before + 1);
@@ -209,7 +210,7 @@ void TestLightPanel::aRigIsChosenByItsButton() {
     }
     LightSphere& sphere = lit.panel.sphere();
     QTest::keyClick(&sphere, Qt::Key_Left);
-    QVERIFY(!lit.button("Rim").isChecked());
+    QVERIFY(!lit.button("Back light").isChecked());
 }
 
 /// A rig is relative to the view even if the lamps then stay with the patient.
@@ -217,9 +218,9 @@ void TestLightPanel::aRigIsMeantForTheView() {
     Lit lit;
     lit.button("Headlight").click();
     const dvec3 inView = lit.seen(0);
-    QComboBox& follows = lit.named<QComboBox>("What the lamps turn with");
+    QComboBox& follows = lit.named<QComboBox>("What the lamps move with");
     emit follows.activated(1);
-    lit.button("Rim").click();
+    lit.button("Back light").click();
     lit.button("Headlight").click();
     QVERIFY(lit.last.rig.follows == LightRig::Follows::patient);
     QVERIFY(glm::length(lit.seen(0) - inView) < 1e-9);
@@ -239,7 +240,7 @@ void TestLightPanel::slidersChangeTheChosenLamp() {
     size.setValue(0);
     QCOMPARE(ofFill().edge, 1.0);
     QVERIFY(std::abs(ofFill().irradiance / strong - 1) < 1e-5);
-    QSlider& ambient = lit.named<QSlider>("Light from all around");
+    QSlider& ambient = lit.named<QSlider>("Ambient light");
     ambient.setValue(0);
     QVERIFY(std::abs(lit.last.environment.radiance.x - 1) < 0.05f);
     ambient.setValue(ambient.minimum());
@@ -264,7 +265,7 @@ void TestLightPanel::aLampThatIsOffComesBack() {
 
 void TestLightPanel::tyingMovesNothing() {
     Lit lit;
-    QComboBox& follows = lit.named<QComboBox>("What the lamps turn with");
+    QComboBox& follows = lit.named<QComboBox>("What the lamps move with");
     follows.setCurrentIndex(1);
     emit follows.activated(1);
     QVERIFY(lit.last.rig.follows == LightRig::Follows::patient);

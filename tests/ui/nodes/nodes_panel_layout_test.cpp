@@ -99,7 +99,7 @@ void TestNodesPanelLayout::itFitsIntoSmallWindows() {
         if (control->isVisible() && !control->objectName().startsWith("qt_") && !control->text().isEmpty())
             QVERIFY2(control->width() >= control->minimumSizeHint().width(), qPrintable(control->text()));
     QVERIFY(!panel.table().horizontalScrollBar()->isVisible() || size.width() < 800);
-    for (const char* name : {"How nodes are spoken to", "How the work is split"}) {
+    for (const char* name : {"Connection security", "How the work is split"}) {
         const auto& line = test::named<QLabel>(panel, name);
         QVERIFY(line.width() <= panel.width() && line.toolTip() == line.text());
     }

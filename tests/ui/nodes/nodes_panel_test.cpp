@@ -67,7 +67,7 @@ void TestNodesPanel::everyFigureHasItsCell() {
                                  "3.3 ms", "256.0 MB", "1.5 MB", "3"}));
     QCOMPARE(cell(panel, 0, NodesModel::faults, Qt::ToolTipRole), "connections lost: 1, results that never came: 2");
     QCOMPARE(cell(panel, 0, NodesModel::node, Qt::AccessibleTextRole),
-             "gpu-7 (10.0.0.7:4743), Rendering, cpu, 16 threads, 2.50 iterations/s, 13 % of the picture's samples, "
+             "gpu-7 (10.0.0.7:4743), Rendering, cpu, 16 threads, 2.50 iterations/s, 13 % of the image's samples, "
              "connections lost: 1, results that never came: 2");
     for (int column = 0; column < NodesModel::kColumns; ++column)
         for (const int role : {int(Qt::DisplayRole), int(Qt::ToolTipRole)})
@@ -218,7 +218,7 @@ void TestNodesPanel::nodesAreAddedPausedAndRemoved() {
     button(panel, "Pause").click();
     QCOMPARE(paused.takeFirst(), QVariantList({quint64(1), true}));
     panel.table().selectRow(1);
-    button(panel, "Go on").click();
+    button(panel, "Continue").click();
     QCOMPARE(paused.takeFirst(), QVariantList({quint64(2), false}));
     panel.table().selectAll();
     button(panel, "Pause").click();
@@ -268,10 +268,10 @@ void TestNodesPanel::certificatesAreSaidAndTakenBack() {
     NodesPanel panel;
     QSignalSpy asked(&panel, &NodesPanel::bundleRequested);
     auto& without = test::named<QToolButton>(panel, "Without certificates");
-    QVERIFY(said(panel, "How nodes are spoken to").contains("to this machine only"));
+    QVERIFY(said(panel, "Connection security").contains("to this machine only"));
     QVERIFY(without.isHidden());
     panel.setBundle("/etc/pdrender/desktop");
-    QVERIFY(said(panel, "How nodes are spoken to").contains("/etc/pdrender/desktop"));
+    QVERIFY(said(panel, "Connection security").contains("/etc/pdrender/desktop"));
     QVERIFY(!without.isHidden() && asked.isEmpty());
     without.click();
     QCOMPARE(asked.size(), 1);
@@ -304,14 +304,13 @@ void TestNodesPanel::theLastLineSaysHowWorkIsSplit() {
     panel.setNodes(nodes(3));
     panel.setSplit("Tiles: an iteration takes 0.4 s");
     const QString wanted =
-        QString::fromUtf8("Tiles: an iteration takes 0.4 s · All nodes make the same bits as this machine");
+        QString::fromUtf8("Tiles: an iteration takes 0.4 s · All nodes compute the same bits as this machine");
     QCOMPARE(said(panel, "How the work is split"), wanted);
     QCOMPARE(test::named<QLabel>(panel, "How the work is split").toolTip(), wanted);
     QList<NodeRow> mixed = nodes(3);
     mixed[1].sameBits = false;
     panel.setNodes(mixed);
-    QVERIFY(
-        said(panel, "How the work is split").endsWith("1 node makes other bits than this machine, and takes no part"));
+    QVERIFY(said(panel, "How the work is split").endsWith("1 node runs a different build and was excluded"));
 }
 
 }  // namespace pdr::ui

@@ -55,7 +55,7 @@ void TestRenderPanel::thePaceIsEmittedWhole() {
     QVERIFY((panel.pace() == FrameBudget{true, 1, 10}));
     named<QDoubleSpinBox>(panel, "Frame rate")->setValue(25);
     named<QCheckBox>(panel, "Automatic")->click();
-    named<QSpinBox>(panel, "Iterations per picture")->setValue(100);
+    named<QSpinBox>(panel, "Iterations per frame")->setValue(100);
     QCOMPARE(chosen.size(), 3);
     QVERIFY((chosen[0] == FrameBudget{true, 1, 25}));
     QVERIFY((chosen[1] == FrameBudget{false, 1, 25}));
@@ -65,7 +65,7 @@ void TestRenderPanel::thePaceIsEmittedWhole() {
 void TestRenderPanel::onlyWhatCountsCanBeChanged() {
     RenderPanel panel;
     const auto* rate = named<QDoubleSpinBox>(panel, "Frame rate");
-    const auto* iterations = named<QSpinBox>(panel, "Iterations per picture");
+    const auto* iterations = named<QSpinBox>(panel, "Iterations per frame");
     const auto* filter = named<QCheckBox>(panel, "Blur each iteration");
     QVERIFY(rate->isEnabled() && !iterations->isEnabled() && !filter->isEnabled());
     panel.setPace({false, 5, 10});

@@ -84,7 +84,7 @@ void TestPanels::aSeriesWithoutNameOrDateIsStillDescribed() {
     QCOMPARE(seriesTitle(series), "Series 7");
     QCOMPARE(seriesFacts(series), "");
     QCOMPARE(seriesDate(series), "");
-    QCOMPARE(verdictText(series.verdict), QString::fromUtf8("✗  no geometry"));
+    QCOMPARE(verdictText(series.verdict), QString::fromUtf8("✗  missing position data"));
     QCOMPARE(patientName(series.patient), "Name not given");
     series.series.date = "sometime";
     QCOMPARE(seriesDate(series), "sometime");
@@ -245,22 +245,22 @@ void TestPanels::brightnessBeyondTheSliderIsKeptAtItsEnd() {
 }
 
 void TestPanels::aSmoothedPictureIsMarkedWithItsError() {
-    const QString within =
-        QString::fromUtf8("denoised: 95 % of the tissue within ±7, thin structures may be further off");
     SmoothedError error{.levels = 4.2, .levelsAtMost = 6.9};
-    QCOMPARE(smoothedTexts(error, 0), QStringList{within});
+    QCOMPARE(smoothedTexts(error, 0), QStringList{QString::fromUtf8("Denoised, error ±7")});
+    QCOMPARE(smoothedTexts(std::nullopt, 0), QStringList{"Denoised, error not known yet"});
+    const QString thin = "thin structures may be further off";
+    QCOMPARE(hiddenDetailTexts(error), QStringList{thin});
     error.hiddenContrast = 0.371;
-    QCOMPARE(smoothedTexts(error, 0), (QStringList{within, "fine detail below 38 % contrast is not shown yet"}));
+    QCOMPARE(hiddenDetailTexts(error), (QStringList{thin, "detail below 38 % contrast may be missing"}));
     error.hiddenContrast = 1.2;
-    QCOMPARE(smoothedTexts(error, 0), (QStringList{within, "fine detail is not shown yet"}));
-    QCOMPARE(smoothedTexts(std::nullopt, 0), QStringList{"denoised: error not known yet"});
+    QCOMPARE(hiddenDetailTexts(error), (QStringList{thin, "fine detail may be missing"}));
     QCOMPARE(smoothedTexts(error, 1).back(), "1 thin line hidden by denoising: E shows where");
     QCOMPARE(smoothedTexts(error, 3).back(), "3 thin lines hidden by denoising: E shows where");
     QCOMPARE(smoothedTexts(error, 200).back(), "200 or more thin lines hidden by denoising: E shows where");
 }
 
 void TestPanels::tissueThatWasNotSeenYetIsSaid() {
-    QCOMPARE(unseenText({.samplesPerPixel = 32, .unseenTissue = 0.114}), "at least 11 % of the tissue not seen yet");
+    QCOMPARE(unseenText({.samplesPerPixel = 32, .unseenTissue = 0.114}), "at least 11 % of the tissue not sampled yet");
     QCOMPARE(unseenText({.samplesPerPixel = 32, .unseenTissue = 0.004}), QString());
 }
 
@@ -284,13 +284,13 @@ void TestPanels::theStatusSaysWhatIsForComparison() {
 
 void TestPanels::theStatusSaysWhatIsTrueOfABox() {
     FilmStatus box{.displayError = 3.9, .tissuePixels = 7}, picture{.displayError = 18, .tissuePixels = 99};
-    QCOMPARE(boxText(box, false, picture), QString::fromUtf8("in the box 95 % of the tissue within ±4"));
+    QCOMPARE(boxText(box, false, picture), QString::fromUtf8("in the region ±4 (95 % of the tissue)"));
     QCOMPARE(boxText(box, true, picture),
-             QString::fromUtf8("the whole picture, which waits for the box: 95 % of the tissue within ±18"));
-    QCOMPARE(boxText(box, true, {}), "the rest of the picture waits for the box");
+             QString::fromUtf8("whole image, waiting for the region: ±18 (95 % of the tissue)"));
+    QCOMPARE(boxText(box, true, {}), "the rest of the image waits for the region");
     box.displayError = std::numeric_limits<double>::infinity();
-    QCOMPARE(boxText(box, false, picture), "no light was seen in the box");
-    QCOMPARE(boxText({}, false, picture), "there is no tissue in the box");
+    QCOMPARE(boxText(box, false, picture), "the region is still black");
+    QCOMPARE(boxText({}, false, picture), "no tissue in the region");
 }
 
 void TestPanels::aLongStatusDoesNotWidenTheWindow() {

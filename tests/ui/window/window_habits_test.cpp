@@ -110,7 +110,7 @@ void TestWindowHabits::aWheelInPassingChangesNothing() {
     window.resize(1400, 900);
     activate(window);
     window.setVolumeAvailable(true);
-    auto& peel = test::named<QDoubleSpinBox>(window, "Peeled off");
+    auto& peel = test::named<QDoubleSpinBox>(window, "Thickness removed");
     auto& brightness = test::named<QSlider>(window, "Brightness");
     peel.setValue(5);
     wheelOver(peel);
@@ -144,7 +144,7 @@ void TestWindowHabits::longRemarksEndInDots() {
     activate(window);
     const QString remark = QString("a long remark ").repeated(20).trimmed();
     window.foot().setRemarks({remark});
-    window.foot().setLimit("The scan's grid is 0.9 x 0.9 x 0.4 mm");
+    window.foot().setLimit("Voxel size 0.9 x 0.9 x 0.4 mm");
     window.status().showForAWhile("saved as " + QString("/a/long/folder").repeated(12));
     QCoreApplication::processEvents();
     int dotted = 0;
@@ -155,7 +155,7 @@ void TestWindowHabits::longRemarksEndInDots() {
         dotted += !whole;
     }
     QCOMPARE(dotted, 2);
-    QVERIFY(test::named<QLabel>(window, "How good the picture is").width() > 200);
+    QVERIFY(test::named<QLabel>(window, "Accuracy of the image").width() > 200);
 }
 
 void TestWindowHabits::aMessageTakesTwoLinesAndTheRestWhenAsked() {

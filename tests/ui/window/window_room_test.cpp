@@ -119,7 +119,7 @@ void TestWindowRoom::anEditorLeavesThePictureMostOfTheWindow() {
                  qPrintable(QString::number(picture() / (size.width() * size.height()))));
     QVERIFY(window.look().isVisible() || size.height() < 900);  // there is no room for both
     for (QToolButton* fold : window.findChildren<QToolButton*>())
-        if (fold->accessibleName() == QString("Fold %1 away").arg(name))
+        if (fold->accessibleName() == QString("Close %1").arg(name))
             fold->click();
     QVERIFY(!editor());
     QCOMPARE(shown(), before);
