@@ -45,8 +45,8 @@ QString previewText(const ShownStatus& shown, double target);
 /// if a denoised image is shown; or that it is not known. Empty without samples.
 QString noiseText(const Accuracy& accuracy);
 
-/// Returns the error at one place: "This pixel ±12; mean over 1 mm ±3", and which of them is not known yet. For a denoised image,
-/// whose pixels' errors are correlated, "here ±6". Empty without tissue.
+/// Returns the error at one place: "This pixel ±12; mean over 1 mm ±3", and which of them is not known yet. For a
+/// denoised image, whose errors are correlated from pixel to pixel, "This pixel ±6". Empty without tissue.
 QString hereText(const LevelErrorsAt& errors, ErrorOf of);
 
 /// Returns which limit ends the rendering, and what is reached by then: "±4 comes first: in 2.1 min, with 340 samples".
