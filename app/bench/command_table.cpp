@@ -6,11 +6,11 @@ namespace {
 
 constexpr Command kCommands[] = {
     {"picture", picture, "SCENE.json [--samples N] [--device D] [--threads N] [--pfm FILE]",
-     "Renders a picture and says how fast and how noisy it is, as one line of JSON.\n",
+     "Renders an image and says how fast and how noisy it is, as one line of JSON.\n",
      "  --samples N   samples per pixel, from 1; default 64\n"
      "  --device D    cpu (default), cuda, cuda:1, auto, or emulated: a GPU's kernels, emulated on the CPU\n"
      "  --threads N   threads of the CPU; default 0: one per core\n"
-     "  --pfm FILE    write the picture's luminance, linear, as a PFM\n"},
+     "  --pfm FILE    write the image's luminance, linear, as a PFM\n"},
     {"frames", frames, "SCENE.json [--frames N] [--threads N] [--colours FILE]",
      "Renders one sample per pixel N times on the CPU and says how long a frame takes, by the clock and on all cores\n"
      "together, as one line of JSON.\n",
@@ -22,11 +22,11 @@ constexpr Command kCommands[] = {
     {"rebound", rebound, "[--size N] [--edits N] [--device D] [--width N] [--height N]",
      "Times how long N x N x N voxels take to be bounded anew after an edit of the transfer function: on one core, or "
      "on\n"
-     "a device with a memory of its own; and how long it is from the edit to its first picture.\n",
+     "a device with a memory of its own; and how long it is from the edit to its first image.\n",
      "  --size N      voxels an edge, from 2; default 256\n"
      "  --edits N     from 1; default 21\n"
      "  --device D    cpu (default), cuda, cuda:1, auto or emulated\n"
-     "  --width N     pixels of the picture, from 1; default 1920\n"
+     "  --width N     pixels of the image, from 1; default 1920\n"
      "  --height N    from 1; default 1080\n"},
     {"sizes", sizes, "[--smallest N] [--largest N] [--samples N] [--rounds N]",
      "Says what a sample costs in heads of ever more voxels, twice as many an edge each time: always the same head in\n"
@@ -47,8 +47,8 @@ constexpr Command kCommands[] = {
      "  --rounds N    of which the median counts, from 1; default 3\n"
      "  --json        print one line of JSON instead of a table\n"},
     {"bits", bits, "[SCENE.json ...] [--device D] [--threads N] [--samples N]",
-     "Prints a number for the reference tiles of render nodes and for the picture of each scene. Two machines that\n"
-     "print the same may fill one picture together.\n",
+     "Prints a number for the reference tiles of render nodes and for the image of each scene. Two machines that\n"
+     "print the same may fill one image together.\n",
      "  --device D    cpu (default), cuda, cuda:1, auto or emulated\n"
      "  --threads N   threads of the CPU; default 0: one per core\n"
      "  --samples N   per pixel, from 1; default 70\n"},
@@ -71,7 +71,7 @@ constexpr Command kCommands[] = {
      "of\n"
      "these scenes only. Exit code 1: something fails.\n",
      "  --device D    cuda (default), cuda:1, auto or emulated\n"
-     "  --quick       leave out that pictures arrive whole and that memory returns\n"},
+     "  --quick       leave out that images arrive whole and that memory returns\n"},
     {"selftest", selftest, "[--device D] [--quick] [--seed N] [WORDS]",
      "Renders scenes that physics knows the answer to and says which agree, how sure that is, and which bias it would\n"
      "have found. WORDS: only cases whose name or family holds them. Exit code 1: the device deviates, or Ctrl-C.\n",
@@ -83,21 +83,21 @@ constexpr Command kCommands[] = {
      "samples\n"
      "to three parts of the error, foretold over needed, and how often the 95 % interval holds; without scenes, of a\n"
      "head with easy and hard light. Takes minutes.\n",
-     "  --seeds N     pictures of each, from 2; default 40\n"
+     "  --seeds N     images of each, from 2; default 40\n"
      "  --threads N   of the CPU; default 0: one per core\n"
-     "  --width N     pixels of a picture, from 8; default 28\n"
+     "  --width N     pixels of an image, from 8; default 28\n"
      "  --height N    default 22\n"},
     {"accuracy-cost", accuracyCost,
      "[SCENE.json] [--samples N] [--rounds N] [--iterations N] [--threads N]\n"
      "                            [--width N] [--height N]",
-     "Says what it costs to say how right a picture is: the processor time that a session takes beside the samples of\n"
-     "its picture, in parts of theirs, always and with each part of the window that is opened; without a scene, of a\n"
+     "Says what it costs to say how right an image is: the processor time that a session takes beside the samples of\n"
+     "its image, in parts of theirs, always and with each part of the window that is opened; without a scene, of a\n"
      "head of bone. Takes minutes.\n",
      "  --samples N     the most, from 64; default 256\n"
      "  --rounds N      of which the median counts, from 1; default 3\n"
      "  --iterations N  of a displayed frame, from 1; default 1\n"
      "  --threads N     of the CPU; default 0: one per core\n"
-     "  --width N       pixels of the picture, from 64; default 480\n"
+     "  --width N       pixels of the image, from 64; default 480\n"
      "  --height N      default 384\n"},
     {"scale", scaleOut,
      "[SCENE.json] [--device D] [--threads N] [--seconds S] [--width N] [--height N]\n"
@@ -111,7 +111,7 @@ constexpr Command kCommands[] = {
      "  --device D       cpu (default), cuda, cuda:1, auto or emulated\n"
      "  --threads N      threads of the CPU; default 0: one per core\n"
      "  --seconds S      for which each of 15 kinds of frame is measured; default 0.1\n"
-     "  --width N        pixels of the picture, from 16; default 1920\n"
+     "  --width N        pixels of the image, from 16; default 1920\n"
      "  --height N       default 1080\n"
      "  --samples N      of each pixel of a frame, from 1; default 256\n"
      "  --per-launch N   of them in one launch, from 1; default 64\n"
@@ -123,7 +123,7 @@ constexpr Command kCommands[] = {
      "  --serial S       Tc, of a frame\n"
      "  --latency S      of a message, one way; default 0.0001\n"
      "  --bandwidth B    bytes a second of a link; default 125000000\n"
-     "  --message S      that a message costs who shows the picture; default 0.00002\n"
+     "  --message S      that a message costs who shows the image; default 0.00002\n"
      "  --pixel-bytes B  of a pixel that is finished; default 4\n"
      "  --sum-bytes B    of a pixel to which others add; default 16\n"
      "  --json           print JSON instead of tables\n"
@@ -134,19 +134,19 @@ constexpr Command kCommands[] = {
      "of\n"
      "lanes and of warps, and how many of a warp's 32 lanes are busy in each.\n",
      "  --samples N   samples per pixel, from 1; default 1\n"
-     "  --width N     pixels of the picture, from 1; default 480\n"
+     "  --width N     pixels of the image, from 1; default 480\n"
      "  --height N    from 1; default 270\n"},
     {"smoothing", smoothing,
      "SCENE.json [--samples N] [--reference N] [--rounds N] [--threads N]\n"
      "                            [--width N] [--height N] [--exposure E]",
-     "Says how far the raw and the smoothed picture are from one of many samples, beside what is stated of both, and "
+     "Says how far the raw and the smoothed image are from one of many samples, beside what is stated of both, and "
      "what\n"
      "both cost, for 1, 4, 16, ... samples per pixel.\n",
      "  --samples N    the most, from 1; default 64\n"
-     "  --reference N  samples of the picture to compare with, from 2; default 1024\n"
+     "  --reference N  samples of the image to compare with, from 2; default 1024\n"
      "  --rounds N     of which the median time counts, from 1; default 5\n"
      "  --threads N    of the CPU; default 0: one per core\n"
-     "  --width N      pixels of the picture; default 960\n"
+     "  --width N      pixels of the image; default 960\n"
      "  --height N     default 640\n"
      "  --exposure E   radiance that is shown as 1 - 1/e; default 1\n"},
 };

@@ -57,7 +57,7 @@ int frames(const Arguments& arguments) {
                 median(wall), median(cpu), *std::ranges::min_element(wall));
     if (const auto colours = options->named.find("--colours"); colours != options->named.end())
         if (const auto film = (*live)->film(); !film || !writeColours(**film, colours->second))
-            return fail({"the picture cannot be written", colours->second, ""});
+            return fail({"the image cannot be written", colours->second, ""});
     return 0;
 }
 

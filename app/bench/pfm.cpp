@@ -8,7 +8,7 @@ namespace pdr::bench {
 Result<GreyImage> readPfm(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file)
-        return Error{"the picture cannot be opened", path.string(), ""};
+        return Error{"the image cannot be opened", path.string(), ""};
     std::string kind;
     ivec2 size(0);
     float scale = 0;
@@ -34,7 +34,7 @@ Result<void> writePfm(const GreyImage& image, const std::filesystem::path& path)
                    std::streamsize(image.size.x * sizeof(float)));
     file.flush();
     if (!file)
-        return Error{"the picture cannot be written", path.string(), "Is the folder there, and is there room?"};
+        return Error{"the image cannot be written", path.string(), "Is the folder there, and is there room?"};
     return {};
 }
 

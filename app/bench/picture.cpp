@@ -75,7 +75,7 @@ int compare(const Arguments& arguments) {
     if (!image || !reference)
         return fail(image ? reference.error() : image.error());
     if (image->size != reference->size)
-        return fail({"the pictures differ in size", arguments[0], ""});
+        return fail({"the images differ in size", arguments[0], ""});
     double mean = 0, truth = 0, squares = 0;
     for (std::size_t i = 0; i < image->pixels.size(); ++i) {
         const double difference = double(image->pixels[i]) - reference->pixels[i];

@@ -57,7 +57,7 @@ void sayHowToGoOn(const ClusterOptions& options, const QString& job, double seco
     const QString bundle = options.bundle.isEmpty() ? "" : " --bundle " + options.bundle;
     std::printf(
         "%d nodes of job %s are there after %.1f s. They wait %d s for the program that renders with them:\n"
-        "  pdrender-cli render FOLDER -o picture.png --listen %s%s --await %d\n"
+        "  pdrender-cli render FOLDER -o image.png --listen %s%s --await %d\n"
         "They end when they have been idle for %d minutes, or by: scancel %s\n",
         options.nodes, qUtf8Printable(job), seconds, options.keepSeconds, qUtf8Printable(options.listen),
         qUtf8Printable(bundle), options.nodes, options.idleMinutes, qUtf8Printable(job));

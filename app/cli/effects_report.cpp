@@ -69,7 +69,7 @@ std::string plainText(const EffectsReport& report) {
     std::string text = line("%d x %d pixels on %s, %s, %.0f s of processor time\n", ledger.film.x, ledger.film.y,
                             ledger.device.name.c_str(), ledger.device.details.c_str(), ledger.seconds);
     text +=
-        "ms and share: of an iteration, median (smallest to largest of six); change: of the picture without it, in\n"
+        "ms and share: of an iteration, median (smallest to largest of six); change: of the image without it, in\n"
         "levels of 255, mean and what 95 % stay below; time: to any target without it (95 % interval)\n\n";
     text += line(kRow, "effect", "", "ms", "share", "mean change", "95 % below", "time without", "because");
     for (const TriedEffect& tried : ledger.effects)

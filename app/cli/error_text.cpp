@@ -45,7 +45,7 @@ std::string errorSentence(const FilmStatus& status) {
     if (!std::isfinite(status.relativeError))
         return unknownSentence(status);
     if (status.relativeError == 0)
-        return "The picture is without noise.";
+        return "The image is without noise.";
     const std::string levels = levelsClause(status, "is ");
     return "The remaining error is " + percentText(status.relativeError) + " of the mean brightness" +
            (status.tissuePixels > 0 ? " of the tissue" : "") + (levels.empty() ? "." : "; " + levels + ".");

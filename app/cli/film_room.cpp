@@ -14,7 +14,7 @@ Result<void> roomForFilm(ivec2 size, const DeviceInfo& device) {
         return fits;
     const std::uint64_t needed = filmBytes(size, device), free = freeBytes();
     if (needed >= kWorthSaying && free != kNoMemoryLimit)
-        std::fprintf(stderr, "pdrender-cli: a picture of %d x %d pixels takes %s of memory, %s are free\n", size.x,
+        std::fprintf(stderr, "pdrender-cli: an image of %d x %d pixels takes %s of memory, %s are free\n", size.x,
                      size.y, bytesText(needed).c_str(), bytesText(free).c_str());
     return {};
 }

@@ -27,13 +27,13 @@ namespace pdr::app {
 namespace {
 
 constexpr const char* kHelp =
-    "pdrender-cli: volume rendering of CT that says how right the picture is. Not for diagnostic use.\n"
+    "pdrender-cli: volume rendering of CT that says how right the image is. Not for diagnostic use.\n"
     "\n"
     "  pdrender-cli info FOLDER [--json]                      list the series in a folder of DICOM files\n"
     "  pdrender-cli looks                                     list how a scan can look\n"
-    "  pdrender-cli render FOLDER|SCENE.json -o FILE ...      render a picture (.png, .exr)\n"
+    "  pdrender-cli render FOLDER|SCENE.json -o FILE ...      render an image (.png, .exr)\n"
     "  pdrender-cli accuracy FOLDER|SCENE.json -o DIR ...     measure what accuracy costs in time\n"
-    "  pdrender-cli effects FOLDER|SCENE.json ...             list what the picture needs, why, and at what cost\n"
+    "  pdrender-cli effects FOLDER|SCENE.json ...             list what the image needs, why, and at what cost\n"
     "  pdrender-cli replay FOLDER|SCENE.json --pixel X,Y ...  tell how one sample came about, event by event\n"
     "  pdrender-cli cluster start --slurm N --listen PORT ... start render nodes as a job of Slurm\n"
     "  pdrender-cli example FOLDER ...                        write an example CT series\n"

@@ -13,10 +13,10 @@ void describeNodeOptions(QCommandLineParser& parser) {
          "nodes must be on this one.",
          "DIR"},
         {"await", "Begin when N nodes are ready; default: at once, and nodes join as they come.", "N"},
-        {"await-seconds", "End without a picture when these N are not ready after S seconds; default 120.", "S"},
+        {"await-seconds", "End without an image when these N are not ready after S seconds; default 120.", "S"},
         {"nodes-only", "This machine only checks what nodes send, as long as there is one."},
         {"split",
-         "How the picture is shared out: tiles (each a part of it) or samples (each all of it, in blocks of 64 "
+         "How the image is shared out: tiles (each a part of it) or samples (each all of it, in blocks of 64 "
          "samples). Default: what a model of their costs finds faster.",
          "WORD"},
     });

@@ -126,7 +126,7 @@ int runRender(const QStringList& arguments) {
             if (!finished)
                 return failed(finished.error());
             if (finished->reason == StopReason::interrupted)
-                std::fprintf(stderr, "pdrender-cli: interrupted; the picture holds the samples taken until then.\n");
+                std::fprintf(stderr, "pdrender-cli: interrupted; the image holds the samples taken until then.\n");
             return finished->reason != StopReason::interrupted && finished->allInPlace ? 0 : 1;
         } catch (const std::bad_alloc&) {
             return failed(notEnoughMemory("", options.scene.path.string(), "Take a smaller --size or volume."));

@@ -17,10 +17,10 @@ const QCommandLineOption kDeviceOption(
 void describeRender(QCommandLineParser& parser) {
     describeSceneOptions(parser);
     parser.addOptions({
-        {{"o", "output"}, "Write the picture here; may be given several times.", "FILE.png|FILE.exr"},
+        {{"o", "output"}, "Write the image here; may be given several times.", "FILE.png|FILE.exr"},
         {"samples", "Stop after N samples per pixel; default 256 when no other stop is given.", "N"},
         {"seconds", "Stop after T seconds of rendering.", "T"},
-        {"levels", "Stop when 95 % of the tissue is within L of 255 grey levels of the finished picture, such as 8.",
+        {"levels", "Stop when 95 % of the tissue is within L of 255 grey levels of the finished image, such as 8.",
          "L"},
         {"error",
          "Stop when the standard error of the tissue is E of its mean brightness, such as 0.05 or 5%; half of it takes "
@@ -31,7 +31,7 @@ void describeRender(QCommandLineParser& parser) {
          "Take the noise out of PNG files, and fine detail that it hides; their error is written into them."},
         {"annotations",
          "What is written over PNG files: none; sides (default): the patient's sides, look, part, cut, scale, and what "
-         "the picture is worth; patient: that, and the patient's name, birth date and ID.",
+         "the image is worth; patient: that, and the patient's name, birth date and ID.",
          "none|sides|patient", "sides"},
         {"json", "Print samples, seconds, samples per second and error as JSON."},
     });
@@ -46,7 +46,7 @@ void describeEffects(QCommandLineParser& parser) {
 void describeAccuracy(QCommandLineParser& parser) {
     describeSceneOptions(parser);
     parser.addOptions({
-        {{"o", "output"}, "Write accuracy.html, .svg, .csv, .json and the pictures into this folder.", "DIR"},
+        {{"o", "output"}, "Write accuracy.html, .svg, .csv, .json and the images into this folder.", "DIR"},
         {"time-limit", "Render for T seconds in all; default 120.", "T", "120"},
         kDeviceOption,
     });
@@ -68,7 +68,7 @@ std::vector<std::filesystem::path> readOutputs(const QCommandLineParser& parser)
             usageError("-o", "must end in .png or .exr, not be " + name.toStdString());
     }
     if (outputs.empty())
-        usageError("-o", "says where the picture goes, and is missing", "Add -o picture.png.");
+        usageError("-o", "says where the image goes, and is missing", "Add -o image.png.");
     return outputs;
 }
 
@@ -201,20 +201,20 @@ std::string replayHelp() {
 
 std::string renderHelp() {
     return "Usage: pdrender-cli render FOLDER|SCENE.json -o FILE [options]\n"
-           "Renders a picture. It ends at the first stop that is reached. Ctrl-C ends it early, and so does the end of "
+           "Renders an image. It ends at the first stop that is reached. Ctrl-C ends it early, and so does the end of "
            "the\n"
            "terminal's session: what is there is then written and the exit code is 1; a second Ctrl-C ends at once "
            "and\n"
-           "writes nothing. A new picture can be read by its owner only; one that is replaced keeps its "
+           "writes nothing. A new image can be read by its owner only; one that is replaced keeps its "
            "permissions.\n" +
            optionsText(describeRender);
 }
 
 std::string accuracyHelp() {
     return "Usage: pdrender-cli accuracy FOLDER|SCENE.json -o DIR [--time-limit T] [options]\n"
-           "Measures what accuracy costs in time: the picture as it is, smoothed, and in every way that Exposure "
+           "Measures what accuracy costs in time: the image as it is, smoothed, and in every way that Exposure "
            "Render\n"
-           "or a fast filter would make it, each against a picture of more samples with other random numbers, which\n"
+           "or a fast filter would make it, each against an image of more samples with other random numbers, which\n"
            "takes most of the time; then the other models, and slices interpolated, against theirs. 512x512 pixels\n"
            "unless --size says otherwise. Ctrl-C ends it with what was measured until then; the exit code is 1. Run "
            "again with\n"
@@ -224,8 +224,8 @@ std::string accuracyHelp() {
 
 std::string effectsHelp() {
     return "Usage: pdrender-cli effects FOLDER|SCENE.json [options]\n"
-           "Lists every effect: whether the picture needs it and why, what it costs (milliseconds of processor time\n"
-           "per iteration of a small picture, and its share), by how many display levels the picture changes without\n"
+           "Lists every effect: whether the image needs it and why, what it costs (milliseconds of processor time\n"
+           "per iteration of a small image, and its share), by how many display levels the image changes without\n"
            "it (mean, and what 95 % of it stay below), and how long any target takes without it, in percent of the\n"
            "time with it; without shadows: light reaches all tissue unhindered. Then what each model would cost.\n"
            "--json: meanLevels, levels95 and timeWithout with their 95 % interval (low, high), milliseconds and\n"

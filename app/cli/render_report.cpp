@@ -110,7 +110,7 @@ std::string plainText(const RenderReport& report) {
         out << "\n";
     }
     if (noneOfComputing(report.biases))
-        out << "no known bias in the computing\n";
+        out << "no known systematic error\n";
     for (const auto& path : report.outputs)
         out << "written: " << path.string() << "\n";
     return out.str();

@@ -76,7 +76,7 @@ Result<void> tell(const ReplayOptions& options) {
         return Error{"the samples of " + std::string(estimatorName(scene.estimator)) + " cannot be replayed",
                      "--estimator", "Take the estimator unbiased."};
     if (options.pixel.x >= scene.film.x || options.pixel.y >= scene.film.y)
-        return Error{"lies outside the picture of " + std::to_string(scene.film.x) + " x " +
+        return Error{"lies outside the image of " + std::to_string(scene.film.x) + " x " +
                          std::to_string(scene.film.y) + " pixels",
                      "--pixel", ""};
     // Replay the sample and print its path

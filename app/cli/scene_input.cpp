@@ -144,7 +144,7 @@ Result<void> expose(LoadedScene& work, const segment::BodyParts& parts, const Vo
 
 Result<void> focus(Scene& scene, ivec2 pixel) {
     if (pixel.x >= scene.film.x || pixel.y >= scene.film.y)
-        return Error{"lies outside the picture of " + std::to_string(scene.film.x) + " x " +
+        return Error{"lies outside the image of " + std::to_string(scene.film.x) + " x " +
                          std::to_string(scene.film.y) + " pixels",
                      "--focus", ""};
     const auto depth = depthUnder(*Flattener().prepare(scene), pixel);

@@ -13,7 +13,7 @@ constexpr int kUsageError = 2;
 
 void describe(QCommandLineParser& parser) {
     parser.setApplicationDescription(
-        "Photorealistic pictures of CT volumes. Not for diagnostic use.\n"
+        "Photorealistic images of CT volumes. Not for diagnostic use.\n"
         "Needs a display; pdrender-cli renders to files without one.");
     parser.addHelpOption();
     parser.addVersionOption();
@@ -21,7 +21,7 @@ void describe(QCommandLineParser& parser) {
     parser.addOption(
         {"device", "Render with NAME: auto, cpu, cuda or cuda:1 (default: as chosen last, else auto).", "NAME"});
     parser.addOption({"threads", "Render with N threads, 1 to 1024 (default: one per core).", "N", "0"});
-    parser.addOption({"screenshot", "Save a picture of the window as PNG and quit.", "FILE"});
+    parser.addOption({"screenshot", "Save an image of the window as PNG and quit.", "FILE"});
     parser.addOption({"after", "Seconds to wait before the screenshot, 0 to 86400 (default 5).", "SECONDS", "5"});
 }
 

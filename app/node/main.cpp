@@ -31,7 +31,7 @@ int makeBundle(const QString& folder) {
         return ending(made.error(), ExitCode::configuration);
     const QByteArray where = folder.toUtf8();
     std::printf(
-        "certificates: %s/coordinator stays on the machine that shows the picture, %s/node goes to all nodes.\n"
+        "certificates: %s/coordinator stays on the machine that shows the image, %s/node goes to all nodes.\n"
         "Keep the keys secret: who has one can take part.\n",
         where.constData(), where.constData());
     return 0;

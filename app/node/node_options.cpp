@@ -13,12 +13,12 @@ using app::usageError;
 
 void describe(QCommandLineParser& parser) {
     parser.setApplicationDescription(
-        "Takes samples for pictures of PD-Render on another machine. Nothing is written to disk; scans are kept in "
+        "Takes samples for images of PD-Render on another machine. Nothing is written to disk; scans are kept in "
         "memory and wiped when the other machine says goodbye. Not for diagnostic use.");
     parser.addOptions({
         {{"h", "help"}, "Show this text."},
         {{"v", "version"}, "Say which version this is."},
-        {"coordinator", "Dial the program that shows or writes the picture. PDR_COORDINATOR.", "HOST[:PORT]"},
+        {"coordinator", "Dial the program that shows or writes the image. PDR_COORDINATOR.", "HOST[:PORT]"},
         {"listen", "Or wait for it to dial. PDR_LISTEN.", "[HOST:]PORT"},
         {"bundle",
          "The folder with this node's ca.pem, certificate.pem and key.pem. Without it only this machine can "

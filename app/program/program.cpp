@@ -21,7 +21,7 @@ namespace {
 const char* programName = "";  // for the terminate handler, which takes no argument
 
 void sayShortOf(const char* what) {
-    std::fprintf(stderr, "%s: there is not enough %s. Close other programs, or take a smaller picture or volume.\n",
+    std::fprintf(stderr, "%s: there is not enough %s. Close other programs, or take a smaller image or volume.\n",
                  programName, what);
 }
 

@@ -114,7 +114,7 @@ struct FileFields {
 template <class Visit>
 void describe(Visit& visit, FileFields& file) {
     visit.object({"volume", "where the voxels come from", {}, kRequired}, file.volume);
-    visit.list({"lights", "a list; without any the picture is black"}, file.lights);
+    visit.list({"lights", "a list; without any the image is black"}, file.lights);
     describe(visit, file.scene);
 }
 

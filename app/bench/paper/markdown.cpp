@@ -121,7 +121,7 @@ std::string accuracy(const Figures& figures) {
         table.add({text(size.size), digits(size.samplesToError()), digits(size.secondsToError(kPd1)),
                    digits(size.secondsToError(kPd10)), digits(size.secondsToError(kPd100))});
     return "\n## What accuracy costs: time to an error of " + plain(100 * kError) + " %\n\n" + table.text() +
-           "\nThe error is the standard error of the pixels, root mean square, over the picture's mean brightness.\n";
+           "\nThe error is the standard error of the pixels, root mean square, over the image's mean brightness.\n";
 }
 
 std::string goals(const Figures& figures) {

@@ -83,7 +83,7 @@ bool renderedByTiles(Device& device, const Scene& scene, const Film& whole) {
 void compareWays(Verdicts& verdicts, Device& device, const Scene& scene) {
     const Shot whole = shot(device, scene, 100);
     if (!whole)
-        return verdicts.failed("one picture", whole.error());
+        return verdicts.failed("one image", whole.error());
     Scene kroes = scene;
     kroes.schedule = {.kind = Schedule::Kind::kroes, .redundant = true, .filter = false, .runningMean = false};
     const Shot old = shot(device, kroes, 100);
@@ -96,7 +96,7 @@ void compareWays(Verdicts& verdicts, Device& device, const Scene& scene) {
 void carryPictures(Verdicts& verdicts, Device& device, const Scene& scene) {
     const auto live = startFilm(device, scene);
     if (!live)
-        return verdicts.failed("1000 pictures arrive whole", live.error());
+        return verdicts.failed("1000 images arrive whole", live.error());
     Result<void> done;
     int waiting = 0;
     std::uint64_t arrived = 0;
@@ -109,7 +109,7 @@ void carryPictures(Verdicts& verdicts, Device& device, const Scene& scene) {
             arrived += picture && picture->status.samplesPerPixel == arrived + 1;
         }
     }
-    verdicts.line("1000 pictures arrive whole, in order", done && arrived + std::uint64_t(waiting) == 1000,
+    verdicts.line("1000 images arrive whole, in order", done && arrived + std::uint64_t(waiting) == 1000,
                   done ? "" : done.error().text());
 }
 

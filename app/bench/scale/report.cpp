@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<Way, kDistributions> kWays{{
     {"sort-first: tiles",
      "Perez Monte et al., eq. 2, with a floor for each launch; last node: Blom 1958, Feller vol. 2, XI.4"},
-    {"sample-first: blocks of 64, sent", "the same of whole pictures; sums through one link"},
+    {"sample-first: blocks of 64, sent", "the same of whole images; sums through one link"},
     {"sample-first, summed on the way", "the same; reduce: Thakur, Rabenseifner & Gropp 2005"},
     {"alternate frames", "m / T until the link is full; waiting: Little's law"},
     {"sort-last: bricks", "R / m^(2/3) pixels a brick; binary swap: Ma et al. 1994; 28 bytes a sample"},

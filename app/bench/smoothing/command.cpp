@@ -48,7 +48,7 @@ class Table {
     void print() const {
         std::printf("root mean square error over the tissue's mean\n%s\n", relative_.text().c_str());
         std::printf("display levels of 255 that 95 %% of the tissue are off, at most\n%s\n", levels_.text().c_str());
-        std::printf("milliseconds of a picture: wall / processor\n%s", costs_.text().c_str());
+        std::printf("milliseconds of an image: wall / processor\n%s", costs_.text().c_str());
     }
 
   private:

@@ -25,7 +25,7 @@ QString levels(const std::optional<double>& value) {
 }
 
 QString referenceText(const AccuracyPicture& picture) {
-    QString text = QString("a picture of %1 samples a pixel with other random numbers").arg(picture.referenceSamples);
+    QString text = QString("an image of %1 samples a pixel with other random numbers").arg(picture.referenceSamples);
     if (picture.referenceError)
         text += QString(", which is itself within %1, at most %2: what is smaller than that cannot be told")
                     .arg(levels(picture.referenceError->levels), levels(picture.referenceError->levelsAtMost));
@@ -51,10 +51,10 @@ QString heading(const AccuracyReport& report) {
 QString crossingText(const AccuracyCurve& way, const AccuracyCurve& plain) {
     const auto until = betterUntil(way, plain);
     if (!until)
-        return "never closer to the truth than the picture as it is, in the same time";
+        return "never closer to the truth than the image as it is, in the same time";
     if (std::isinf(*until))
-        return "closer to the truth than the picture as it is, until the time was up";
-    return QString("closer to the truth than the picture as it is until %1 s, never after").arg(*until, 0, 'g', 2);
+        return "closer to the truth than the image as it is, until the time was up";
+    return QString("closer to the truth than the image as it is until %1 s, never after").arg(*until, 0, 'g', 2);
 }
 
 QString ladder(const AccuracyPicture& picture) {
@@ -157,7 +157,7 @@ std::string pageText(const AccuracyReport& report, const std::filesystem::path& 
     if (!scene.curves.empty())
         text += "<h2>Foretold and come true</h2>" + prophecies(scene.curves[0]);
     if (!report.others.empty())
-        text += "<h2>Other pictures of the same anatomy</h2><p>Each has a truth of its own.</p>";
+        text += "<h2>Other images of the same anatomy</h2><p>Each has a truth of its own.</p>";
     for (const AccuracyPicture& other : report.others)
         text += otherPicture(other);
     text += "<h2>All steps</h2>" + table(scene);

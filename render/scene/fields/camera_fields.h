@@ -15,9 +15,9 @@ void describe(Visit& visit, Camera& camera) {
     constexpr Range kEyeMm{-1e15, 1e15};
     visit.word({"type", ""}, camera.type, kCameraWords);
     visit({"eyeMm", "where it is [mm]", kEyeMm, kRequired}, camera.eyeMm);
-    visit({"targetMm", "the point in the middle of the picture, at least 1e-12 from the eye [mm]", kEyeMm, kRequired},
+    visit({"targetMm", "the point in the middle of the image, at least 1e-12 from the eye [mm]", kEyeMm, kRequired},
           camera.targetMm);
-    visit.direction({"up", "what is up in the picture; not along the view"}, camera.up);
+    visit.direction({"up", "what is up in the image; not along the view"}, camera.up);
     if (Visit::kBranches || camera.type == Camera::Type::perspective)
         visit({"fovDegrees", "perspective only: vertical field of view [degrees]", {kLeastMm, 180, true, false}},
               camera.fovDegrees);

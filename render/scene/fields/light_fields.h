@@ -45,13 +45,13 @@ template <class Visit>
 void describe(Visit& visit, EnvironmentFields& fields) {
     Environment& environment = fields.environment;
     visit({"image",
-           "an OpenEXR picture of the surroundings, latitude-longitude: its top row is towards the head, its middle at "
+           "an OpenEXR image of the surroundings, latitude-longitude: its top row is towards the head, its middle at "
            "the back, its right half on the patient's left. Bright spots are aimed at"},
           fields.image);
     if (Visit::kReads && fields.image)
         environment.radiance = vec3(1);
     visit({"radiance",
-           "colour; with `nadir`: what comes from straight above (towards the head); with `image`: what the picture is "
+           "colour; with `nadir`: what comes from straight above (towards the head); with `image`: what the image is "
            "multiplied by, 1 where it is absent",
            kRadiance, !fields.image},
           environment.radiance);
@@ -59,7 +59,7 @@ void describe(Visit& visit, EnvironmentFields& fields) {
         visit({"nadir", "colour from straight below; in between it changes evenly with the height", kRadiance},
               environment.nadir);
     if (Visit::kBranches || fields.image)
-        visit({"rotationDegrees", "turns the picture about the patient's axis, from the back towards the left"},
+        visit({"rotationDegrees", "turns the image about the patient's axis, from the back towards the left"},
               environment.rotationDegrees);
     visit({"visible", "whether the camera sees it behind the volume; it lights the volume either way"},
           environment.visible);

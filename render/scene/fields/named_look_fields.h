@@ -40,7 +40,7 @@ template <class Visit>
 void describe(Visit& visit, NamedLook& named) {
     visit({"name", "by which it is chosen; no other has it", {}, kRequired}, named.name);
     visit.word({"group", "where it is listed"}, named.group, kLookGroupWords);
-    visit({"doesNotShow", "what must not be looked for in its pictures, in a sentence or two"}, named.doesNotShow);
+    visit({"doesNotShow", "what must not be looked for in its images, in a sentence or two"}, named.doesNotShow);
     visit.object({"suits", "of which scans it makes sense: `true`, only of those; `false`, only of others"},
                  named.suits);
     visit({"bloodHu",

@@ -24,7 +24,7 @@ template <class Visit>
 void describe(Visit& visit, Schedule& schedule) {
     visit.word({"kind",
                 "`pd`: iterations are added up as they are made, then shown; or `kroes`: Exposure Render's order of "
-                "work, there to be compared with; pictures say so"},
+                "work, there to be compared with; images say so"},
                schedule.kind, kScheduleWords);
     visit({"redundant", "`kroes` only: all is uploaded and allocated anew for each iteration, as there (K0); else K1"},
           schedule.redundant);
@@ -47,7 +47,7 @@ void describe(Visit& visit, Scene& scene) {
     visit.word({"estimator",
                 "`unbiased`, or `kroesMarch`: as Exposure Render takes its samples, in steps of 3 voxels, with one "
                 "event and one light. It is biased and there to be compared with; only with `singleScattering`; "
-                "pictures say `kroesMarch (biased)`"},
+                "images say `kroesMarch (biased)`"},
                scene.estimator, kEstimatorWords);
     visit.object({"schedule", "how iterations become displayed frames"}, scene.schedule);
     visit.word({"filtering",
@@ -71,7 +71,7 @@ void describe(Visit& visit, Scene& scene) {
     visit.object({"camera", "from where it is seen", {}, kRequired}, scene.camera);
     visit.object({"clip", "what is cut away"}, scene.clip);
     visit.object({"visible", "which part of the patient is shown"}, scene.visible);
-    visit.object({"film", "the size of the picture"}, film);
+    visit.object({"film", "the size of the image"}, film);
     visit({"maxBounces",
            "`multipleScattering`: events on a path, at most; paths that are cut there are counted and reported",
            {1, 100000}},

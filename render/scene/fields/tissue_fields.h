@@ -23,7 +23,7 @@ template <class Visit>
 void describe(Visit& visit, TransferFunction& function) {
     visit({"extinctionPerMm",
            "extinction where the opacity is 1 [1/mm]; extinction = `extinctionPerMm` x `opacity`. `multipleScattering` "
-           "stands 1000 free paths between voxels (extinction x largest spacing); beyond, programs and pictures warn "
+           "stands 1000 free paths between voxels (extinction x largest spacing); beyond, programs and images warn "
            "(`overDense`)",
            {0, 1e6},
            kRequired},

@@ -16,7 +16,7 @@ void describe(Visit& visit, Visible& visible) {
     visit.word({"part",
                 "`lungs` without the outermost 5 mm, `bones` as far as they hold dense bone, `withoutBones`: all but "
                 "those, or `everything`. Told apart by density and geometry, with smooth edges; no voxel is changed, "
-                "and pictures say what is not shown"},
+                "and images say what is not shown"},
                visible.part, kBodyPartWords);
     visit({"peelMm", "so much is taken off all around the body, such as skin [mm]", {0, 50}}, visible.peelMm);
 }

@@ -53,14 +53,14 @@ void describe(Visit& visit, VolumeFields& volume) {
     visit.word(
         {"table",
          "`hidden`: all outside the patient's body is air, as far as it is known what is body: table, head holder, "
-         "clothes. The voxels themselves stay as they are; pictures say how much is hidden. `pdrender-cli render "
+         "clothes. The voxels themselves stay as they are; images say how much is hidden. `pdrender-cli render "
          "--table` goes before it"},
         volume.table, kTableWords);
     visit.word(
         {"reconstruction",
          "what stands between the slices: `linear` goes evenly from one to the next, `cubic` first puts one more "
          "between each two, from the four around it. Steps of the slices are lower then, by half where slopes "
-         "are gentle; it takes twice the memory, and pictures say `slices interpolated`"},
+         "are gentle; it takes twice the memory, and images say `slices interpolated`"},
         volume.reconstruction, kReconstructionWords);
 }
 

@@ -120,7 +120,7 @@ class CliPicturesTest : public QObject {
         const ProgramRun outside =
             BallScene::run({"render", scene(), "-o", at("l.png"), "--aperture", "10", "--focus", "5000,1"});
         QCOMPARE(outside.code, 1);
-        QVERIFY2(outside.err.contains("outside the picture of 48 x 40"), outside.err.constData());
+        QVERIFY2(outside.err.contains("outside the image of 48 x 40"), outside.err.constData());
     }
 
     void surroundingsAreReadFromOpenExr() {
