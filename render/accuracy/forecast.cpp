@@ -11,7 +11,7 @@ constexpr double kUnknown = std::numeric_limits<double>::infinity();
 constexpr double kSigmas = 1.96;  ///< from the mean to either end of 95 % of a normal distribution
 
 /// Exponent of most scenes with low-discrepancy points, and the deviation of single scenes from it: see
-/// tests/support/coverage_scenes.h and DECISIONS.md.
+/// tests/support/scenes/coverage_scenes.h and DECISIONS.md.
 constexpr double kExponent = 0.57, kExponentSpread = 0.07;
 /// The known gain of points over independent samples says more. So far, errors fell as n^-a on average, with
 /// a = 1/2 + ln gain / ln n. Errors with a = kUsualFall go on as n^-kUsualExponent. A difference from

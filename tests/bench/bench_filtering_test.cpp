@@ -11,7 +11,7 @@
 #include "render/kernel/pixel.h"
 #include "tests/support/patience.h"
 #include "tests/support/places.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 using namespace pdr::bench;

@@ -4,12 +4,12 @@
 /// where they are there, else in slices that the toolkit encodes. --keep leaves every damaged file in FOLDER with a
 /// list of them, for damaged_streams_gdcm.py to try the same on GDCM.
 
-#include "tests/support/damaged_streams.h"
+#include "tests/support/dicom/damaged_streams.h"
 
 #include <cstdio>
 #include <map>
 
-#include "tests/support/shared_data.h"
+#include "tests/support/dicom/shared_data.h"
 
 using namespace pdr;
 using test::Outcome;

@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "app/bench/paper/measurement.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 using namespace pdr::bench;

@@ -24,7 +24,7 @@
 #include "app/desktop/desktop.h"
 #include "app/looks/looks.h"
 #include "app/program/program.h"
-#include "tests/support/event_times.h"
+#include "tests/support/desktop/event_times.h"
 #include "ui/theme/theme.h"
 
 namespace pdr::app {

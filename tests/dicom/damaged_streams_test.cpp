@@ -1,4 +1,4 @@
-#include "tests/support/damaged_streams.h"
+#include "tests/support/dicom/damaged_streams.h"
 
 #include <QTemporaryDir>
 #include <QTest>

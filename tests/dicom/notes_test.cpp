@@ -1,11 +1,11 @@
-#include "tests/support/damaged_streams.h"
+#include "tests/support/dicom/damaged_streams.h"
 
 #include <QTest>
 
 #include <algorithm>
 
 #include "dicom/import.h"
-#include "tests/support/slice_folder.h"
+#include "tests/support/dicom/slice_folder.h"
 
 using namespace pdr;
 using namespace pdr::dicom;

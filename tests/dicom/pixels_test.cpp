@@ -1,4 +1,4 @@
-#include "tests/support/slice_file.h"
+#include "tests/support/dicom/slice_file.h"
 
 #include <QTemporaryDir>
 #include <QTest>

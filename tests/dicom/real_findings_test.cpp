@@ -6,7 +6,7 @@
 #include "render/segment/findings.h"
 #include "render/segment/hidden_table.h"
 #include "render/volume/raw_file.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/dicom/shared_data.h"
 
 using namespace pdr;
 using segment::Findings;

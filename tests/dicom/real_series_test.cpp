@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dicom/import.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/dicom/shared_data.h"
 
 using namespace pdr;
 using namespace pdr::dicom;

@@ -5,7 +5,7 @@
 #include "dicom/import.h"
 #include "render/segment/hidden_table.h"
 #include "render/volume/raw_file.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/dicom/shared_data.h"
 
 using namespace pdr;
 using segment::HiddenTable;

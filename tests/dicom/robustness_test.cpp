@@ -11,7 +11,7 @@
 #include "dicom/read/file_structure.h"
 #include "dicom/read/pixels.h"
 #include "dicom/read/slice_header.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/dicom/shared_data.h"
 
 using namespace pdr;
 using namespace pdr::dicom;

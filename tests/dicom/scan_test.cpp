@@ -1,4 +1,4 @@
-#include "tests/support/slice_file.h"
+#include "tests/support/dicom/slice_file.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "dicom/import.h"
-#include "tests/support/slice_folder.h"
+#include "tests/support/dicom/slice_folder.h"
 
 using namespace pdr;
 using namespace pdr::dicom;

@@ -4,8 +4,8 @@
 
 #include "render/film/display/tone_map.h"
 #include "render/kernel/random.h"
-#include "tests/support/one_pixel.h"
-#include "tests/support/pictures.h"
+#include "tests/support/scenes/one_pixel.h"
+#include "tests/support/scenes/pictures.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;

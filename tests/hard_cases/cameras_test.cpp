@@ -6,7 +6,7 @@
 
 #include "render/kernel/transport/camera_ray.h"
 #include "render/kernel/volume_sampling.h"
-#include "tests/support/pictures.h"
+#include "tests/support/scenes/pictures.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;

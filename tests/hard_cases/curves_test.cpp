@@ -8,8 +8,8 @@
 
 #include "render/film/display/tone_map.h"
 #include "render/kernel/transport/event.h"
-#include "tests/support/pictures.h"
-#include "tests/support/screen.h"
+#include "tests/support/devices/screen.h"
+#include "tests/support/scenes/pictures.h"
 
 using namespace pdr;
 

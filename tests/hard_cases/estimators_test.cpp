@@ -10,9 +10,9 @@
 #include "render/device/cpu/replay.h"
 #include "render/film/display/tone_map.h"
 #include "tests/hard_cases/trusting_is_nan.h"
-#include "tests/support/one_pixel.h"
-#include "tests/support/pictures.h"
-#include "tests/support/screen.h"
+#include "tests/support/devices/screen.h"
+#include "tests/support/scenes/one_pixel.h"
+#include "tests/support/scenes/pictures.h"
 
 using namespace pdr;
 

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "render/kernel/transport/majorant_traversal.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

@@ -7,7 +7,7 @@
 
 #include "render/kernel/transport/integrator.h"
 #include "tests/physics/gauss_legendre.h"
-#include "tests/support/pictures.h"
+#include "tests/support/scenes/pictures.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;

@@ -6,7 +6,7 @@
 
 #include "render/kernel/transport/integrator.h"
 #include "render/prepare/environment_tables.h"
-#include "tests/support/pictures.h"
+#include "tests/support/scenes/pictures.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;

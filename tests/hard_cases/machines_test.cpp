@@ -9,8 +9,8 @@
 
 #include "render/base/angles.h"
 #include "render/tiles/shared_device.h"
-#include "tests/support/nearby_worker.h"
-#include "tests/support/tissue_scene.h"
+#include "tests/support/network/nearby_worker.h"
+#include "tests/support/scenes/tissue_scene.h"
 
 using namespace pdr;
 using namespace pdr::test;

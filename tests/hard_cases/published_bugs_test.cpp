@@ -6,8 +6,8 @@
 #include <random>
 
 #include "render/kernel/transport/integrator.h"
-#include "tests/support/one_pixel.h"
-#include "tests/support/pictures.h"
+#include "tests/support/scenes/one_pixel.h"
+#include "tests/support/scenes/pictures.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;

@@ -7,9 +7,9 @@
 #include <random>
 
 #include "render/kernel/transport/integrator.h"
-#include "tests/support/fake_clock.h"
-#include "tests/support/pictures.h"
-#include "tests/support/screen.h"
+#include "tests/support/devices/fake_clock.h"
+#include "tests/support/devices/screen.h"
+#include "tests/support/scenes/pictures.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;

@@ -6,7 +6,7 @@
 
 #include "tests/physics/hybrid_scenes.h"
 #include "tests/physics/single_scattering.h"
-#include "tests/support/pictures.h"
+#include "tests/support/scenes/pictures.h"
 
 using namespace pdr;
 

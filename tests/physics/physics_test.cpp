@@ -9,8 +9,8 @@
 #include "render/prepare/flatten.h"
 #include "tests/physics/biased_march.h"
 #include "tests/physics/closed_forms.h"
+#include "tests/support/devices/tested_device.h"
 #include "tests/support/statistics.h"
-#include "tests/support/tested_device.h"
 
 using namespace pdr;
 using namespace pdr::selftest;

@@ -6,7 +6,7 @@
 
 #include "render/device/cpu/lane_tracker.h"
 #include "render/kernel/transport/phase.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;

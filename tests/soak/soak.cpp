@@ -16,8 +16,8 @@
 #include <random>
 #include <thread>
 
-#include "tests/support/fault_proxy.h"
-#include "tests/support/shared_picture.h"
+#include "tests/support/network/fault_proxy.h"
+#include "tests/support/network/shared_picture.h"
 
 namespace pdr::test {
 namespace {

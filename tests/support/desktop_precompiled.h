@@ -3,4 +3,4 @@
 
 #include "tests/support/precompiled.h"
 // Must come after TBB, which has names that Qt defines as keywords.
-#include "tests/support/desktop_trial.h"
+#include "tests/support/desktop/desktop_trial.h"

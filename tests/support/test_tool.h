@@ -3,7 +3,7 @@
 
 #include <QStandardPaths>
 
-#include "tests/support/shared_data.h"
+#include "tests/support/dicom/shared_data.h"
 
 /// Leaves the test function if the program `tool`, of the Debian package `package`, is missing: as skipped or, if
 /// PDR_REQUIRE_DATA is set, as failed.

@@ -19,8 +19,8 @@
 #include "render/segment/body_parts.h"
 #include "render/segment/hidden_table.h"
 #include "render/timing/split_choice.h"
-#include "tests/support/scenes.h"
-#include "tests/support/slice_folder.h"
+#include "tests/support/dicom/slice_folder.h"
+#include "tests/support/scenes/scenes.h"
 #include "ui/text/language.h"
 #include "ui/text/room_text.h"
 

@@ -1,6 +1,6 @@
 /// What is read off measured curves of accuracy against time.
 
-#include "tests/support/tissue_scene.h"  // before Qt, whose word "emit" TBB uses
+#include "tests/support/scenes/tissue_scene.h"  // before Qt, whose word "emit" TBB uses
 
 #include <sys/stat.h>
 #include <QJsonArray>

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "render/base/health.h"
-#include "tests/support/ball_scene.h"
 #include "tests/support/exr_channels.h"
+#include "tests/support/scenes/ball_scene.h"
 
 using pdr::test::BallScene;
 using pdr::test::ProgramRun;

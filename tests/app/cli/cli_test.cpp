@@ -8,7 +8,7 @@
 #include <QRegularExpression>
 
 #include "render/base/version.h"
-#include "tests/support/ball_scene.h"
+#include "tests/support/scenes/ball_scene.h"
 #include "tests/support/test_tool.h"
 
 using pdr::test::BallScene;

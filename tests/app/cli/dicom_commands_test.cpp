@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "dicom/import.h"
+#include "tests/support/dicom/shared_data.h"
+#include "tests/support/dicom/slice_file.h"
 #include "tests/support/places.h"
 #include "tests/support/program_run.h"
-#include "tests/support/shared_data.h"
-#include "tests/support/slice_file.h"
 
 using namespace pdr;
 

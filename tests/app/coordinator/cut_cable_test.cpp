@@ -2,8 +2,8 @@
 #include <QTest>
 
 #include "app/remote/certificates.h"
-#include "tests/support/shared_picture.h"
-#include "tests/support/two_networks.h"
+#include "tests/support/network/shared_picture.h"
+#include "tests/support/network/two_networks.h"
 
 using namespace pdr;
 using namespace pdr::test;

@@ -2,9 +2,9 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "tests/support/acted_node.h"
-#include "tests/support/one_link.h"
-#include "tests/support/shared_picture.h"
+#include "tests/support/network/acted_node.h"
+#include "tests/support/network/one_link.h"
+#include "tests/support/network/shared_picture.h"
 
 using namespace pdr;
 using namespace pdr::test;

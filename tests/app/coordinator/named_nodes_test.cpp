@@ -5,10 +5,10 @@
 #include <QTest>
 
 #include "app/remote/certificates.h"
-#include "tests/support/acted_node.h"
-#include "tests/support/ball_scene.h"
-#include "tests/support/node_process.h"
-#include "tests/support/taken_port.h"
+#include "tests/support/network/acted_node.h"
+#include "tests/support/network/node_process.h"
+#include "tests/support/network/taken_port.h"
+#include "tests/support/scenes/ball_scene.h"
 
 using namespace pdr;
 using namespace pdr::test;

@@ -5,7 +5,7 @@
 
 #include "app/node/node_contents.h"
 #include "app/wire/content.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 using namespace pdr::test;

@@ -3,9 +3,9 @@
 
 #include <random>
 
-#include "tests/support/fault_proxy.h"
-#include "tests/support/one_link.h"
-#include "tests/support/shared_picture.h"
+#include "tests/support/network/fault_proxy.h"
+#include "tests/support/network/one_link.h"
+#include "tests/support/network/shared_picture.h"
 
 using namespace pdr;
 using namespace pdr::test;

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <string_view>
 
-#include "tests/support/shared_picture.h"
+#include "tests/support/network/shared_picture.h"
 
 using namespace pdr;
 using namespace pdr::test;

@@ -5,8 +5,8 @@
 #include "app/node/exit_codes.h"
 #include "app/remote/certificates.h"
 #include "app/remote/listener.h"
-#include "tests/support/acted_node.h"
-#include "tests/support/shared_picture.h"
+#include "tests/support/network/acted_node.h"
+#include "tests/support/network/shared_picture.h"
 
 using namespace pdr;
 using namespace pdr::test;

@@ -5,8 +5,8 @@
 
 #include "app/coordinator/scene_order.h"
 #include "app/wire/content_hash.h"
-#include "tests/support/masks.h"
-#include "tests/support/tissue_scene.h"
+#include "tests/support/scenes/masks.h"
+#include "tests/support/scenes/tissue_scene.h"
 
 using namespace pdr;
 using namespace pdr::nodes;

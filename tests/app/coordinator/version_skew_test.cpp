@@ -4,10 +4,10 @@
 #include <thread>
 
 #include "app/node/exit_codes.h"
-#include "tests/support/acted_node.h"
-#include "tests/support/later_version.h"
-#include "tests/support/one_link.h"
-#include "tests/support/shared_picture.h"
+#include "tests/support/network/acted_node.h"
+#include "tests/support/network/later_version.h"
+#include "tests/support/network/one_link.h"
+#include "tests/support/network/shared_picture.h"
 
 using namespace pdr;
 using namespace pdr::test;

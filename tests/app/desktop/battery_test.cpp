@@ -5,7 +5,7 @@
 #include <QTest>
 
 #include "app/desktop/power_supply.h"
-#include "tests/support/desktop_trial.h"
+#include "tests/support/desktop/desktop_trial.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {

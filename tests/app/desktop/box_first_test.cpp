@@ -2,8 +2,8 @@
 
 #include <QTest>
 
-#include "tests/support/desktop_trial.h"
-#include "tests/support/phantom_series.h"
+#include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/dicom/phantom_series.h"
 #include "ui/text/to_qt.h"
 #include "ui/view/region_box.h"
 

@@ -9,9 +9,9 @@
 
 #include "app/desktop/annotating.h"
 #include "app/desktop/copied_picture.h"
-#include "tests/support/desktop_trial.h"
+#include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/dicom/phantom_series.h"
 #include "tests/support/patience.h"
-#include "tests/support/phantom_series.h"
 #include "ui/text/accuracy_text.h"
 #include "ui/text/to_qt.h"
 

@@ -6,10 +6,10 @@
 #include <QTest>
 #include <algorithm>
 
-#include "tests/support/desktop_trial.h"
-#include "tests/support/failing_device.h"
+#include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/devices/failing_device.h"
+#include "tests/support/dicom/phantom_series.h"
 #include "tests/support/patience.h"
-#include "tests/support/phantom_series.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {

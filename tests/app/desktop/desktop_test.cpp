@@ -13,10 +13,10 @@
 
 #include "app/desktop/show_frame.h"
 #include "render/film/levels_text.h"
-#include "tests/support/desktop_trial.h"
+#include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/dicom/phantom_series.h"
+#include "tests/support/dicom/shared_data.h"
 #include "tests/support/patience.h"
-#include "tests/support/phantom_series.h"
-#include "tests/support/shared_data.h"
 #include "ui/text/language.h"
 #include "ui/text/to_qt.h"
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "app/desktop/ledger_content.h"
-#include "tests/support/desktop_trial.h"
-#include "tests/support/phantom_series.h"
-#include "tests/support/scenes.h"
-#include "tests/support/told_document.h"
+#include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/desktop/told_document.h"
+#include "tests/support/dicom/phantom_series.h"
+#include "tests/support/scenes/scenes.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {

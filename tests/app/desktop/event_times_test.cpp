@@ -5,12 +5,12 @@
 #include <QTest>
 #include <cmath>
 
-#include "tests/support/desktop_trial.h"
-#include "tests/support/event_times.h"
-#include "tests/support/phantom_series.h"
-#include "tests/support/shared_data.h"
-#include "tests/support/sky_file.h"
-#include "tests/support/tissue_hand.h"
+#include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/desktop/event_times.h"
+#include "tests/support/desktop/tissue_hand.h"
+#include "tests/support/dicom/phantom_series.h"
+#include "tests/support/dicom/shared_data.h"
+#include "tests/support/scenes/sky_file.h"
 #include "ui/text/to_qt.h"
 #include "ui/theme/theme.h"
 

@@ -5,8 +5,8 @@
 
 #include "app/desktop/desktop.h"
 #include "app/looks/looks.h"
+#include "tests/support/dicom/phantom_series.h"
 #include "tests/support/patience.h"
-#include "tests/support/phantom_series.h"
 
 namespace pdr::app {
 

@@ -6,9 +6,9 @@
 #include <QToolButton>
 #include <functional>
 
-#include "tests/support/desktop_trial.h"
+#include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/dicom/phantom_series.h"
 #include "tests/support/patience.h"
-#include "tests/support/phantom_series.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {

@@ -3,10 +3,10 @@
 
 #include <QTest>
 
-#include "tests/support/desktop_trial.h"
-#include "tests/support/hand_on_window.h"
-#include "tests/support/named_widget.h"
-#include "tests/support/phantom_series.h"
+#include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/desktop/hand_on_window.h"
+#include "tests/support/desktop/named_widget.h"
+#include "tests/support/dicom/phantom_series.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {

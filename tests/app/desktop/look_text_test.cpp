@@ -5,7 +5,7 @@
 
 #include "app/desktop/look_text.h"
 #include "app/looks/looks.h"
-#include "tests/support/told_document.h"
+#include "tests/support/desktop/told_document.h"
 #include "ui/text/language.h"
 
 namespace pdr::app {

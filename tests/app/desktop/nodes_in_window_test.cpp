@@ -11,11 +11,11 @@
 #include <algorithm>
 #include <set>
 
-#include "tests/support/desktop_trial.h"
-#include "tests/support/named_widget.h"
-#include "tests/support/node_process.h"
-#include "tests/support/phantom_series.h"
-#include "tests/support/taken_port.h"
+#include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/desktop/named_widget.h"
+#include "tests/support/dicom/phantom_series.h"
+#include "tests/support/network/node_process.h"
+#include "tests/support/network/taken_port.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {

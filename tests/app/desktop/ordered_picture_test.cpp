@@ -11,9 +11,9 @@
 #include "render/device/device_list.h"
 #include "render/film/display/tone_map.h"
 #include "render/session/batch_render.h"
-#include "tests/support/desktop_trial.h"
+#include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/dicom/phantom_series.h"
 #include "tests/support/patience.h"
-#include "tests/support/phantom_series.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {

@@ -9,7 +9,7 @@
 #include "app/scan/series_choice.h"
 #include "dicom/write/export.h"
 #include "render/volume/phantom.h"
-#include "tests/support/desktop_trial.h"
+#include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/patience.h"
 #include "ui/text/to_qt.h"
 

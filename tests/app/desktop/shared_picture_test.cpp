@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "app/desktop/requests.h"
-#include "tests/support/desktop_trial.h"
-#include "tests/support/nearby_worker.h"
-#include "tests/support/phantom_series.h"
+#include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/dicom/phantom_series.h"
+#include "tests/support/network/nearby_worker.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {

@@ -12,11 +12,11 @@
 
 #include "app/desktop/keep_looks.h"
 #include "app/output/provenance.h"
-#include "tests/support/desktop_trial.h"
-#include "tests/support/hand_on_window.h"
-#include "tests/support/named_widget.h"
-#include "tests/support/phantom_series.h"
-#include "tests/support/sky_file.h"
+#include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/desktop/hand_on_window.h"
+#include "tests/support/desktop/named_widget.h"
+#include "tests/support/dicom/phantom_series.h"
+#include "tests/support/scenes/sky_file.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {

@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "tests/support/told_document.h"
+#include "tests/support/desktop/told_document.h"
 
 namespace pdr::app {
 

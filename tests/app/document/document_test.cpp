@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "render/scene/orbit.h"
-#include "tests/support/told_document.h"
+#include "tests/support/desktop/told_document.h"
 
 namespace pdr::app {
 

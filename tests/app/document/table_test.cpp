@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "dicom/write/export.h"
-#include "tests/support/desktop_trial.h"
-#include "tests/support/lying_patients.h"
+#include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/dicom/lying_patients.h"
 #include "tests/support/program_run.h"
 #include "ui/text/to_qt.h"
 

@@ -8,11 +8,11 @@
 
 #include "app/jobs/mask_job.h"
 #include "dicom/write/export.h"
-#include "tests/support/desktop_trial.h"
-#include "tests/support/lying_patients.h"
-#include "tests/support/masks.h"
+#include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/desktop/told_document.h"
+#include "tests/support/dicom/lying_patients.h"
 #include "tests/support/program_run.h"
-#include "tests/support/told_document.h"
+#include "tests/support/scenes/masks.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {

@@ -7,8 +7,8 @@
 #include <system_error>
 
 #include "app/jobs/import_job.h"
+#include "tests/support/dicom/phantom_series.h"
 #include "tests/support/patience.h"
-#include "tests/support/phantom_series.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {

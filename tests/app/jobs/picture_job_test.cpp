@@ -16,7 +16,7 @@
 #include "render/film/file/image_file.h"
 #include "render/session/batch_render.h"
 #include "render/volume/phantom.h"
-#include "tests/support/failing_device.h"
+#include "tests/support/devices/failing_device.h"
 #include "tests/support/patience.h"
 #include "ui/text/to_qt.h"
 

@@ -1,6 +1,6 @@
 /// The looks that the programs carry, in pictures: what they show and what they must not.
 
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 #include <QColor>
 #include <QTest>
@@ -13,7 +13,7 @@
 #include "render/scene/fit_view.h"
 #include "render/volume/coarser.h"
 #include "render/volume/raw_file.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/dicom/shared_data.h"
 
 using namespace pdr;
 

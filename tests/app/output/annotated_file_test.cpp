@@ -14,7 +14,7 @@
 #include "render/device/device_list.h"
 #include "render/scene/scene.h"
 #include "render/session/batch_render.h"
-#include "tests/support/axis_views.h"
+#include "tests/support/scenes/axis_views.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {

@@ -6,9 +6,9 @@
 #include <QTest>
 
 #include "app/desktop/desktop_parts.h"
-#include "tests/support/desktop_trial.h"
+#include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/dicom/phantom_series.h"
 #include "tests/support/patience.h"
-#include "tests/support/phantom_series.h"
 #include "tests/support/program_run.h"
 #include "ui/text/to_qt.h"
 

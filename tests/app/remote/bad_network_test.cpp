@@ -6,8 +6,8 @@
 #include "app/remote/heartbeat.h"
 #include "tests/app/remote/meeting.h"
 #include "tests/app/wire/example_messages.h"
-#include "tests/support/fault_proxy.h"
-#include "tests/support/random_bytes.h"
+#include "tests/support/network/fault_proxy.h"
+#include "tests/support/network/random_bytes.h"
 
 using namespace pdr;
 using namespace pdr::remote;

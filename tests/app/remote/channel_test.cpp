@@ -6,7 +6,7 @@
 
 #include "tests/app/remote/channel_rig.h"
 #include "tests/app/wire/example_messages.h"
-#include "tests/support/random_bytes.h"
+#include "tests/support/network/random_bytes.h"
 
 using namespace pdr;
 using namespace pdr::remote;

@@ -1,6 +1,6 @@
 /// Sums come out of their pack as they went in, to the last bit, and nothing else comes out of anything.
 
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 #include <QTest>
 

@@ -8,7 +8,7 @@
 
 #include "app/bench/median.h"
 #include "app/bench/prediction/coverage.h"
-#include "tests/support/coverage_scenes.h"
+#include "tests/support/scenes/coverage_scenes.h"
 
 using namespace pdr;
 using test::MakeScene;

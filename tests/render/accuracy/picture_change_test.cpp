@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "render/accuracy/picture_change.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

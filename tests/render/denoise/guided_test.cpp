@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "render/denoise/guided.h"
-#include "tests/support/noisy_films.h"
+#include "tests/support/scenes/noisy_films.h"
 
 using namespace pdr;
 using denoise::Colours, denoise::Guide, denoise::Plane;

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "render/film/error/smoothing_judgement.h"
-#include "tests/support/noisy_films.h"
-#include "tests/support/tissue_scene.h"
+#include "tests/support/scenes/noisy_films.h"
+#include "tests/support/scenes/tissue_scene.h"
 
 using namespace pdr;
 using namespace pdr::test;

@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "render/film/display/tone_map.h"
-#include "tests/support/noisy_films.h"
+#include "tests/support/scenes/noisy_films.h"
 
 using namespace pdr;
 using namespace pdr::test;

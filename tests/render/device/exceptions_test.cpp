@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "tests/support/failing_device.h"
-#include "tests/support/scenes.h"
-#include "tests/support/screen.h"
+#include "tests/support/devices/failing_device.h"
+#include "tests/support/devices/screen.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

@@ -6,12 +6,12 @@
 #include "render/device/emulated/host_gpu.h"
 #include "render/device/gpu_device.h"
 #include "render/film/display/tone_map.h"
-#include "tests/support/faulty_gpu.h"
-#include "tests/support/masks.h"
-#include "tests/support/pictures.h"
+#include "tests/support/devices/faulty_gpu.h"
 #include "tests/support/processor_time.h"
-#include "tests/support/scenes.h"
-#include "tests/support/tissue_scene.h"
+#include "tests/support/scenes/masks.h"
+#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/scenes.h"
+#include "tests/support/scenes/tissue_scene.h"
 
 using namespace pdr;
 

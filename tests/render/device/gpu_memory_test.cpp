@@ -4,7 +4,7 @@
 
 #include "render/device/emulated/host_gpu.h"
 #include "render/device/gpu_device.h"
-#include "tests/support/tissue_scene.h"
+#include "tests/support/scenes/tissue_scene.h"
 
 using namespace pdr;
 

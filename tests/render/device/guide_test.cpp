@@ -3,7 +3,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/device/gpu/atomic.h"
-#include "tests/support/faulty_gpu.h"
+#include "tests/support/devices/faulty_gpu.h"
 
 using namespace pdr;
 using test::FaultPlan;

@@ -8,7 +8,7 @@
 #include "app/bench/parity/scenes.h"
 #include "render/device/device_list.h"
 #include "render/device/emulated/host_gpu.h"
-#include "tests/support/pictures.h"
+#include "tests/support/scenes/pictures.h"
 
 using namespace pdr;
 

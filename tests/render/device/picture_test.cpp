@@ -4,7 +4,7 @@
 
 #include "render/kernel/random.h"
 #include "render/kernel/transport/surface.h"
-#include "tests/support/pictures.h"
+#include "tests/support/scenes/pictures.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;

@@ -1,5 +1,5 @@
 // First: it includes TBB, of whose names Qt takes some for keywords.
-#include "tests/support/tissue_scene.h"
+#include "tests/support/scenes/tissue_scene.h"
 
 #include <QTest>
 
@@ -7,8 +7,8 @@
 #include "render/device/spare_device.h"
 #include "render/session/batch_render.h"
 #include "render/tiles/reference_tiles.h"
-#include "tests/support/failing_device.h"
-#include "tests/support/faulty_gpu.h"
+#include "tests/support/devices/failing_device.h"
+#include "tests/support/devices/faulty_gpu.h"
 
 using namespace pdr;
 using namespace pdr::test;

@@ -4,9 +4,9 @@
 
 #include "app/bench/pfm.h"
 #include "render/scene/scene_file.h"
+#include "tests/support/dicom/shared_data.h"
 #include "tests/support/places.h"
-#include "tests/support/scenes.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/scenes/scenes.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;

@@ -12,8 +12,8 @@
 #include "render/film/error/level_error_map.h"
 #include "render/film/error/likely_error.h"
 #include "render/film/error/local_error.h"
-#include "tests/support/coverage_scenes.h"
-#include "tests/support/known_films.h"
+#include "tests/support/scenes/coverage_scenes.h"
+#include "tests/support/scenes/known_films.h"
 
 using namespace pdr;
 using test::MakeScene;

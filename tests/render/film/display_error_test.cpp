@@ -3,7 +3,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "tests/support/noisy_films.h"
+#include "tests/support/scenes/noisy_films.h"
 
 using namespace pdr;
 using namespace pdr::test;

@@ -8,8 +8,8 @@
 #include "render/device/emulated/host_gpu.h"
 #include "render/device/gpu/trace_kernels.h"
 #include "render/kernel/random.h"
-#include "tests/support/known_films.h"
-#include "tests/support/tissue_scene.h"
+#include "tests/support/scenes/known_films.h"
+#include "tests/support/scenes/tissue_scene.h"
 
 using namespace pdr;
 using namespace pdr::test;

@@ -4,7 +4,7 @@
 
 #include "render/film/display/exposure.h"
 #include "render/film/display/tone_map.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

@@ -5,9 +5,9 @@
 #include "render/device/emulated/emulated_gpu.h"
 #include "render/film/display/tone_map.h"
 #include "render/kernel/pixel.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
+#include "tests/support/scenes/tissue_scene.h"
 #include "tests/support/statistics.h"
-#include "tests/support/tissue_scene.h"
 
 using namespace pdr;
 

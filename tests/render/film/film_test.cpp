@@ -4,7 +4,7 @@
 
 #include "render/film/film.h"
 #include "render/kernel/random.h"
-#include "tests/support/one_pixel.h"
+#include "tests/support/scenes/one_pixel.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;

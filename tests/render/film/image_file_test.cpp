@@ -20,7 +20,7 @@
 #include "render/film/error/local_error.h"
 #include "render/film/file/image_file.h"
 #include "tests/support/exr_channels.h"
-#include "tests/support/noisy_films.h"
+#include "tests/support/scenes/noisy_films.h"
 
 using namespace pdr;
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "render/film/error/likely_error.h"
-#include "tests/support/noisy_films.h"
+#include "tests/support/scenes/noisy_films.h"
 
 using namespace pdr;
 using namespace pdr::test;

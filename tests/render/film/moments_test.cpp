@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "render/film/moments.h"
-#include "tests/support/one_pixel.h"
+#include "tests/support/scenes/one_pixel.h"
 
 using namespace pdr;
 

@@ -8,7 +8,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "tests/support/coverage_scenes.h"
+#include "tests/support/scenes/coverage_scenes.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "render/film/error/smoothing_judgement.h"
-#include "tests/support/coverage_scenes.h"
-#include "tests/support/known_films.h"
+#include "tests/support/scenes/coverage_scenes.h"
+#include "tests/support/scenes/known_films.h"
 
 using namespace pdr;
 using test::MakeScene;

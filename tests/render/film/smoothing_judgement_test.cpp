@@ -5,9 +5,9 @@
 #include "render/film/display/smoothed_view.h"
 #include "render/film/display/tone_map.h"
 #include "render/film/error/shown_status.h"
-#include "tests/support/noisy_films.h"
 #include "tests/support/processor_time.h"
-#include "tests/support/tissue_scene.h"
+#include "tests/support/scenes/noisy_films.h"
+#include "tests/support/scenes/tissue_scene.h"
 
 using namespace pdr;
 using namespace pdr::test;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/pictures.h"
+#include "tests/support/scenes/pictures.h"
 
 using namespace pdr;
 

@@ -8,11 +8,11 @@
 #include "render/device/gpu_device.h"
 #include "render/film/display/tone_map.h"
 #include "render/kernel/volume_sampling.h"
-#include "tests/support/faulty_gpu.h"
-#include "tests/support/pictures.h"
-#include "tests/support/random_scenes.h"
-#include "tests/support/texture_reading.h"
-#include "tests/support/tissue_scene.h"
+#include "tests/support/devices/faulty_gpu.h"
+#include "tests/support/devices/texture_reading.h"
+#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/random_scenes.h"
+#include "tests/support/scenes/tissue_scene.h"
 
 using namespace pdr;
 

@@ -7,8 +7,8 @@
 #include "render/device/cpu/flight_batch.h"
 #include "render/kernel/quadrature/projection.h"
 #include "render/kernel/transport/tracking.h"
-#include "tests/support/random_scenes.h"
-#include "tests/support/ray_reference.h"
+#include "tests/support/scenes/random_scenes.h"
+#include "tests/support/scenes/ray_reference.h"
 
 using namespace pdr;
 

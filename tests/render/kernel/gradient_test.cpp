@@ -9,7 +9,7 @@
 
 #include "render/kernel/volume_sampling.h"
 #include "tests/physics/written_volume.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

@@ -5,8 +5,8 @@
 #include "render/kernel/baseline/kroes_path.h"
 #include "render/kernel/pixel.h"
 #include "render/volume/phantom.h"
-#include "tests/support/pictures.h"
-#include "tests/support/random_scenes.h"
+#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/random_scenes.h"
 
 using namespace pdr;
 

@@ -4,7 +4,7 @@
 
 #include "render/kernel/transport/integrator.h"
 #include "render/prepare/focus.h"
-#include "tests/support/pictures.h"
+#include "tests/support/scenes/pictures.h"
 
 using namespace pdr;
 

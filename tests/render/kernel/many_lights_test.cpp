@@ -5,7 +5,7 @@
 #include <set>
 
 #include "render/kernel/transport/direct_light.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;

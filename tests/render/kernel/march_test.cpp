@@ -4,7 +4,7 @@
 
 #include "render/kernel/baseline/march.h"
 #include "render/kernel/transport/tracking.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;

@@ -10,9 +10,9 @@
 #include "render/kernel/transport/tracking.h"
 #include "render/prepare/needs.h"
 #include "render/scene/model.h"
-#include "tests/support/masks.h"
-#include "tests/support/random_scenes.h"
-#include "tests/support/ray_reference.h"
+#include "tests/support/scenes/masks.h"
+#include "tests/support/scenes/random_scenes.h"
+#include "tests/support/scenes/ray_reference.h"
 
 using namespace pdr;
 

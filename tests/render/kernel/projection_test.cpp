@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "render/film/display/tone_map.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

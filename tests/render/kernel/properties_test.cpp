@@ -4,8 +4,8 @@
 #include <QTest>
 
 #include "render/kernel/ray.h"
-#include "tests/support/pictures.h"
-#include "tests/support/random_scenes.h"
+#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/random_scenes.h"
 
 using namespace pdr;
 

@@ -5,8 +5,8 @@
 #include "render/device/cpu/projection_batch.h"
 #include "render/film/display/tone_map.h"
 #include "render/prepare/flatten_optics.h"
-#include "tests/support/ray_reference.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/ray_reference.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

@@ -4,7 +4,7 @@
 
 #include "render/kernel/transport/event.h"
 #include "render/prepare/needs.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

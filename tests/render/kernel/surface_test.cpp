@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "render/kernel/transport/event.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;

@@ -5,7 +5,7 @@
 #include <QTest>
 
 #include "render/scene/edit/view_geometry.h"
-#include "tests/support/pictures.h"
+#include "tests/support/scenes/pictures.h"
 
 using namespace pdr;
 

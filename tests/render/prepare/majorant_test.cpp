@@ -11,7 +11,7 @@
 
 #include "render/kernel/medium.h"
 #include "render/kernel/random.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

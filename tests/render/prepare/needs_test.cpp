@@ -2,7 +2,7 @@
 
 #include "render/kernel/features.h"
 #include "render/prepare/needs.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

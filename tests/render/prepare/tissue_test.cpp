@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "render/kernel/medium.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

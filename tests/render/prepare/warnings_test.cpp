@@ -1,7 +1,7 @@
 #include <QTest>
 
 #include "render/prepare/warnings.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

@@ -4,7 +4,7 @@
 
 #include "render/kernel/transport/integrator.h"
 #include "render/prepare/focus.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;

@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "tests/support/pictures.h"
+#include "tests/support/scenes/pictures.h"
 
 using namespace pdr;
 

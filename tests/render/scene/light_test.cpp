@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "render/kernel/transport/environment.h"
-#include "tests/support/pictures.h"
+#include "tests/support/scenes/pictures.h"
 
 using namespace pdr;
 

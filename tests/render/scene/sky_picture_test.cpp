@@ -6,7 +6,7 @@
 #include "render/kernel/transport/environment.h"
 #include "render/scene/orbit.h"
 #include "render/scene/sky_picture.h"
-#include "tests/support/pictures.h"
+#include "tests/support/scenes/pictures.h"
 
 using namespace pdr;
 

@@ -4,7 +4,7 @@
 #include "render/kernel/medium.h"
 #include "render/prepare/opacity_maximum.h"
 #include "render/scene/transfer_function.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

@@ -5,7 +5,7 @@
 #include <QTest>
 
 #include "render/kernel/transport/camera_ray.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

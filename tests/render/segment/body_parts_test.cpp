@@ -6,7 +6,7 @@
 #include "render/scene/visible_mask.h"
 #include "render/segment/body_parts.h"
 #include "render/volume/coarser.h"
-#include "tests/support/lying_patients.h"
+#include "tests/support/dicom/lying_patients.h"
 
 using namespace pdr;
 using namespace pdr::test;

@@ -8,7 +8,7 @@
 #include "render/segment/distance.h"
 #include "render/segment/outline.h"
 #include "render/segment/pieces.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 using namespace pdr::segment;

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "render/segment/findings.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 using segment::Findings;

@@ -3,7 +3,7 @@
 
 #include <QTest>
 
-#include "tests/support/lying_patients.h"
+#include "tests/support/dicom/lying_patients.h"
 
 using namespace pdr;
 using namespace pdr::test;

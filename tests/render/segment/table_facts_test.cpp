@@ -5,7 +5,7 @@
 
 #include <tbb/global_control.h>
 
-#include "tests/support/lying_patients.h"
+#include "tests/support/dicom/lying_patients.h"
 
 using namespace pdr;
 using namespace pdr::test;

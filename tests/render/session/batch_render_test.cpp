@@ -6,8 +6,8 @@
 
 #include "render/device/host_accumulator.h"
 #include "render/session/batch_render.h"
-#include "tests/support/failing_device.h"
-#include "tests/support/pictures.h"
+#include "tests/support/devices/failing_device.h"
+#include "tests/support/scenes/pictures.h"
 
 namespace pdr {
 

@@ -9,8 +9,8 @@
 #include "render/film/tone_curve.h"
 #include "render/session/bias_measurements.h"
 #include "render/session/session.h"
-#include "tests/support/screen.h"
-#include "tests/support/tissue_scene.h"
+#include "tests/support/devices/screen.h"
+#include "tests/support/scenes/tissue_scene.h"
 
 using namespace pdr;
 

@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "render/session/effect_ledger.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

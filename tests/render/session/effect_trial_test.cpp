@@ -5,7 +5,7 @@
 #include <random>
 
 #include "render/session/effect_trial.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

@@ -4,9 +4,9 @@
 #include <future>
 
 #include "render/film/error/error_map_view.h"
-#include "tests/support/fake_clock.h"
-#include "tests/support/reel.h"
-#include "tests/support/screen.h"
+#include "tests/support/devices/fake_clock.h"
+#include "tests/support/devices/reel.h"
+#include "tests/support/devices/screen.h"
 
 using namespace pdr;
 

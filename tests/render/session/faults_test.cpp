@@ -5,10 +5,10 @@
 #include <future>
 #include <thread>
 
-#include "tests/support/failing_device.h"
+#include "tests/support/devices/failing_device.h"
+#include "tests/support/devices/screen.h"
 #include "tests/support/patience.h"
-#include "tests/support/pictures.h"
-#include "tests/support/screen.h"
+#include "tests/support/scenes/pictures.h"
 
 using namespace pdr;
 using namespace std::chrono_literals;

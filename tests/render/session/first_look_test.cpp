@@ -7,10 +7,10 @@
 #include <mutex>
 #include <thread>
 
-#include "tests/support/failing_device.h"
+#include "tests/support/devices/failing_device.h"
+#include "tests/support/devices/reel.h"
 #include "tests/support/patience.h"
-#include "tests/support/pictures.h"
-#include "tests/support/reel.h"
+#include "tests/support/scenes/pictures.h"
 
 using namespace pdr;
 using namespace std::chrono_literals;

@@ -9,9 +9,9 @@
 #include <optional>
 
 #include "render/session/live_ledger.h"
-#include "tests/support/failing_device.h"
-#include "tests/support/reel.h"
-#include "tests/support/screen.h"
+#include "tests/support/devices/failing_device.h"
+#include "tests/support/devices/reel.h"
+#include "tests/support/devices/screen.h"
 
 using namespace pdr;
 

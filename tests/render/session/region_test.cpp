@@ -4,10 +4,10 @@
 #include <cmath>
 #include <future>
 
-#include "tests/support/failing_device.h"
+#include "tests/support/devices/failing_device.h"
+#include "tests/support/devices/reel.h"
+#include "tests/support/devices/screen.h"
 #include "tests/support/patience.h"
-#include "tests/support/reel.h"
-#include "tests/support/screen.h"
 
 using namespace pdr;
 

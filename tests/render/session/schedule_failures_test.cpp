@@ -4,8 +4,8 @@
 
 #include "render/device/baseline/cpu_frame_sampler.h"
 #include "render/device/baseline/kroes_accumulator.h"
-#include "tests/support/faulty_gpu.h"
-#include "tests/support/random_scenes.h"
+#include "tests/support/devices/faulty_gpu.h"
+#include "tests/support/scenes/random_scenes.h"
 
 using namespace pdr;
 using test::FaultPlan;

@@ -7,8 +7,8 @@
 #include "render/device/baseline/kroes_accumulator.h"
 #include "render/device/emulated/host_gpu.h"
 #include "render/film/display/tone_map.h"
-#include "tests/support/pictures.h"
-#include "tests/support/random_scenes.h"
+#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/random_scenes.h"
 
 using namespace pdr;
 

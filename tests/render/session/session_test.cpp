@@ -4,11 +4,11 @@
 #include <thread>
 
 #include "render/session/render_commands.h"
+#include "tests/support/devices/reel.h"
+#include "tests/support/devices/screen.h"
 #include "tests/support/patience.h"
 #include "tests/support/processor_time.h"
-#include "tests/support/reel.h"
-#include "tests/support/scenes.h"
-#include "tests/support/screen.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 using namespace std::chrono_literals;

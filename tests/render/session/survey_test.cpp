@@ -2,8 +2,8 @@
 
 #include <QTest>
 
-#include "tests/support/reel.h"
-#include "tests/support/screen.h"
+#include "tests/support/devices/reel.h"
+#include "tests/support/devices/screen.h"
 
 using namespace pdr;
 

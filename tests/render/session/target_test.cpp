@@ -4,8 +4,8 @@
 #include <cmath>
 #include <ctime>
 
-#include "tests/support/reel.h"
-#include "tests/support/screen.h"
+#include "tests/support/devices/reel.h"
+#include "tests/support/devices/screen.h"
 
 using namespace pdr;
 

@@ -1,5 +1,5 @@
 // First: it includes TBB, of whose names Qt takes some for keywords.
-#include "tests/support/tissue_scene.h"
+#include "tests/support/scenes/tissue_scene.h"
 
 #include <QTest>
 
@@ -9,7 +9,7 @@
 
 #include "render/tiles/result_check.h"
 #include "render/tiles/shared_device.h"
-#include "tests/support/nearby_worker.h"
+#include "tests/support/network/nearby_worker.h"
 
 using namespace pdr;
 using namespace pdr::test;

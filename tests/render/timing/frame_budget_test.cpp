@@ -9,9 +9,9 @@
 #include <mutex>
 #include <vector>
 
-#include "tests/support/failing_device.h"
-#include "tests/support/scenes.h"
-#include "tests/support/screen.h"
+#include "tests/support/devices/failing_device.h"
+#include "tests/support/devices/screen.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "render/volume/histogram.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

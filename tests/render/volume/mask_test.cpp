@@ -2,8 +2,8 @@
 
 #include <QTest>
 
-#include "tests/support/masks.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/masks.h"
+#include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
 

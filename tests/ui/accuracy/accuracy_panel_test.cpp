@@ -4,7 +4,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "tests/support/contrast.h"
+#include "tests/support/desktop/contrast.h"
 #include "ui/accuracy/error_marks.h"
 #include "ui/text/status_text.h"
 #include "ui/theme/theme.h"

@@ -6,7 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "tests/support/mouse.h"
+#include "tests/support/desktop/mouse.h"
 #include "ui/accuracy/foot.h"
 #include "ui/theme/theme.h"
 #include "ui/window/main_window.h"

@@ -15,7 +15,7 @@
 #include "render/prepare/focus.h"
 #include "render/scene/orbit.h"
 #include "render/scene/scene.h"
-#include "tests/support/axis_views.h"
+#include "tests/support/scenes/axis_views.h"
 #include "ui/annotation/orientation_cube.h"
 #include "ui/annotation/orientation_letters.h"
 

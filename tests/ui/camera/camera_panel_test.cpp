@@ -6,8 +6,8 @@
 #include <QTimer>
 
 #include "render/scene/edit/camera_edits.h"
-#include "tests/support/contrast.h"
-#include "tests/support/named_widget.h"
+#include "tests/support/desktop/contrast.h"
+#include "tests/support/desktop/named_widget.h"
 #include "ui/camera/camera_panel.h"
 #include "ui/camera/camera_text.h"
 #include "ui/theme/theme.h"

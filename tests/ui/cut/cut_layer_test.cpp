@@ -5,7 +5,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "tests/support/mouse.h"
+#include "tests/support/desktop/mouse.h"
 
 namespace pdr::ui {
 

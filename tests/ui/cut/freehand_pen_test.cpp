@@ -1,13 +1,13 @@
 /// A line drawn on the image becomes a cut when the user has chosen what it cuts.
 
 #include "ui/cut/freehand_pen.h"
-#include "tests/support/mouse.h"
+#include "tests/support/desktop/mouse.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
 #include "render/scene/edit/drawn_outline.h"
-#include "tests/support/mouse.h"
+#include "tests/support/desktop/mouse.h"
 
 namespace pdr::ui {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "render/scene/orbit.h"
-#include "tests/support/contrast.h"
-#include "tests/support/named_widget.h"
+#include "tests/support/desktop/contrast.h"
+#include "tests/support/desktop/named_widget.h"
 #include "ui/light/light_panel.h"
 #include "ui/theme/theme.h"
 

@@ -6,9 +6,9 @@
 #include <QTest>
 #include <algorithm>
 
-#include "tests/support/contrast.h"
-#include "tests/support/named_widget.h"
-#include "tests/support/node_rows.h"
+#include "tests/support/desktop/contrast.h"
+#include "tests/support/desktop/named_widget.h"
+#include "tests/support/desktop/node_rows.h"
 #include "tests/support/processor_time.h"
 #include "ui/window/main_window.h"
 

@@ -8,8 +8,8 @@
 #include <QTest>
 #include <algorithm>
 
-#include "tests/support/named_widget.h"
-#include "tests/support/node_rows.h"
+#include "tests/support/desktop/named_widget.h"
+#include "tests/support/desktop/node_rows.h"
 #include "ui/nodes/node_address.h"
 #include "ui/nodes/node_text.h"
 #include "ui/nodes/nodes_panel.h"

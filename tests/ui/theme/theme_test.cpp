@@ -5,7 +5,7 @@
 #include <QStyleOption>
 #include <QTest>
 
-#include "tests/support/contrast.h"
+#include "tests/support/desktop/contrast.h"
 #include "ui/theme/theme.h"
 #include "ui/theme/theme_style.h"
 

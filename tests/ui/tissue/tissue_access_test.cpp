@@ -7,8 +7,8 @@
 #include <random>
 
 #include "render/volume/volume.h"
-#include "tests/support/contrast.h"
-#include "tests/support/tissue_hand.h"
+#include "tests/support/desktop/contrast.h"
+#include "tests/support/desktop/tissue_hand.h"
 #include "ui/theme/theme.h"
 
 namespace pdr::ui {

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "render/volume/volume.h"
-#include "tests/support/tissue_hand.h"
+#include "tests/support/desktop/tissue_hand.h"
 
 namespace pdr::ui {
 

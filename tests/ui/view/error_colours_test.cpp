@@ -4,7 +4,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "tests/support/contrast.h"
+#include "tests/support/desktop/contrast.h"
 #include "ui/view/error_colours.h"
 #include "ui/window/main_window.h"
 

@@ -3,7 +3,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "tests/support/mouse.h"
+#include "tests/support/desktop/mouse.h"
 #include "ui/view/region_box.h"
 
 namespace pdr::ui {

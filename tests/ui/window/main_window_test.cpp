@@ -7,7 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "tests/support/named_widget.h"
+#include "tests/support/desktop/named_widget.h"
 #include "ui/window/main_window.h"
 #include "ui/window/program_icon.h"
 

@@ -8,7 +8,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
-#include "tests/support/named_widget.h"
+#include "tests/support/desktop/named_widget.h"
 #include "ui/text/language.h"
 #include "ui/window/main_window.h"
 

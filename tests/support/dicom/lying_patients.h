@@ -7,7 +7,7 @@
 #include <random>
 
 #include "render/segment/hidden_table.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 namespace pdr::test {
 

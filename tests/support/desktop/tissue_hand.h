@@ -3,7 +3,7 @@
 
 #include <QTest>
 
-#include "tests/support/mouse.h"
+#include "tests/support/desktop/mouse.h"
 #include "ui/tissue/tissue_panel.h"
 
 namespace pdr::ui {

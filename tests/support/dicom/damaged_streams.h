@@ -21,7 +21,7 @@
 
 #include "dicom/read/codecs.h"
 #include "dicom/read/pixels.h"
-#include "tests/support/slice_file.h"
+#include "tests/support/dicom/slice_file.h"
 
 namespace pdr::test {
 

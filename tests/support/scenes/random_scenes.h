@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <random>
 
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 #include "tests/support/statistics.h"
 
 namespace pdr::test {

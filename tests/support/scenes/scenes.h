@@ -10,7 +10,7 @@
 #include "render/film/film.h"
 #include "render/prepare/flatten.h"
 #include "render/scene/scene.h"
-#include "tests/support/tested_device.h"
+#include "tests/support/devices/tested_device.h"
 
 namespace pdr::test {
 

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "render/film/error/noisy_film.h"
-#include "tests/support/known_films.h"
+#include "tests/support/scenes/known_films.h"
 
 namespace pdr::test {
 

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "render/device/emulated/emulated_gpu.h"
-#include "tests/support/fake_clock.h"
+#include "tests/support/devices/fake_clock.h"
 
 namespace pdr::test {
 

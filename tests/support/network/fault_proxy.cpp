@@ -1,4 +1,4 @@
-#include "tests/support/fault_proxy.h"
+#include "tests/support/network/fault_proxy.h"
 
 #include <sys/socket.h>
 

@@ -2,7 +2,7 @@
 /// Rough tissue with surfaces, lit from above and a little from everywhere: most of what a path can encounter, in a
 /// small image.
 
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 namespace pdr::test {
 

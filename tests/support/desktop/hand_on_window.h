@@ -4,8 +4,8 @@
 #include <QTest>
 
 #include "app/document/document.h"
-#include "tests/support/mouse.h"
-#include "tests/support/pictures.h"
+#include "tests/support/desktop/mouse.h"
+#include "tests/support/scenes/pictures.h"
 
 namespace pdr::app {
 

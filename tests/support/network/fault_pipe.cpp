@@ -1,4 +1,4 @@
-#include "tests/support/fault_pipe.h"
+#include "tests/support/network/fault_pipe.h"
 
 #include <sys/socket.h>
 

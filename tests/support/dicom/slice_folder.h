@@ -10,7 +10,7 @@
 #include <string>
 
 #include "dicom/import.h"
-#include "tests/support/slice_file.h"
+#include "tests/support/dicom/slice_file.h"
 
 namespace pdr::test {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/session/session.h"
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 
 namespace pdr::test {
 

@@ -2,7 +2,7 @@
 /// Scenes whose light is easy or hard to find, on which tests verify the stated error of an image.
 
 #include "render/scene/named_look.h"
-#include "tests/support/tissue_scene.h"
+#include "tests/support/scenes/tissue_scene.h"
 
 namespace pdr::test {
 

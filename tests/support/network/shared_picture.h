@@ -4,8 +4,8 @@
 #include "app/coordinator/render_nodes.h"
 #include "render/tiles/reference_tiles.h"
 #include "render/tiles/shared_device.h"
-#include "tests/support/node_process.h"
-#include "tests/support/tissue_scene.h"
+#include "tests/support/network/node_process.h"
+#include "tests/support/scenes/tissue_scene.h"
 
 namespace pdr::test {
 

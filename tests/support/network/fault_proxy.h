@@ -5,7 +5,7 @@
 #include <QThread>
 #include <memory>
 
-#include "tests/support/fault_pipe.h"
+#include "tests/support/network/fault_pipe.h"
 
 namespace pdr::test {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Statistics of whole images, and the scene that most closed forms describe.
 
-#include "tests/support/scenes.h"
+#include "tests/support/scenes/scenes.h"
 #include "tests/support/statistics.h"
 
 namespace pdr::test {
