@@ -121,7 +121,7 @@ Imf::Header exrHeader(ivec2 size, const Provenance& from) {
     Imf::addComments(
         header,
         "Radiance, linear Rec. 709; error.*: standard error of the mean, 1.96 of which to either side hold "
-        "the truth in 95 % of the tissue; bound.*: what it is at most; both infinite where light is so rare "
+        "the truth in about 95 % of the tissue; bound.*: what it is at most; both infinite where light is so rare "
         "that they are not known. Not for diagnostic use.");
     header.insert("software", Imf::StringAttribute(from.program));
     header.insert("samplesPerPixel", Imf::DoubleAttribute(double(from.status.samplesPerPixel)));
