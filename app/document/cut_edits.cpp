@@ -1,5 +1,7 @@
 #include "app/document/cut_edits.h"
 
+#include "render/scene/edit/cut_handles.h"
+
 namespace pdr::app {
 
 void CutEdits::addPlane(int axis) {
