@@ -4512,10 +4512,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>nach dieser Kachel ist nicht gefragt</translation>
     </message>
     <message>
-        <source>no time limit</source>
-        <translation>ohne Zeitgrenze</translation>
-    </message>
-    <message>
         <source>no tissue in the region</source>
         <translation>kein Gewebe im Bereich</translation>
     </message>

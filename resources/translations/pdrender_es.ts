@@ -4512,10 +4512,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no se pide esa tesela</translation>
     </message>
     <message>
-        <source>no time limit</source>
-        <translation>sin límite de tiempo</translation>
-    </message>
-    <message>
         <source>no tissue in the region</source>
         <translation>no hay tejido en la región</translation>
     </message>

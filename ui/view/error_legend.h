@@ -5,7 +5,7 @@
 
 namespace pdr::ui {
 
-/// Paints the legend into the upper left corner of `area`. `beforeDenoising`: the image is denoised, but the map shows
+/// Paints the legend into the upper left corner of `area`, in which nothing else stands there. `beforeDenoising`: the image is denoised, but the map shows
 /// the error before denoising.
 void paintErrorLegend(QPainter& painter, const QRect& area, bool beforeDenoising);
 

@@ -91,7 +91,10 @@ void Painting::paintErrorMap() const {
     if (picture.errorMap.isNull())
         return;
     paintImage(picture.errorMap);
-    paintErrorLegend(painter, withinMargins(), picture.beforeDenoising);
+    QRect legend = withinMargins();
+    if (!view.overlay.isEmpty())  // the patient's lines stand above it
+        legend.adjust(0, int(view.overlay.size()) * QFontMetrics(plain).lineSpacing() + kMargin, 0, 0);
+    paintErrorLegend(painter, legend, picture.beforeDenoising);
 }
 
 /// Paints brackets at the ends of lost lines, only with the error map: without it they would be taken for findings. The

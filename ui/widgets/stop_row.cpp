@@ -34,7 +34,7 @@ StopRow::StopRow(QWidget* parent)
     seconds_->setRange(0, kMostSeconds);
     seconds_->setDecimals(0);
     seconds_->setSuffix(tr(" s"));
-    seconds_->setSpecialValueText(tr("no time limit"));
+    seconds_->setSpecialValueText(tr("no limit"));
     prepare(*seconds_, tr("Stop after this many seconds of rendering"));
     samples_->setRange(0, kMostSamples);
     samples_->setSuffix(tr(" samples"));

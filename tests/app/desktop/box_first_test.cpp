@@ -59,14 +59,14 @@ void TestBoxFirst::aBoxIsDrawnHasItsOwnSentenceAndIsForgotten() {
     const dvec2 sides = last()->region->region.to - last()->region->region.from;
     QVERIFY(glm::length(middle - 0.5) < 0.01);
     QVERIFY(std::abs(sides.x * layer->width() - 80) < 2 && std::abs(sides.y * layer->height() - 80) < 2);
-    QTRY_VERIFY_WITH_TIMEOUT(trial.said().startsWith("In the box: "), test::kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.said().startsWith("In the region: "), test::kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(std::isfinite(last()->region->status.displayError), test::kPatience);
-    QVERIFY(trial.said().contains("waits for the box"));
+    QVERIFY(trial.said().contains("for the region"));
     QTRY_VERIFY_WITH_TIMEOUT(last()->status.mostSamplesPerPixel > last()->status.samplesPerPixel, test::kPatience);
     // As good as is wanted of it, all of the picture is spoken of again.
     trial.desktop.parts().bridge.setStop({.levels = 32});
     QTRY_VERIFY_WITH_TIMEOUT(last()->region->reached, test::kPatience);
-    QVERIFY(!trial.said().startsWith("In the box: "));
+    QVERIFY(!trial.said().startsWith("In the region: "));
     QVERIFY(trial.said().contains(QString::fromUtf8("in the region ±")));
     QTest::keyClick(&trial.desktop.window(), Qt::Key_B);
     QTRY_VERIFY_WITH_TIMEOUT(!last()->region, test::kPatience);

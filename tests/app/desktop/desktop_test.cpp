@@ -249,7 +249,7 @@ void TestDesktop::whereTheMouseRestsItIsSaidHowGoodThePictureIsThere() {
     const Frame& frame = *trial.frames.back();
     QCOMPARE(found[0].side, int(std::lround(frame.size.y / frame.camera.heightInFocusMm())));
     QVERIFY(found[0].tissue && found[0].here > 0 && found[0].over <= found[0].here);
-    QVERIFY2(QToolTip::text().startsWith(QString::fromUtf8("here ±")), qPrintable(QToolTip::text()));
+    QVERIFY2(QToolTip::text().startsWith(QString::fromUtf8("This pixel ±")), qPrintable(QToolTip::text()));
 }
 
 /// The saved error agrees with a frame on the screen, although the image is judged anew for the file while samples are

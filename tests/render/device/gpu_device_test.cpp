@@ -345,7 +345,7 @@ class GpuDeviceTest : public QObject {
         QVERIFY(film->accumulate(1, {}) && film->resolve({}));
         const Result<Picture> picture = film->readback();
         QVERIFY(!picture);
-        QVERIFY(picture.error().what.find("torn") != std::string::npos);
+        QVERIFY(picture.error().what.find("damaged") != std::string::npos);
     }
 
     void aStopEndsAFilmBetweenLaunches() {

@@ -70,7 +70,7 @@ void TestFoot::theSentenceSaysWordNumberAndPrice_data() {
     row("reference", accuracyAt(0.9), "Reference · Image error ±0.9 of 255 grey levels (95 % of the tissue)");
     Accuracy held = accuracyAt(7.9);
     held.holding = Holding::reached;
-    row("as wanted", held,
+    row("target reached", held,
         "Good for planning · Image error ±8 of 255 grey levels (95 % of the tissue) · target reached (Space: "
         "continue)");
     held.holding = Holding::paused;
@@ -151,7 +151,7 @@ void TestFoot::onePlaceIsToldInWords() {
              QString::fromUtf8("This pixel ±12; mean over 1 mm ±2.9"));
     QCOMPARE(hereText({true, 11.2f, 3, 2.81f}, ErrorOf::beforeDenoising),
              QString::fromUtf8("This pixel ±12; mean over 1 mm ±2.9, before denoising"));
-    QCOMPARE(hereText({true, 5.2f, 3, 2.81f}, ErrorOf::denoised), QString::fromUtf8("here ±6"));
+    QCOMPARE(hereText({true, 5.2f, 3, 2.81f}, ErrorOf::denoised), QString::fromUtf8("This pixel ±6"));
     QCOMPARE(hereText({true, 11.2f, 3, kUnknown}, ErrorOf::film),
              QString::fromUtf8("This pixel ±12; mean over 1 mm not known yet"));
     QCOMPARE(hereText({true, 11.2f, 0, 11.2f}, ErrorOf::film),

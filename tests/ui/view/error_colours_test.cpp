@@ -41,6 +41,7 @@ class TestErrorMap : public QObject {
     void whatIsNotKnownIsGreyAndWhatIsNoTissueIsLeftAsItIs();
     void theMapLiesOnThePictureAndLettersOnTheMap();
     void aLegendStandsBesideTheMapAlone();
+    void theLegendLeavesThePatientLegible();
     void theMapHasAKeyAlsoWhereThePictureIsAlone();
 };
 
@@ -129,6 +130,24 @@ void TestErrorMap::aLegendStandsBesideTheMapAlone() {
         QVERIFY(coloured(errorColour(levels)) >= 5);
     shown.errorMap = {};
     QCOMPARE(coloured(errorColour(10)), 0);
+}
+
+/// Whose image it is stands in the same corner; both can be read.
+void TestErrorMap::theLegendLeavesThePatientLegible() {
+    Viewport viewport;
+    viewport.setOverlay([] { return QStringList{"DOE", "ID 7", "1960-03-29", "lung"}; });
+    ShownPicture shown = shownWithMap();
+    shown.errorMap.fill(int(kNoTissueBin));
+    viewport.setPicture(shown);
+    const QImage image = shot(viewport);
+    const int lines = 4 * QFontMetrics(viewport.font()).lineSpacing();
+    const auto isOfTheScale = [&](int x, int y) { return close(image.pixelColor(x, y), errorColour(10)); };
+    int above = 0, below = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width() / 2; ++x)
+            (y < lines ? above : below) += isOfTheScale(x, y);
+    QCOMPARE(above, 0);
+    QVERIFY(below >= 5);
 }
 
 void TestErrorMap::theMapHasAKeyAlsoWhereThePictureIsAlone() {
