@@ -530,10 +530,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Diese Ordner &amp;vergessen</translation>
     </message>
     <message>
-        <source>&amp;Freehand cut</source>
-        <translation>&amp;Freihandschnitt</translation>
-    </message>
-    <message>
         <source>&amp;Full screen</source>
         <translation>&amp;Vollbild</translation>
     </message>
@@ -595,7 +591,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>&amp;Remove surface</source>
-        <translation>O&amp;berfläche abtragen</translation>
+        <translation>Oberflä&amp;che abtragen</translation>
     </message>
     <message>
         <source>&amp;Rename...</source>
@@ -842,8 +838,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Immer Kacheln</translation>
     </message>
     <message>
-        <source>Am&amp;bient</source>
-        <translation>Umge&amp;bung</translation>
+        <source>Ambie&amp;nt</source>
+        <translation>&amp;Umgebung</translation>
     </message>
     <message>
         <source>Ambient light</source>
@@ -1594,12 +1590,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Für das Bild, das gerade gespeichert wird. %1</translation>
     </message>
     <message>
-        <source>Frame &amp;rate</source>
-        <translation>Bild&amp;rate</translation>
-    </message>
-    <message>
         <source>Frame rate</source>
         <translation>Bildrate</translation>
+    </message>
+    <message>
+        <source>Frames &amp;per second</source>
+        <translation>Bild&amp;rate</translation>
     </message>
     <message>
         <source>Free points</source>
@@ -1608,6 +1604,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Free points, or a curve that a few numbers say. It becomes free points when one is moved.</source>
         <translation>Freie Punkte oder eine Kurve aus wenigen Zahlen. Sie wird zu freien Punkten, wenn einer bewegt wird.</translation>
+    </message>
+    <message>
+        <source>Freehan&amp;d cut</source>
+        <translation>Fr&amp;eihandschnitt</translation>
     </message>
     <message>
         <source>Freehand cuts: %1</source>
@@ -2023,7 +2023,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>M&amp;oves with</source>
-        <translation>F&amp;olgt</translation>
+        <translation>Bewegt sich &amp;mit</translation>
     </message>
     <message>
         <source>MIP</source>
@@ -2575,7 +2575,7 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     </message>
     <message>
         <source>Remove all c&amp;uts</source>
-        <translation>Alle Schnitte a&amp;ufheben</translation>
+        <translation>Alle Schnitte au&amp;fheben</translation>
     </message>
     <message>
         <source>Remove image</source>
@@ -2619,7 +2619,7 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     </message>
     <message>
         <source>Removed tissue casts &amp;shadows</source>
-        <translation>Entferntes Gewebe wirft &amp;Schatten</translation>
+        <translation>Entferntes Ge&amp;webe wirft Schatten</translation>
     </message>
     <message>
         <source>Removes all cuts; this can be undone.</source>

@@ -530,10 +530,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Olvidar estas carpetas</translation>
     </message>
     <message>
-        <source>&amp;Freehand cut</source>
-        <translation>Corte a &amp;mano alzada</translation>
-    </message>
-    <message>
         <source>&amp;Full screen</source>
         <translation>Pan&amp;talla completa</translation>
     </message>
@@ -595,7 +591,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>&amp;Remove surface</source>
-        <translation>&amp;Quitar superficie</translation>
+        <translation>Quitar su&amp;perficie</translation>
     </message>
     <message>
         <source>&amp;Rename...</source>
@@ -842,8 +838,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Siempre teselas</translation>
     </message>
     <message>
-        <source>Am&amp;bient</source>
-        <translation>Am&amp;biental</translation>
+        <source>Ambie&amp;nt</source>
+        <translation>Luz &amp;del entorno</translation>
     </message>
     <message>
         <source>Ambient light</source>
@@ -1594,12 +1590,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Para la imagen que se está guardando. %1</translation>
     </message>
     <message>
-        <source>Frame &amp;rate</source>
-        <translation>&amp;Imágenes por segundo</translation>
-    </message>
-    <message>
         <source>Frame rate</source>
         <translation>Imágenes por segundo</translation>
+    </message>
+    <message>
+        <source>Frames &amp;per second</source>
+        <translation>&amp;Imágenes por segundo</translation>
     </message>
     <message>
         <source>Free points</source>
@@ -1608,6 +1604,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Free points, or a curve that a few numbers say. It becomes free points when one is moved.</source>
         <translation>Puntos libres, o una curva descrita por pocos números. Pasa a puntos libres cuando se mueve uno.</translation>
+    </message>
+    <message>
+        <source>Freehan&amp;d cut</source>
+        <translation>Corte a mano alza&amp;da</translation>
     </message>
     <message>
         <source>Freehand cuts: %1</source>
@@ -2023,7 +2023,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>M&amp;oves with</source>
-        <translation>Sig&amp;ue</translation>
+        <translation>Se mueve c&amp;on</translation>
     </message>
     <message>
         <source>MIP</source>
@@ -2575,7 +2575,7 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     </message>
     <message>
         <source>Remove all c&amp;uts</source>
-        <translation>Quitar todos los cort&amp;es</translation>
+        <translation>&amp;Quitar todos los cortes</translation>
     </message>
     <message>
         <source>Remove image</source>
@@ -2619,7 +2619,7 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     </message>
     <message>
         <source>Removed tissue casts &amp;shadows</source>
-        <translation>El tejido quitado proyecta &amp;sombra</translation>
+        <translation>El tejido quitado proyecta s&amp;ombra</translation>
     </message>
     <message>
         <source>Removes all cuts; this can be undone.</source>

@@ -9,7 +9,7 @@
 namespace pdr::ui {
 
 CutPanel::CutPanel(QWidget* parent) : QWidget(parent), planeColumn_(new QVBoxLayout) {
-    freehand_.setText(tr("&Freehand cut"));
+    freehand_.setText(tr("Freehan&d cut"));
     freehand_.setToolTip(
         tr("Draw a closed outline on the image, then remove the tissue inside it, or everything else (X)"));
     removeLine_.setText(QChar(0x2212));

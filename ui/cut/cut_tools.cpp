@@ -9,7 +9,7 @@ CutTools::CutTools(QWidget* picture)
       panel_(new CutPanel),
       handles_(new QAction(tr("Cut with &handles"), this)),
       plane_(new QAction(tr("Add a &plane that faces you"), this)),
-      freehand_(new QAction(tr("&Freehand cut"), this)),
+      freehand_(new QAction(tr("Freehan&d cut"), this)),
       uncut_(new QAction(tr("Remove all c&uts"), this)) {
     nameActions();
     for (QAction* action : {handles_, freehand_})

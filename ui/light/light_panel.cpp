@@ -88,7 +88,7 @@ void LightPanel::layOut() {
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addRow(tr("Stren&gth"), &strength_);
     rows->addRow(tr("Si&ze"), &size_);
-    rows->addRow(tr("Am&bient"), &ambient_);
+    rows->addRow(tr("Ambie&nt"), &ambient_);
     rows->addRow(tr("M&oves with"), &follows_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 4, 10, 8);

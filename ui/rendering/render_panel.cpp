@@ -29,7 +29,7 @@ RenderPanel::RenderPanel(QWidget* parent) : QWidget(parent) {
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addRow(&device_);  // the whole row: names of GPUs are long
     rows->addRow(&automatic_);
-    rows->addRow(tr("Frame &rate"), &framesPerSecond_);
+    rows->addRow(tr("Frames &per second"), &framesPerSecond_);
     rows->addRow(tr("&Iterations per frame"), &iterations_);
 
     auto* column = new QVBoxLayout(this);

@@ -53,7 +53,7 @@ void TestDesktopDevices::aDeviceThatFailsIsSaidAndThePictureGoesOn() {
     mishaps->gone = true;
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->device == "cpu", test::kPatience);
     const QString text = trial.desktop.window().message().text();
-    QVERIFY2(text.contains("the device is lost") && text.contains("goes on on the CPU."), qPrintable(text));
+    QVERIFY2(text.contains("the device is lost") && text.contains("Rendering continues on the CPU."), qPrintable(text));
     QTRY_COMPARE_WITH_TIMEOUT(device(trial)->currentData().toString(), "cpu", test::kPatience);
     const std::size_t frames = trial.frames.size();
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames, test::kPatience);

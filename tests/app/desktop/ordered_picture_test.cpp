@@ -70,7 +70,7 @@ void TestOrderedPicture::itIsTheSceneOfTheWindowAndTheSessionGoesOn() {
     emit trial.desktop.window().pictureOrdered(
         {file, QSize(60, 90), {.levels = 0.2, .samples = 4}, ui::Annotate::none});
     QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
-    QVERIFY(trial.said().contains("saved as"));
+    QVERIFY(trial.said().contains("Saved as"));
     QVERIFY(parts.document.scene() == shown && !parts.document.canUndo());
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel > samples, test::kPatience);
     QCOMPARE(trial.frames.back()->revision, shown.revision);

@@ -177,8 +177,8 @@ void TestAccuracyPanel::noiseAndWhatIsNotNoiseAreTwoSentences() {
             facts << label->accessibleName() + ": " + label->text();
     QCOMPARE(facts, QStringList({QString::fromUtf8("Limit reached first: ±4 comes first: in 1.6 min, with 256 samples"),
                                  "Noise: ±8 levels for 95 % of the tissue; 8 % of its light",
-                                 "Systematic error: smoothed\nstretched", "Health: No sample was left out",
-                                 "Made by: 64 samples on the CPU"}));
+                                 "Systematic error: smoothed\nstretched", "Invalid samples: No sample was left out",
+                                 "Rendered on: 64 samples on the CPU"}));
     panel.clear();
     for (const QLabel* label : panel.findChildren<QLabel*>())
         QVERIFY(label->accessibleName().isEmpty() || label->text().isEmpty());
