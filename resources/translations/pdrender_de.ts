@@ -702,6 +702,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>95-%-Fehler je Pixel, von 255</translation>
     </message>
     <message>
+        <source>95 % of the image changes by no more levels than this; to 95 % it lies between the two faint numbers</source>
+        <translation>95 % des Bildes ändern sich um höchstens so viele Stufen; zu 95 % liegt der Wert zwischen den beiden blassen Zahlen</translation>
+    </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % innerhalb</translation>
+    </message>
+    <message>
         <source>; any target takes %1 of the time</source>
         <translation>; jedes Ziel braucht %1 der Zeit</translation>
     </message>
@@ -1011,7 +1019,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Laufendes abbrechen</translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Cancel a gesture, reading or a box, close a message</source>
@@ -1143,7 +1151,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>Choose another one.</source>
-        <translation>Einen anderen nehmen.</translation>
+        <translation>Bitte etwas anderes wählen.</translation>
     </message>
     <message>
         <source>Choose another place.</source>
@@ -1444,6 +1452,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Edit the tissue</source>
         <translation>Gewebe bearbeiten</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>Effekt</translation>
     </message>
     <message>
         <source>Efficiency: the part of its time that went into samples</source>
@@ -1768,6 +1780,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>How light paths are sampled. Unbiased: the image converges to the exact one. The march steps over 3 voxels at a time as Exposure Render does and scatters once: the image stays wrong. For comparison only.</source>
         <translation>Wie das Licht verfolgt wird. Erwartungstreu: Das Bild wird das wahre. Die Schritte gehen über je 3 Voxel wie bei Exposure Render und streuen einmal: Das Bild bleibt falsch. Nur zum Vergleich.</translation>
+    </message>
+    <message>
+        <source>How long any target takes without it, in percent of the time with it: an iteration takes another time, and the image has other noise</source>
+        <translation>Wie lange ein Ziel ohne ihn dauert, in Prozent der Zeit mit ihm: eine Iteration dauert anders lange, und das Bild rauscht anders</translation>
     </message>
     <message>
         <source>How long it takes</source>
@@ -2214,6 +2230,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Nicht angeboten: %1.</translation>
     </message>
     <message>
+        <source>Of 255 grey levels, by how many the image changes without it, on average over what it shows; to 95 % it lies between the two faint numbers</source>
+        <translation>Um wie viele von 255 Graustufen sich das Bild ohne ihn ändert, im Mittel über das Gezeigte; zu 95 % liegt der Wert zwischen den beiden blassen Zahlen</translation>
+    </message>
+    <message>
         <source>Of the image's samples, that it took: what it adds to the error curve</source>
         <translation>An den Abtastungen des Bildes: was er zur Fehlerkurve beiträgt</translation>
     </message>
@@ -2448,6 +2468,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Pro&amp;jection</source>
         <translation>Pro&amp;jektion</translation>
+    </message>
+    <message>
+        <source>Processor time that an iteration of the small image takes more with it: median, and the smallest to the largest of six measurements</source>
+        <translation>Prozessorzeit, die eine Iteration des kleinen Bildes damit mehr braucht: Median und der kleinste bis größte von sechs Messwerten</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -3052,6 +3076,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>The outermost 7 mm, fat and lung are not shown. Contrast looks like bone.</source>
         <translation>Die äußersten 7 mm, Fett und Lunge sind nicht zu sehen. Kontrastmittel sieht aus wie Knochen.</translation>
+    </message>
+    <message>
+        <source>The part of an iteration's time that goes to it</source>
+        <translation>Der Teil der Zeit einer Iteration, der darauf entfällt</translation>
     </message>
     <message>
         <source>The part of the patient that is shown; the scan itself is not changed</source>
@@ -4352,6 +4380,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>mehr als die Hälfte von allem Festen ist dünner als 20 mm</translation>
     </message>
     <message>
+        <source>ms per iteration</source>
+        <translation>ms je Iteration</translation>
+    </message>
+    <message>
         <source>multiple scattering</source>
         <translation>Mehrfachstreuung</translation>
     </message>
@@ -4440,6 +4472,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>darf nicht entlang der Normalen zeigen</translation>
     </message>
     <message>
+        <source>needed, because</source>
+        <translation>gebraucht, weil</translation>
+    </message>
+    <message>
         <source>needs either a DICOM folder (dicom) or a raw file (raw)</source>
         <translation>braucht entweder einen DICOM-Ordner (dicom) oder eine Rohdatei (raw)</translation>
     </message>
@@ -4469,7 +4505,7 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     </message>
     <message>
         <source>no limit</source>
-        <translation>ohne Grenze</translation>
+        <translation>beliebig</translation>
     </message>
     <message>
         <source>no lungs are in this scan</source>
@@ -4702,6 +4738,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>shadows</source>
         <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>Anteil</translation>
     </message>
     <message>
         <source>slice %1 cannot be written</source>
@@ -5372,6 +5412,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Kacheln wären kürzer, als ein Render-Rechner zum Anlaufen braucht: %1 von %2</translation>
     </message>
     <message>
+        <source>time to the target</source>
+        <translation>Zeit bis zum Ziel</translation>
+    </message>
+    <message>
         <source>tissue is seen against the environment, else against white</source>
         <translation>Gewebe wird vor der Umgebung gesehen, sonst vor Weiß</translation>
     </message>
@@ -5426,6 +5470,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>without certificates only this machine itself may be dialled</source>
         <translation>ohne Zertifikate darf nur dieser Rechner selbst angewählt werden</translation>
+    </message>
+    <message>
+        <source>without it: mean</source>
+        <translation>ohne ihn: Mittel</translation>
     </message>
     <message>
         <source>writing slices</source>

@@ -702,6 +702,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>error del 95 % por píxel, de 255</translation>
     </message>
     <message>
+        <source>95 % of the image changes by no more levels than this; to 95 % it lies between the two faint numbers</source>
+        <translation>El 95 % de la imagen cambia a lo sumo en estos niveles; al 95 % está entre los dos números tenues</translation>
+    </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % dentro de</translation>
+    </message>
+    <message>
         <source>; any target takes %1 of the time</source>
         <translation>; cualquier objetivo necesita el %1 del tiempo</translation>
     </message>
@@ -1011,7 +1019,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Cancelar lo que está en curso</translation>
+        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Cancel a gesture, reading or a box, close a message</source>
@@ -1143,7 +1151,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>Choose another one.</source>
-        <translation>Elija otro.</translation>
+        <translation>Elija otra opción.</translation>
     </message>
     <message>
         <source>Choose another place.</source>
@@ -1444,6 +1452,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Edit the tissue</source>
         <translation>Editar el tejido</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>Efecto</translation>
     </message>
     <message>
         <source>Efficiency: the part of its time that went into samples</source>
@@ -1768,6 +1780,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>How light paths are sampled. Unbiased: the image converges to the exact one. The march steps over 3 voxels at a time as Exposure Render does and scatters once: the image stays wrong. For comparison only.</source>
         <translation>Cómo se sigue la luz. Insesgado: la imagen llega a ser la verdadera. Los pasos avanzan 3 vóxeles cada vez como en Exposure Render y dispersan una sola vez: la imagen sigue siendo errónea. Solo para comparar.</translation>
+    </message>
+    <message>
+        <source>How long any target takes without it, in percent of the time with it: an iteration takes another time, and the image has other noise</source>
+        <translation>Cuánto tarda un objetivo sin él, en porcentaje del tiempo con él: una iteración tarda otro tiempo, y la imagen tiene otro ruido</translation>
     </message>
     <message>
         <source>How long it takes</source>
@@ -2214,6 +2230,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>No se ofrece: %1.</translation>
     </message>
     <message>
+        <source>Of 255 grey levels, by how many the image changes without it, on average over what it shows; to 95 % it lies between the two faint numbers</source>
+        <translation>En cuántos de 255 niveles de gris cambia la imagen sin él, en promedio sobre lo que muestra; al 95 % está entre los dos números tenues</translation>
+    </message>
+    <message>
         <source>Of the image's samples, that it took: what it adds to the error curve</source>
         <translation>De las muestras de la imagen: lo que aporta a la curva de error</translation>
     </message>
@@ -2448,6 +2468,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Pro&amp;jection</source>
         <translation>Proyecció&amp;n</translation>
+    </message>
+    <message>
+        <source>Processor time that an iteration of the small image takes more with it: median, and the smallest to the largest of six measurements</source>
+        <translation>Tiempo de procesador que añade a una iteración de la imagen pequeña: mediana, y de la menor a la mayor de seis medidas</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -3052,6 +3076,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>The outermost 7 mm, fat and lung are not shown. Contrast looks like bone.</source>
         <translation>No se ven los 7 mm exteriores, la grasa ni el pulmón. El contraste parece hueso.</translation>
+    </message>
+    <message>
+        <source>The part of an iteration's time that goes to it</source>
+        <translation>La parte del tiempo de una iteración que se dedica a él</translation>
     </message>
     <message>
         <source>The part of the patient that is shown; the scan itself is not changed</source>
@@ -4352,6 +4380,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>más de la mitad de lo sólido tiene menos de 20 mm de grosor</translation>
     </message>
     <message>
+        <source>ms per iteration</source>
+        <translation>ms por iteración</translation>
+    </message>
+    <message>
         <source>multiple scattering</source>
         <translation>dispersión múltiple</translation>
     </message>
@@ -4440,6 +4472,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no debe apuntar a lo largo de la normal</translation>
     </message>
     <message>
+        <source>needed, because</source>
+        <translation>necesario porque</translation>
+    </message>
+    <message>
         <source>needs either a DICOM folder (dicom) or a raw file (raw)</source>
         <translation>necesita una carpeta DICOM (dicom) o un archivo en bruto (raw)</translation>
     </message>
@@ -4469,7 +4505,7 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     </message>
     <message>
         <source>no limit</source>
-        <translation>sin límite</translation>
+        <translation>sin tope</translation>
     </message>
     <message>
         <source>no lungs are in this scan</source>
@@ -4702,6 +4738,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>shadows</source>
         <translation>sombras</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>parte</translation>
     </message>
     <message>
         <source>slice %1 cannot be written</source>
@@ -5372,6 +5412,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>las teselas serían más cortas de lo que un equipo de render necesita para empezar: %1 de %2</translation>
     </message>
     <message>
+        <source>time to the target</source>
+        <translation>tiempo hasta el objetivo</translation>
+    </message>
+    <message>
         <source>tissue is seen against the environment, else against white</source>
         <translation>el tejido se ve ante el entorno, si no ante blanco</translation>
     </message>
@@ -5426,6 +5470,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>without certificates only this machine itself may be dialled</source>
         <translation>sin certificados solo se puede llamar a este mismo equipo</translation>
+    </message>
+    <message>
+        <source>without it: mean</source>
+        <translation>sin él: media</translation>
     </message>
     <message>
         <source>writing slices</source>

@@ -20,7 +20,7 @@ WORDS = (("render/scene/edit/tissue_bands.h", r'\{"([^"]+)"'), ("render/scene/na
 STEPS = re.compile(r'(?:\bprogress_?\([^;"]*,|\bonAllCores\([^;"]*,|\bstring_view kStep =)\s*"([^"]+)"')
 # What the window says of the looks that the program carries.
 LOOKS, SAID_OF_LOOKS = "resources/looks/*.json", ("name", "doesNotShow")
-CALL = re.compile(r"\b(?:(QT_TRANSLATE_NOOP|QCoreApplication::translate)|tr|translated)\s*\(")
+CALL = re.compile(r"\b(?:(QT_TRANSLATE_NOOP|QCoreApplication::translate)|tr|translated|QT_TR_NOOP)\s*\(")
 LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
 
 

@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QScrollArea>
+#include <QScrollBar>
 
 #include "ui/text/status_text.h"
 
@@ -53,7 +54,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), plot_(new Error
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::TabFocus);
     scroll->setAccessibleName(tr("Error of the image"));
-    scroll->setMinimumWidth(200);
+    scroll->setMinimumWidth(facts->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
 
     // Put them beside the plot
     auto* row = new QHBoxLayout(this);

@@ -22,21 +22,21 @@ const std::array<Column, 7> kColumns{
      {QT_TR_NOOP("needed, because"), ""},
      {QT_TR_NOOP("ms per iteration"),
       QT_TR_NOOP(
-          "Processor time that an iteration of the small picture takes more with it: median, and the smallest to the "
+          "Processor time that an iteration of the small image takes more with it: median, and the smallest to the "
           "largest of six measurements"),
       "12.34 (12.34 to 12.34)"},
      {QT_TR_NOOP("share"), QT_TR_NOOP("The part of an iteration's time that goes to it"), "51 % (42 to 55)"},
      {QT_TR_NOOP("without it: mean"),
-      QT_TR_NOOP("Of 255 grey levels, by how many the picture changes without it, on average over what it shows; to "
+      QT_TR_NOOP("Of 255 grey levels, by how many the image changes without it, on average over what it shows; to "
                  "95 % it lies between the two faint numbers"),
       "65.7 (62.9 to 68.3)"},
      {QT_TR_NOOP("95 % within"),
-      QT_TR_NOOP("95 % of the picture changes by no more levels than this; to 95 % it lies between the two faint "
+      QT_TR_NOOP("95 % of the image changes by no more levels than this; to 95 % it lies between the two faint "
                  "numbers"),
       "122.3 (115.8 to 128.8)"},
      {QT_TR_NOOP("time to the target"),
       QT_TR_NOOP("How long any target takes without it, in percent of the time with it: an iteration takes another "
-                 "time, and the picture has other noise"),
+                 "time, and the image has other noise"),
       "71 % (46 to 110)"}}};
 
 QLabel* cell(const QString& text, bool faint) {

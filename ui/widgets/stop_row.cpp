@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -18,7 +19,8 @@ void prepare(QAbstractSpinBox& field, const QString& name) {
     field.setKeyboardTracking(false);
     field.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     field.setButtonSymbols(QAbstractSpinBox::NoButtons);  // arrow keys and the wheel change the value as well
-    field.setMinimumWidth(56);
+    constexpr int kFrame = 18, kNumber = 56;              // [px]
+    field.setMinimumWidth(std::max(kNumber, field.fontMetrics().horizontalAdvance(field.specialValueText()) + kFrame));
 }
 
 }  // namespace
