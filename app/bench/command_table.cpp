@@ -139,7 +139,7 @@ constexpr Command kCommands[] = {
     {"smoothing", smoothing,
      "SCENE.json [--samples N] [--reference N] [--rounds N] [--threads N]\n"
      "                            [--width N] [--height N] [--exposure E]",
-     "Says how far the raw and the smoothed image are from one of many samples, beside what is stated of both, and "
+     "Says how far the raw and the denoised image are from one of many samples, beside what is stated of both, and "
      "what\n"
      "both cost, for 1, 4, 16, ... samples per pixel.\n",
      "  --samples N    the most, from 1; default 64\n"

@@ -213,7 +213,7 @@ def plant(source: Path, bugs: list[Bug]) -> dict[str, str]:
             except (TableError, OSError) as error:
                 complaints.append(f"{bug.name}: {error}")
     if complaints:
-        raise TableError("\n  ".join(["these bugs have no place:", *complaints]))
+        raise TableError("\n  ".join(["these bugs have no place (run --mend finds what has moved to another file):", *complaints]))
     return {file: INCLUDE + _replaced(file, texts[file], 0, len(texts[file]), spans) for file, spans in pieces.items()}
 
 

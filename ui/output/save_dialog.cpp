@@ -12,7 +12,7 @@ namespace pdr::ui {
 namespace {
 
 QString translated(const char* text) {
-    return QCoreApplication::translate("fileDialogs", text);
+    return QCoreApplication::translate("saveDialog", text);
 }
 
 /// Returns the documents folder, where users look for saved files, or else the home folder.
