@@ -5,37 +5,28 @@
 #include <QFileInfo>
 #include <QScreen>
 #include <QStyle>
-#include <algorithm>
 #include <utility>
 
-#include "app/desktop/keep_looks.h"
-#include "app/desktop/show_nodes.h"
-#include "app/desktop/show_scan.h"
-#include "app/desktop/wiring.h"
-#include "render/device/device_list.h"
-#include "ui/text/status_text.h"
+#include "app/presenters/accuracy_presenter.h"
+#include "app/presenters/camera_presenter.h"
+#include "app/presenters/cut_presenter.h"
+#include "app/presenters/effects_presenter.h"
+#include "app/presenters/help_presenter.h"
+#include "app/presenters/image_presenter.h"
+#include "app/presenters/light_presenter.h"
+#include "app/presenters/looks_presenter.h"
+#include "app/presenters/nodes_presenter.h"
+#include "app/presenters/preferences_presenter.h"
+#include "app/presenters/region_presenter.h"
+#include "app/presenters/rendering_presenter.h"
+#include "app/presenters/saving_presenter.h"
+#include "app/presenters/series_presenter.h"
+#include "app/presenters/tissue_presenter.h"
+#include "app/presenters/view_presenter.h"
+#include "app/presenters/visible_presenter.h"
 
 namespace pdr::app {
-
 namespace {
-
-/// Fills the list of devices with those of this machine and the one in use, which may be none of them.
-void offerDevices(ui::RenderPanel& panel, const DeviceInfo& inUse) {
-    std::vector<DeviceInfo> devices = devicesHere();
-    const auto known = std::find_if(devices.begin(), devices.end(),
-                                    [&](const DeviceInfo& device) { return device.name == inUse.name; });
-    if (known != devices.end())
-        *known = inUse;
-    else
-        devices.push_back(inUse);
-    QStringList names, texts;
-    for (const DeviceInfo& device : devices) {
-        names << QString::fromStdString(device.name);
-        texts << ui::deviceText(names.back(), QString::fromStdString(device.details));
-    }
-    panel.setDevices(names, texts);
-    panel.setDevice(QString::fromStdString(inUse.name));
-}
 
 /// Returns the folder of the example scan, which `bootstrap run` writes beside the programs that it builds; empty if
 /// there is none.
@@ -62,41 +53,106 @@ void holdOnScreen(QWidget& window) {
     window.setWindowState(states);
 }
 
+/// Gives the window the place and the panels of the last run.
+void place(ui::MainWindow& window, const Settings& settings) {
+    window.resize(QSize(1480, 920).boundedTo(window.screen()->availableSize() * 0.95));
+    window.restoreGeometry(settings.windowGeometry());
+    window.restoreState(settings.windowState());
+    holdOnScreen(window);
+}
+
 }  // namespace
 
 Desktop::Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, const QString& settingsFile, int threads,
                  std::filesystem::path powerSupplies)
-    : settings_(settingsFile),
-      document_(std::move(looks)),
-      bridge_(std::move(device), threads),
-      ownLooks_(settingsFile.isEmpty() ? OwnLooks::usualFolder() : QFileInfo(settingsFile).path() + "/looks"),
-      battery_(bridge_, std::move(powerSupplies)) {
-    // Restore the settings
-    offerDevices(window_.rendering(), bridge_.firstDevice());
-    window_.rendering().setPace(settings_.pace());
-    bridge_.setPace(window_.rendering().pace());
-    window_.setCaptioned(settings_.captioned());
-    bridge_.setCaptioned(settings_.captioned());
-    window_.setLanguage(settings_.language());
-    window_.setTheme(settings_.theme());
-    window_.setKeys(settings_.keys());
-    // Place the window
-    window_.resize(QSize(1480, 920).boundedTo(window_.screen()->availableSize() * 0.95));
-    window_.restoreGeometry(settings_.windowGeometry());
-    window_.restoreState(settings_.windowState());
-    holdOnScreen(window_);
-    // Connect the parts and show the start page
-    wire(parts());
-    offerOwnLooks(parts());
-    bridge_.setTarget(settings_.target());
-    showNothing(parts());
-    showRecentFolders(parts());
-    window_.setExample(exampleFolder());
-    wantNodesAgain(parts());
+    : settings_(settingsFile), document_(std::move(looks)), bridge_(std::move(device), threads) {
+    addPresenters(settingsFile.isEmpty() ? QString() : QFileInfo(settingsFile).path() + "/looks",
+                  std::move(powerSupplies));
+    place(window_, settings_);
+    connectPresenters();
+    showDocument(Changes::all);
+    presenter<SeriesPresenter>().close();
+    window_.start().setExample(exampleFolder());
 }
 
 Desktop::~Desktop() {
     settings_.keepWindow(window_.saveGeometry(), window_.wantedState());
+}
+
+/// Adds the presenter of each feature. Their order is that of the panels in the View menu, and that in which they show
+/// a frame; those that cancel a job on request are asked in it.
+void Desktop::addPresenters(const QString& ownLooks, std::filesystem::path powerSupplies) {
+    add<SeriesPresenter>();
+    add<ImagePresenter>();
+    add<ViewPresenter>();
+    auto& looks = add<LooksPresenter>(ownLooks);
+    add<VisiblePresenter>(looks.visibleRow());
+    add<TissuePresenter>();
+    add<LightPresenter>();
+    add<CameraPresenter>();
+    add<CutPresenter>();
+    add<RegionPresenter>();
+    add<RenderingPresenter>();
+    auto& accuracy = add<AccuracyPresenter>(std::move(powerSupplies));
+    add<EffectsPresenter>();
+    auto& nodes = add<NodesPresenter>();
+    add<SavingPresenter>();
+    add<HelpPresenter>();
+    add<PreferencesPresenter>();
+    QObject::connect(&nodes, &NodesPresenter::eventsChanged, &accuracy, &AccuracyPresenter::setEvents);
+}
+
+template <class One, class... Arguments>
+One& Desktop::add(Arguments&&... arguments) {
+    auto one = std::make_unique<One>(workspace(), std::forward<Arguments>(arguments)...);
+    One& added = *one;
+    presenters_.push_back(std::move(one));
+    return added;
+}
+
+void Desktop::connectPresenters() {
+    QObject::connect(&document_, &Document::sceneChanged, &bridge_, &RenderBridge::submit);
+    QObject::connect(&document_, &Document::displayChanged, &bridge_, &RenderBridge::setDisplay);
+    QObject::connect(&document_, &Document::closing, &bridge_, [this] {
+        bridge_.clear();
+        for (const auto& presenter : presenters_)
+            presenter->releaseVolume();
+    });
+    QObject::connect(&document_, &Document::changed, &window_, [this](Changes changes) { showDocument(changes); });
+    QObject::connect(&bridge_, &RenderBridge::frameReady, &window_,
+                     [this](const std::shared_ptr<const Frame>& frame) { showFrame(frame); });
+    QObject::connect(&window_.status(), &ui::StatusLine::cancelRequested, &window_, [this] { cancelJob(); });
+}
+
+void Desktop::open(const QString& path) {
+    presenter<SeriesPresenter>().open(ui::folderOf(QFileInfo(path)));
+}
+
+void Desktop::showDocument(Changes changes) {
+    for (const auto& presenter : presenters_) {
+        if (has(changes, Changes::series))
+            presenter->clearImage();
+        presenter->showDocument(changes);
+    }
+}
+
+void Desktop::showFrame(const std::shared_ptr<const Frame>& frame) {
+    if (frame->error.empty()) {
+        for (const auto& presenter : presenters_)
+            presenter->showFrame(frame);
+        return;
+    }
+    for (const auto& presenter : presenters_)
+        presenter->clearImage();
+    window_.viewport().setMessage(ui::MainWindow::tr("No image"));
+    window_.message().showError({frame->error, "", ""});
+}
+
+/// Cancels one running job.
+void Desktop::cancelJob() {
+    for (const auto& presenter : presenters_)
+        if (presenter->cancelJob())
+            return;
 }
 
 }  // namespace pdr::app

@@ -1,14 +1,14 @@
 #pragma once
-/// The desktop program: owns all of its parts and connects them.
+/// The desktop program: owns window, document, renderer and the presenters that make them work together.
 
 #include <filesystem>
 #include <memory>
-#include <vector>
 
-#include "app/desktop/desktop_parts.h"
-#include "app/desktop/settings.h"
+#include "app/presenters/presenter.h"
 
 namespace pdr::app {
+
+class SeriesPresenter;
 
 class Desktop {
   public:
@@ -22,35 +22,37 @@ class Desktop {
     /// Saves the window's geometry and state for the next run.
     ~Desktop();
 
-    DesktopParts parts() {
-        return {import_,   document_, bridge_,     window_,         settings_, study_, tissue_,
-                cut_,      light_,    modelTrial_, picture_,        masks_,    sky_,   looks_,
-                ownLooks_, nodes_,    said_,       seriesPictures_, battery_};
-    }
     ui::MainWindow& window() { return window_; }
+    Workspace workspace() { return {document_, bridge_, window_, settings_}; }
+    Document& document() { return document_; }
+    RenderBridge& bridge() { return bridge_; }
+    Settings& settings() { return settings_; }
+    /// Returns the presenter of that class; there is one of each.
+    template <class One>
+    One& presenter() {
+        for (const auto& presenter : presenters_)
+            if (auto* one = dynamic_cast<One*>(presenter.get()))
+                return *one;
+        throw std::logic_error("no such presenter");
+    }
+
     /// Reads a folder, or the folder of a file, and lists its series; if only one can be shown, it is shown.
-    void open(const QString& path) { import_.scanFolder(ui::folderOf(QFileInfo(path))); }
+    void open(const QString& path);
 
   private:
+    void addPresenters(const QString& ownLooks, std::filesystem::path powerSupplies);
+    template <class One, class... Arguments>
+    One& add(Arguments&&... arguments);
+    void connectPresenters();
+    void showDocument(Changes changes);
+    void showFrame(const std::shared_ptr<const Frame>& frame);
+    void cancelJob();
+
     Settings settings_;
     ui::MainWindow window_;
     Document document_;
-    TissueEdits tissue_{document_};
-    CutEdits cut_{document_};
-    LightEdits light_{document_};
-    TissueStudy study_;
     RenderBridge bridge_;
-    ImportJob import_;
-    ModelTrial modelTrial_;
-    PictureJob picture_;
-    MaskJob masks_;
-    SkyJob sky_;
-    LookPictures looks_;
-    OwnLooks ownLooks_;
-    NodesJob nodes_{bridge_};
-    SaidOnce said_;
-    SeriesPictures seriesPictures_;
-    BatteryRest battery_;
+    std::vector<std::unique_ptr<Presenter>> presenters_;
 };
 
 }  // namespace pdr::app

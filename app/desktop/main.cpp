@@ -14,10 +14,9 @@
 #include "app/desktop/application.h"
 #include "app/desktop/desktop.h"
 #include "app/desktop/options.h"
-#include "app/desktop/power_supply.h"
-#include "app/desktop/show_message.h"
 #include "app/looks/looks.h"
 #include "app/program/program.h"
+#include "app/rendering/power_supply.h"
 #include "render/base/version.h"
 #include "render/device/device_list.h"
 #include "ui/text/language.h"
@@ -73,7 +72,7 @@ int run(const DesktopOptions& options) {
     Desktop desktop(*std::move(looks), *std::move(device), {}, options.threads, kPowerSupplies);
     desktop.window().show();
     if (!whyCpu.isEmpty())
-        showNotice(desktop.parts(), whyCpu);
+        desktop.window().message().showNotice(whyCpu);
     if (!options.folder.isEmpty())
         // inside the event loop, which catches exceptions
         QTimer::singleShot(0, &desktop.window(), [&] { desktop.open(options.folder); });

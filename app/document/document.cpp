@@ -1,62 +1,62 @@
 #include "app/document/document.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "render/base/image_size.h"
 #include "render/scene/edit/camera_edits.h"
 
 namespace pdr::app {
+
 Document::Document(std::vector<NamedLook> looks) : looks_(std::move(looks)) {
-    setup_ = withNamedLook(setup_, looks_[0], {});
-    setup_.clip = {};
+    plan_.picture = withNamedLook(setup(), looks_[0], {});
+    plan_.picture.clip = {};
 }
 
 void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenTable& table,
                     const std::optional<segment::Findings>& findings, std::shared_ptr<const HiddenVoxels> hidden) {
-    close();
+    const Plan before = plan_;
+    closeVolume();
     volume_ = std::move(volume);
     table_ = table;
     hidden_ = std::move(hidden);
     parts_ = std::make_shared<const segment::BodyParts>(volume_);
-    setup_.table = Table::hidden;
-    setup_.clip = {};  // its coordinates belong to another patient
+    plan_.picture.table = Table::hidden;
+    plan_.picture.clip = {};  // its coordinates belong to another patient
     fitLooksTo(findings);
-    setup_.camera = cameraOf(firstView(framed().box), {});
+    plan_.picture.camera = cameraOf(firstView(framed().box), {});
     show(false);
-    emit displayChanged(display());
+    report(before, Changes::series | Changes::looks);
 }
 
 void Document::setLooks(std::vector<NamedLook> looks) {
     looks_.replace(std::move(looks));
-    emit looksChanged();
-    emit displayChanged(display());
+    report(plan_, Changes::looks);
 }
 
 /// Fits the looks to the volume. A look that the user has changed stays as it is.
 void Document::fitLooksTo(const std::optional<segment::Findings>& findings) {
     const int shown = look();
     looks_.fitTo(findings);
-    emit looksChanged();
     if (shown < 0)
         return;
-    setup_ = withNamedLook(setup_, looks_[looks_.suitedOr(shown)], table_.bodyBox);
-    setup_.stops = 0;
+    plan_.picture = withNamedLook(setup(), looks_[looks_.suitedOr(shown)], table_.bodyBox);
+    plan_.picture.stops = 0;
 }
 
 void Document::suggestBrightness(int look, double stops) {
     if (!hasVolume() || !looks_.holds(look) || !looks_.suggestStops(look, stops))
         return;
-    if (look != this->look() || setup_.stops != 0)
+    if (look != this->look() || setup().stops != 0)
         return;
-    history_.brighten(setup_.lookName, stops);  // so that undo does not lead back to a brightness that nobody chose
-    setup_.stops = stops;
-    emit displayChanged(display());
+    const Plan before = plan_;
+    history_.brighten(setup().lookName, stops);  // so that undo does not lead back to a brightness that nobody chose
+    plan_.picture.stops = stops;
+    report(before);
 }
 
 /// Returns the setup without the cut of `look`; -1: no look, nothing is removed.
 PictureSetup Document::withoutCutOf(int look) const {
-    PictureSetup setup = setup_;
+    PictureSetup setup = this->setup();
     if (look >= 0 && looks_[look].cut && hasVolume())
         std::erase(setup.clip.planes, planeOf(*looks_[look].cut, table_.bodyBox));
     return setup;
@@ -77,31 +77,36 @@ void Document::open(std::shared_ptr<const Volume> volume) {
 }
 
 void Document::close() {
+    const Plan before = plan_;
+    closeVolume();
+    report(before, Changes::series);
+}
+
+void Document::closeVolume() {
     if (hasVolume())
         emit closing();
-    setup_ = withoutCutOf(look());
+    plan_.picture = withoutCutOf(look());
     history_.forget();
     volume_.reset();
     table_ = {};
     hidden_.reset();
     parts_.reset();
     masks_.clear();
-    shown_ = {};
     scene_.volume.reset();
     scene_.mask.reset();
 }
 
 void Document::setCamera(const Camera& camera, bool moving) {
     if (hasVolume())
-        setField(&PictureSetup::camera, camera, Gesture::camera, moving);
+        setField(&PictureSetup::camera, camera, Changes::camera, moving);
 }
 
 void Document::setView(StandardView view) {
-    setCamera(hasVolume() ? cameraOf(view, setup_.camera) : Camera{}, false);
+    setCamera(hasVolume() ? cameraOf(view, setup().camera) : Camera{}, false);
 }
 
 void Document::setFocus(double depthMm) {
-    setCamera(focusedAt(setup_.camera, depthMm), false);
+    setCamera(focusedAt(setup().camera, depthMm), false);
 }
 
 void Document::resetView() {
@@ -110,7 +115,7 @@ void Document::resetView() {
 }
 
 void Document::setBackground(const std::optional<vec3>& radiance) {
-    PictureSetup setup = setup_;
+    PictureSetup setup = plan_.picture;
     setup.background = radiance;
     if (!radiance)
         setup.look.environment.visible = true;
@@ -120,9 +125,9 @@ void Document::setBackground(const std::optional<vec3>& radiance) {
 /// Resets the estimator with any model but single scattering: Exposure Render's estimators know one event per path
 /// only.
 void Document::setModel(Model model) {
-    PictureSetup setup = setup_;
+    PictureSetup setup = plan_.picture;
     setup.model = model;
-    if (model != setup_.model && model != Model::singleScattering)
+    if (model != plan_.picture.model && model != Model::singleScattering)
         setup.estimator = Estimator::unbiased;
     edit(std::move(setup));
 }
@@ -136,61 +141,59 @@ void Document::chooseLook(int index) {
     if (!looks_.holds(index))
         return;
     edit(setupWith(index));
-    emit displayChanged(display());
 }
 
 void Document::setLook(const Look& look, bool moving) {
-    PictureSetup setup = setup_;
+    PictureSetup setup = plan_.picture;
     setup.look = look;
-    edit(looks_.named(std::move(setup), setup_.lookName), Gesture::look, moving);
-    emit displayChanged(display());
+    edit(looks_.named(std::move(setup), plan_.picture.lookName), Changes::look, moving);
 }
 
 void Document::setClip(const Clip& clip, bool moving) {
     if (hasVolume())
-        setField(&PictureSetup::clip, clip, Gesture::clip, moving);
+        setField(&PictureSetup::clip, clip, Changes::clip, moving);
 }
 
 void Document::giveUpGesture() {
-    if (std::optional<PictureSetup> begun = history_.giveUpGesture())
+    if (std::optional<Plan> begun = history_.giveUpGesture())
         comeBackTo(std::move(*begun));
 }
 
 void Document::setVisible(const Visible& visible, bool moving) {
-    Look look = setup_.look;
+    Look look = setup().look;
     look.visible = visible;
     setLook(look, moving);
 }
 
 void Document::setMask(const Visible& visible, const std::shared_ptr<const Mask>& mask) {
     if (!mask)
-        return visible == setup_.look.visible ? fallBackTo({}) : void();
-    masks_.push_back({visible, mask});
-    if (masks_.size() > kMasks)
-        masks_.pop_front();
-    if (hasVolume() && visible == setup_.look.visible)
-        show(false);
+        return visible == setup().look.visible ? fallBackTo({}) : void();
+    masks_.add(visible, mask);
+    if (!hasVolume() || visible != setup().look.visible)
+        return;
+    show(false);
+    report(plan_, Changes::mask);
 }
 
 void Document::keepVisible() {
-    fallBackTo(shown_.visible);
+    fallBackTo(masks_.shown());
 }
 
 /// Replaces a choice that cannot be shown by `visible`. If the choice was all that its undo step changed, the step is
 /// removed.
 void Document::fallBackTo(const Visible& visible) {
-    if (visible == setup_.look.visible)
+    if (visible == setup().look.visible)
         return;
-    setup_.look.visible = visible;
-    setup_ = looks_.named(setup_, setup_.lookName);
-    history_.forgetStepTo(setup_);
-    if (hasVolume())
-        show(false);
+    const Plan before = plan_;
+    plan_.picture.look.visible = visible;
+    plan_.picture = looks_.named(setup(), setup().lookName);
+    history_.forgetStepTo(plan_);
+    show(false);
+    report(before, Changes::mask);
 }
 
 void Document::setSetup(const PictureSetup& setup) {
-    edit(looks_.named(setup, setup_.lookName));
-    emit displayChanged(display());
+    edit(looks_.named(setup, plan_.picture.lookName));
 }
 
 void Document::setEstimator(Estimator estimator) {
@@ -202,15 +205,16 @@ void Document::setSchedule(const Schedule& schedule) {
 }
 
 void Document::setBrightness(double stops, bool moving) {
-    if (stops == setup_.stops && history_.gesture() != Gesture::brightness)
+    if (stops == setup().stops && history_.gesture() != Changes::brightness)
         return;
-    remember(Gesture::brightness, moving);
-    setup_.stops = stops;
-    emit displayChanged(display());
+    const Plan before = plan_;
+    remember(Changes::brightness, moving);
+    plan_.picture.stops = stops;
+    report(before);
 }
 
 Display Document::display() const {
-    Display display = displayOf(setup_);
+    Display display = displayOf(setup());
     display.smoothed = smoothed_;
     return display;
 }
@@ -219,7 +223,7 @@ void Document::setSmoothed(bool smoothed) {
     if (smoothed == smoothed_)
         return;
     smoothed_ = smoothed;
-    emit displayChanged(display());
+    report(plan_, Changes::display);
 }
 
 void Document::setNextFilm(ivec2 pixels) {
@@ -234,52 +238,75 @@ void Document::setViewSize(ivec2 pixels) {
 
 void Document::undo() {
     if (canUndo())
-        comeBackTo(history_.undo(setup_));
+        comeBackTo(history_.undo(plan_));
 }
 
 void Document::redo() {
     if (canRedo())
-        comeBackTo(history_.redo(setup_));
+        comeBackTo(history_.redo(plan_));
 }
 
-/// Records the current setup as a step to undo; without a volume there is nothing to return to.
-void Document::remember(Gesture gesture, bool moving) {
+Text Document::undoText() const {
+    return app::undoText(canUndo() ? history_.previous() : plan_, plan_);
+}
+
+Text Document::redoText() const {
+    return app::redoText(plan_, canRedo() ? history_.next() : plan_);
+}
+
+/// Records the current plan as a step to undo; without a volume there is nothing to return to.
+void Document::remember(Changes gesture, bool moving) {
     if (hasVolume())
-        history_.remember(setup_, gesture, moving);
+        history_.remember(plan_, gesture, moving);
 }
 
 template <typename Field>
-void Document::setField(Field PictureSetup::*field, const Field& value, Gesture gesture, bool moving) {
-    PictureSetup setup = setup_;
+void Document::setField(Field PictureSetup::*field, const Field& value, Changes gesture, bool moving) {
+    PictureSetup setup = plan_.picture;
     setup.*field = value;
     edit(std::move(setup), gesture, moving);
 }
 
-/// Applies an edit. If it changes nothing and ends the gesture in progress, the same scene is reported once more, now
-/// at rest. If another gesture was in progress, nothing is reported.
-void Document::edit(PictureSetup setup, Gesture gesture, bool moving) {
-    if (setup == setup_ && !moving) {
+void Document::edit(PictureSetup picture, Changes gesture, bool moving) {
+    Plan plan = plan_;
+    plan.picture = std::move(picture);
+    edit(std::move(plan), gesture, moving);
+}
+
+/// If the edit changes nothing and ends the gesture in progress, the same scene is reported once more, now at rest. If
+/// another gesture was in progress, nothing is reported.
+void Document::edit(Plan plan, Changes gesture, bool moving) {
+    if (plan == plan_ && !moving) {
         if (history_.end(gesture))
             emit sceneChanged(scene_, false);
         return;
     }
     remember(gesture, moving);
-    setup_ = std::move(setup);
-    show(moving);
+    const Plan before = std::exchange(plan_, std::move(plan));
+    if (plan_.picture != before.picture || (moving && plan_ == before))
+        show(moving);
+    report(before);
 }
 
-/// Restores an earlier setup. The revision is not restored: the setup comes back as a new scene, unless only the
-/// display differs.
-void Document::comeBackTo(PictureSetup setup) {
-    setup_ = std::move(setup);
+/// Restores an earlier plan. The revision is not restored: the plan comes back as a new scene, unless only the display
+/// or nothing of the image differs.
+void Document::comeBackTo(Plan plan) {
+    const Plan before = std::exchange(plan_, std::move(plan));
     Scene scene = made();
     scene.revision = scene_.revision;
     if (scene != scene_)
         show(std::move(scene), false);
-    emit displayChanged(display());
+    report(before);
 }
 
-/// Shows the scene of the setup. Without a volume, the setup waits for one.
+/// Emits what an operation has changed since the plan was `before`, and `also`.
+void Document::report(const Plan& before, Changes also) {
+    if (displayOf(before.picture) != displayOf(setup()) || has(also, Changes::display | Changes::series))
+        emit displayChanged(display());
+    emit changed(changesBetween(before, plan_) | also);
+}
+
+/// Shows the scene of the plan. Without a volume, the plan waits for one.
 void Document::show(bool moving) {
     if (hasVolume())
         show(made(), moving);
@@ -291,26 +318,21 @@ void Document::show(Scene scene, bool moving) {
     scene_.revision = revision;
     scene_.film = film_ = nextFilm_;
     emit sceneChanged(scene_, moving);
-    if (shown_.visible != setup_.look.visible)
-        emit maskWanted(parts_, setup_.look.visible);
+    if (masks_.shown() != setup().look.visible)
+        emit maskWanted(parts_, setup().look.visible);
 }
 
-/// Builds the scene of the setup. Its mask is that of the choice if it is known, else the one shown so far.
+/// Builds the scene of the plan. Its mask is that of the choice if it is known, else the one shown so far.
 Scene Document::made() {
-    const Visible& visible = setup_.look.visible;
-    const auto known = std::ranges::find(masks_, visible, &PartMask::visible);
-    if (visible.all())
-        shown_ = {};
-    else if (known != masks_.end())
-        shown_ = *known;
-    Scene scene = sceneOf(setup_, seen(), film_);
-    scene.mask = shown_.mask;
-    scene.maskAwaited = shown_.visible != visible;
+    masks_.show(setup().look.visible);
+    Scene scene = sceneOf(setup(), seen(), film_);
+    scene.mask = masks_.mask();
+    scene.maskAwaited = masks_.shown() != setup().look.visible;
     return scene;
 }
 
 std::shared_ptr<const Volume> Document::seen() const {
-    if (setup_.table == Table::hidden || !hasTable())
+    if (setup().table == Table::hidden || !hasTable())
         return volume_;
     std::shared_ptr<const Volume> scan = withTable_.lock();
     if (!scan)
@@ -320,7 +342,7 @@ std::shared_ptr<const Volume> Document::seen() const {
 
 /// Returns what a view is fitted to: the body, or the whole grid if the table is shown.
 Framed Document::framed() const {
-    if (setup_.table == Table::hidden)
+    if (setup().table == Table::hidden)
         return {table_.bodyBox, table_.outlineMm};
     return {volume_->geometry(), nullptr};
 }

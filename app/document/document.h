@@ -1,16 +1,15 @@
 #pragma once
-/// The document of the window: a volume, the user's setup of its image, and the history of earlier setups. Only this
-/// class increments a scene's revision.
+/// The document of the window: a volume, the user's plan for it, and the history of earlier plans. Only this class
+/// increments a scene's revision.
 
 #include <QObject>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "app/document/step_name.h"
+#include "app/document/part_masks.h"
 #include "app/looks/fitted_looks.h"
-#include "app/plan/setup_history.h"
+#include "app/plan/history.h"
 #include "app/scan/hidden_voxels.h"
 #include "render/scene/fit_view.h"
 #include "render/segment/body_parts.h"
@@ -36,14 +35,15 @@ class Document : public QObject {
     const std::shared_ptr<const segment::BodyParts>& parts() const { return parts_; }
     /// The part of the scan's grid that the body fills.
     const VolumeGeometry& bodyBox() const { return table_.bodyBox; }
-    const PictureSetup& setup() const { return setup_; }
+    const Plan& plan() const { return plan_; }
+    const PictureSetup& setup() const { return plan_.picture; }
     bool hasVolume() const { return volume_ != nullptr; }
     /// The scene that is rendered. Without a volume its content is meaningless.
     const Scene& scene() const { return scene_; }
     /// Whether there is a table, or anything else hidden with it, that can be shown or hidden.
     bool hasTable() const { return hidden_ != nullptr; }
     /// The index of the look that is shown; -1 if the user has changed it.
-    int look() const { return looks_.indexOf(setup_); }
+    int look() const { return looks_.indexOf(setup()); }
     Display display() const;
     /// Whether the image is shown denoised.
     bool smoothed() const { return smoothed_; }
@@ -52,9 +52,14 @@ class Document : public QObject {
     std::optional<ClipBox> uncut() const;
     bool canUndo() const { return history_.canUndo(); }
     bool canRedo() const { return history_.canRedo(); }
-    /// The changes that the next undo reverts and the next redo applies; Change::nothing if there is none.
-    Change undoable() const { return canUndo() ? changeOf(history_.previous(), setup_) : Change::nothing; }
-    Change redoable() const { return canRedo() ? changeOf(setup_, history_.next()) : Change::nothing; }
+    /// Returns the menu's phrase for the next undo, e.g. "Undo turning the view"; "Undo" if there is none.
+    Text undoText() const;
+    /// Returns the menu's phrase for the next redo; "Redo" if there is none.
+    Text redoText() const;
+    /// Replaces the plan. `gesture`: what a gesture of the user edits; one gesture (moving, ..., moving, at rest) is
+    /// one step to undo. Changes::none: the edit is a step of its own. A gesture that ends where it began makes no new
+    /// scene.
+    void edit(Plan plan, Changes gesture = Changes::none, bool moving = false);
 
   public slots:
     /// Opens `volume`, a scan without its table, uncut and seen from the side that firstView() chooses. The look stays
@@ -68,8 +73,7 @@ class Document : public QObject {
     void open(std::shared_ptr<const pdr::Volume> volume);
     /// Closes the volume and forgets the history.
     void close();
-    /// Sets the camera. One gesture of the user (moving, ..., moving, at rest) is one step to undo. A gesture that ends
-    /// where it began makes no new scene.
+    /// Sets the camera. One gesture is one step to undo.
     void setCamera(const pdr::Camera& camera, bool moving);
     /// Turns to a standard view and fits it, with the projection, field of view and aperture as they are.
     void setView(pdr::StandardView view);
@@ -94,7 +98,7 @@ class Document : public QObject {
     void setLook(const pdr::Look& look, bool moving = false);
     /// Sets what is cut away. One gesture is one step to undo.
     void setClip(const pdr::Clip& clip, bool moving = false);
-    /// Cancels the gesture in progress and restores the setup from before it.
+    /// Cancels the gesture in progress and restores the plan from before it.
     void giveUpGesture();
     /// Sets which part of the patient is visible. It is a part of the look.
     void setVisible(const pdr::Visible& visible, bool moving = false);
@@ -103,7 +107,7 @@ class Document : public QObject {
     void setMask(const pdr::Visible& visible, const std::shared_ptr<const pdr::Mask>& mask);
     /// Reports that the requested mask will not come: the choice returns to what the scene shows. No step to undo.
     void keepVisible();
-    /// Replaces the whole setup. One step to undo.
+    /// Replaces the setup of the image. One step to undo.
     void setSetup(const pdr::PictureSetup& setup);
     void setEstimator(pdr::Estimator estimator);
     void setSchedule(const pdr::Schedule& schedule);
@@ -124,8 +128,9 @@ class Document : public QObject {
     /// Emitted before the volume is closed. Every holder of the volume, its table, parts or masks releases them now,
     /// since the next series waits for their memory.
     void closing();
-    /// Emitted when the list of looks has changed, or the looks have been fitted to another volume.
-    void looksChanged();
+    /// Emitted once at the end of each operation that may have changed something, for those who show the document.
+    /// `changes`: what has changed; an edit that did not change the plan may still have changed the history.
+    void changed(pdr::app::Changes changes);
     /// Emitted when there is a new scene to render, and with the same scene when a gesture ends where it has led.
     /// `moving`: more will follow at once.
     void sceneChanged(const pdr::Scene& scene, bool moving);
@@ -134,19 +139,13 @@ class Document : public QObject {
     void maskWanted(const std::shared_ptr<const pdr::segment::BodyParts>& parts, const pdr::Visible& visible);
 
   private:
-    /// A choice of visible parts and its mask.
-    struct PartMask {
-        Visible visible;
-        std::shared_ptr<const Mask> mask;
-    };
-    /// Number of masks that are kept for undo.
-    static constexpr std::size_t kMasks = 4;
-
-    void remember(Gesture gesture = Gesture::none, bool moving = false);
+    void closeVolume();
+    void remember(Changes gesture = Changes::none, bool moving = false);
     template <typename Field>
-    void setField(Field PictureSetup::*field, const Field& value, Gesture gesture = Gesture::none, bool moving = false);
-    void edit(PictureSetup setup, Gesture gesture = Gesture::none, bool moving = false);
-    void comeBackTo(PictureSetup setup);
+    void setField(Field PictureSetup::*field, const Field& value, Changes gesture = Changes::none, bool moving = false);
+    void edit(PictureSetup picture, Changes gesture = Changes::none, bool moving = false);
+    void comeBackTo(Plan plan);
+    void report(const Plan& before, Changes also = Changes::none);
     void show(bool moving);
     void fallBackTo(const Visible& visible);
     Scene made();
@@ -163,14 +162,13 @@ class Document : public QObject {
     mutable std::weak_ptr<const Volume> withTable_;  ///< the scan with its table, as long as someone holds it
     /// The parts of the body in volume_, whether the table is shown or not.
     std::shared_ptr<const segment::BodyParts> parts_;
-    PictureSetup setup_;  ///< everything that undo restores
-    SetupHistory history_;
-    std::deque<PartMask> masks_;  ///< masks of volume_, the newest last
-    PartMask shown_;              ///< choice and mask that the scene shows
+    Plan plan_;  ///< everything that undo restores
+    History history_;
+    PartMasks masks_;
     bool smoothed_ = true;
     ivec2 film_ = Scene{}.film;      ///< size of the scene's film [pixels]
     ivec2 nextFilm_ = Scene{}.film;  ///< size of the next film [pixels]
-    Scene scene_;                    ///< built from the volume with or without its table, the setup and the film's size
+    Scene scene_;                    ///< built from the volume with or without its table, the plan and the film's size
 };
 
 }  // namespace pdr::app

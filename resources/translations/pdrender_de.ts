@@ -558,6 +558,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Licht...</translation>
     </message>
     <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
         <source>&amp;My looks</source>
         <translation>Eige&amp;ne Darstellungen</translation>
     </message>
@@ -2078,6 +2082,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Das Bild kleiner machen, Programme schließen, die das Gerät benutzen, oder ein anderes Gerät wählen.</translation>
     </message>
     <message>
+        <source>Manual of PD-Render</source>
+        <translation>Handbuch von PD-Render</translation>
+    </message>
+    <message>
         <source>March of 3 voxels (biased)</source>
         <translation>Schritte von 3 Voxeln (verzerrt)</translation>
     </message>
@@ -2180,6 +2188,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>No known systematic error</source>
         <translation>Kein systematischer Fehler bekannt</translation>
+    </message>
+    <message>
+        <source>No page has all of these words.</source>
+        <translation>Keine Seite enthält alle diese Wörter.</translation>
     </message>
     <message>
         <source>No render nodes: other machines can render along, and the image becomes right sooner</source>
@@ -2328,6 +2340,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Öffnet einen Ordner mit DICOM-Dateien.</translation>
     </message>
     <message>
+        <source>Opens the manual, which needs no network.</source>
+        <translation>Öffnet das Handbuch (auf Englisch); es braucht kein Netz.</translation>
+    </message>
+    <message>
         <source>Operating lamp</source>
         <translation>Operationsleuchte</translation>
     </message>
@@ -2354,6 +2370,14 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>PNG image (*.png)</source>
         <translation>PNG-Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Pages of the manual</source>
+        <translation>Seiten des Handbuchs</translation>
     </message>
     <message>
         <source>Panels of light</source>
@@ -2726,6 +2750,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Ansicht zurücksetzen</translation>
     </message>
     <message>
+        <source>Returns to the page that was read before.</source>
+        <translation>Kehrt zur zuvor gelesenen Seite zurück.</translation>
+    </message>
+    <message>
         <source>Returns to the view in which the series was opened.</source>
         <translation>Zeigt den Patienten wie beim Öffnen der Serie.</translation>
     </message>
@@ -2800,6 +2828,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Schedule</source>
         <translation>Ablauf</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Handbuch durchsuchen</translation>
     </message>
     <message>
         <source>Sending the scan, %1 %</source>

@@ -558,6 +558,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Lu&amp;z...</translation>
     </message>
     <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Manual</translation>
+    </message>
+    <message>
         <source>&amp;My looks</source>
         <translation>&amp;Mis aspectos</translation>
     </message>
@@ -2078,6 +2082,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Haga la imagen más pequeña, cierre programas que usen el dispositivo o elija otro dispositivo.</translation>
     </message>
     <message>
+        <source>Manual of PD-Render</source>
+        <translation>Manual de PD-Render</translation>
+    </message>
+    <message>
         <source>March of 3 voxels (biased)</source>
         <translation>Pasos de 3 vóxeles (sesgado)</translation>
     </message>
@@ -2180,6 +2188,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>No known systematic error</source>
         <translation>Sin error sistemático conocido</translation>
+    </message>
+    <message>
+        <source>No page has all of these words.</source>
+        <translation>Ninguna página contiene todas estas palabras.</translation>
     </message>
     <message>
         <source>No render nodes: other machines can render along, and the image becomes right sooner</source>
@@ -2328,6 +2340,10 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Abre una carpeta con archivos DICOM.</translation>
     </message>
     <message>
+        <source>Opens the manual, which needs no network.</source>
+        <translation>Abre el manual (en inglés); no necesita red.</translation>
+    </message>
+    <message>
         <source>Operating lamp</source>
         <translation>Lámpara de quirófano</translation>
     </message>
@@ -2354,6 +2370,14 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>PNG image (*.png)</source>
         <translation>Imagen PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Página</translation>
+    </message>
+    <message>
+        <source>Pages of the manual</source>
+        <translation>Páginas del manual</translation>
     </message>
     <message>
         <source>Panels of light</source>
@@ -2726,6 +2750,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Restablecer la vista</translation>
     </message>
     <message>
+        <source>Returns to the page that was read before.</source>
+        <translation>Vuelve a la página leída antes.</translation>
+    </message>
+    <message>
         <source>Returns to the view in which the series was opened.</source>
         <translation>Muestra al paciente como cuando se abrió la serie.</translation>
     </message>
@@ -2800,6 +2828,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Schedule</source>
         <translation>Esquema</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Buscar en el manual</translation>
     </message>
     <message>
         <source>Sending the scan, %1 %</source>

@@ -69,17 +69,16 @@ int levelsOff(const QImage& picture, const QImage& truth, const Film& tissue) {
 
 /// The pictures on the screen kSeconds after a view from the front, which comes after one from the left.
 std::array<Shown, kSeconds.size()> shownAfterEdit(Desktop& desktop) {
-    const DesktopParts parts = desktop.parts();
-    parts.document.setView(StandardView::left);
+    desktop.document().setView(StandardView::left);
     QTest::qWait(3000);
     QElapsedTimer clock;
     clock.start();
-    parts.document.setView(StandardView::anterior);
-    const std::uint64_t revision = parts.document.scene().revision;
+    desktop.document().setView(StandardView::anterior);
+    const std::uint64_t revision = desktop.document().scene().revision;
     std::array<Shown, kSeconds.size()> shown;
     for (std::size_t i = 0; i < kSeconds.size(); ++i) {
         QTest::qWait(std::max(0, int(1e3 * kSeconds[i] - double(clock.elapsed()))));
-        if (const Shown& last = parts.bridge.lastFrame(); last && last->revision == revision)
+        if (const Shown& last = desktop.bridge().lastFrame(); last && last->revision == revision)
             shown[i] = last;
     }
     return shown;
@@ -155,23 +154,23 @@ std::shared_ptr<const Film> referenceOf(Scene scene, const Plan& plan) {
 int run(const Plan& plan) {
     QTemporaryDir settings;
     Desktop desktop(*bundledLooks(), makeCpuDevice(plan.threads), settings.filePath("settings.ini"), plan.threads);
-    const DesktopParts parts = desktop.parts();
     desktop.window().show();
     desktop.open(plan.folder);
-    if (!QTest::qWaitFor([&] { return parts.bridge.lastFrame() && !parts.bridge.lastFrame()->coarse; }, 600'000)) {
+    if (!QTest::qWaitFor([&] { return desktop.bridge().lastFrame() && !desktop.bridge().lastFrame()->coarse; },
+                         600'000)) {
         std::printf("no picture of %s\n", qPrintable(plan.folder));
         return 1;
     }
-    for (std::size_t i = 0; i < parts.document.looks().fitted().size(); ++i)
-        if (QString::fromStdString(parts.document.looks().fitted()[i].name).contains(plan.look))
-            parts.document.chooseLook(int(i));
+    for (std::size_t i = 0; i < desktop.document().looks().fitted().size(); ++i)
+        if (QString::fromStdString(desktop.document().looks().fitted()[i].name).contains(plan.look))
+            desktop.document().chooseLook(int(i));
     QTest::qWait(2000);
     const auto smoothed = shownAfterEdit(desktop);
-    parts.document.setSmoothed(false);
+    desktop.document().setSmoothed(false);
     const auto raw = shownAfterEdit(desktop);
-    const Display display{parts.document.display().exposure, true};
-    const Scene scene = parts.document.scene();
-    parts.bridge.setPaused(true);
+    const Display display{desktop.document().display().exposure, true};
+    const Scene scene = desktop.document().scene();
+    desktop.bridge().setPaused(true);
 
     const auto film = referenceOf(scene, plan);
     if (!film)

@@ -11,6 +11,7 @@
 
 #include "app/desktop/desktop.h"
 #include "app/looks/looks.h"
+#include "app/presenters/looks_presenter.h"
 
 int main(int argc, char** argv) {
     using namespace pdr::app;
@@ -22,12 +23,12 @@ int main(int argc, char** argv) {
     const QTemporaryDir settings;
     Desktop desktop(*looks, pdr::makeCpuDevice(), settings.filePath("settings.ini"));
     QElapsedTimer clock;
-    QObject::connect(&desktop.parts().document, &Document::sceneChanged, &application, [&] {
+    QObject::connect(&desktop.document(), &Document::sceneChanged, &application, [&] {
         if (!clock.isValid())
             clock.start();
     });
     std::size_t made = 0;
-    QObject::connect(&desktop.parts().looks, &LookPictures::made, &application, [&](int look) {
+    QObject::connect(&desktop.presenter<LooksPresenter>().pictures(), &LookPictures::made, &application, [&](int look) {
         std::printf("%5.2f s  %s\n", double(clock.elapsed()) / 1000, (*looks)[std::size_t(look)].name.c_str());
         if (++made == looks->size()) {
             std::printf("%5.2f s of the processor\n", double(std::clock()) / CLOCKS_PER_SEC);

@@ -25,7 +25,10 @@
 #include "app/looks/looks.h"
 #include "app/program/program.h"
 #include "tests/support/desktop/event_times.h"
+#include "tests/support/desktop/the.h"
+#include "ui/looks/look_panel.h"
 #include "ui/theme/theme.h"
+#include "ui/tissue/tissue_panel.h"
 
 namespace pdr::app {
 namespace {
@@ -50,7 +53,7 @@ class Stopwatch {
   public:
     explicit Stopwatch(Desktop& desktop) : desktop_(desktop) {
         clock_.start();
-        QObject::connect(&desktop.parts().bridge, &RenderBridge::frameReady,
+        QObject::connect(&desktop.bridge(), &RenderBridge::frameReady,
                          [this](const std::shared_ptr<const Frame>& frame) { painted(*frame); });
     }
 
@@ -58,7 +61,7 @@ class Stopwatch {
     void time(const std::function<void()>& edit) {
         const double start = nowMs();
         edit();
-        const Document& document = desktop_.parts().document;
+        const Document& document = desktop_.document();
         unanswered_.push_back({start, document.scene().revision, document.display()});
     }
 
@@ -102,7 +105,7 @@ class Stopwatch {
         beganCpu_ = std::clock();
     }
 
-    const std::shared_ptr<const Frame>& last() const { return desktop_.parts().bridge.lastFrame(); }
+    const std::shared_ptr<const Frame>& last() const { return desktop_.bridge().lastFrame(); }
 
   private:
     double nowMs() const { return 1e-6 * double(clock_.nsecsElapsed()); }
@@ -148,7 +151,7 @@ void turn(Desktop& desktop, Stopwatch& watch, double seconds) {
 }
 
 void brighten(Desktop& desktop, Stopwatch& watch, double seconds) {
-    auto* slider = desktop.window().look().findChild<QSlider*>();
+    auto* slider = test::the<ui::LookPanel>(desktop.window()).findChild<QSlider*>();
     slider->setSliderDown(true);
     watch.begin();
     watch.repeat(seconds, kBetweenEventsMs, [&](int i) { slider->setValue(int(20 * std::sin(0.05 * (i + 1)))); });
@@ -158,7 +161,7 @@ void brighten(Desktop& desktop, Stopwatch& watch, double seconds) {
 
 /// A node goes round, on the panel of the tissue.
 void bend(Desktop& desktop, Stopwatch& watch, double seconds) {
-    ui::CurveEditor& editor = desktop.window().tissue().editor();
+    ui::CurveEditor& editor = test::the<ui::TissuePanel>(desktop.window()).editor();
     const CurvePoint point = editor.points()[editor.points().size() / 2];
     const QPointF place = editor.view().at(double(point.hu), double(point.value));
     mouse(editor, QEvent::MouseButtonPress, place);
@@ -171,7 +174,7 @@ void bend(Desktop& desktop, Stopwatch& watch, double seconds) {
 }
 
 void edits(Desktop& desktop, Stopwatch& watch, double seconds) {
-    Document& document = desktop.parts().document;
+    Document& document = desktop.document();
     watch.begin();
     watch.repeat(seconds, 1000, [&](int i) { document.setView(StandardView(i % 2 ? 0 : 1 + i / 2 % 5)); });
     watch.report("a view, at rest");
@@ -185,7 +188,7 @@ int run(const QString& folder, double seconds, int threads) {
     Desktop desktop(*bundledLooks(), makeCpuDevice(threads), settings.filePath("settings.ini"), threads);
     Stopwatch watch(desktop);
     desktop.window().show();
-    emit desktop.window().look().tissueWanted();  // opens the panel
+    emit test::the<ui::LookPanel>(desktop.window()).tissueWanted();  // opens the panel
     desktop.open(folder);
     if (!QTest::qWaitFor([&] { return watch.last() && !watch.last()->coarse; }, 600'000)) {
         std::printf("no picture of %s\n", qPrintable(folder));

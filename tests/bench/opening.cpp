@@ -16,6 +16,9 @@
 
 #include "app/desktop/desktop.h"
 #include "app/looks/looks.h"
+#include "app/presenters/looks_presenter.h"
+#include "app/presenters/series_presenter.h"
+#include "app/presenters/visible_presenter.h"
 #include "app/program/program.h"
 #include "render/device/device_list.h"
 #include "tests/support/processor_time.h"
@@ -52,13 +55,14 @@ class Log {
 };
 
 void logSteps(Desktop& desktop, const Log& log) {
-    const DesktopParts parts = desktop.parts();
-    QObject::connect(&parts.import, &ImportJob::scanned, [&log] { log("headers read"); });
-    QObject::connect(&parts.import, &ImportJob::loaded, [&log] { log("voxels and table in memory"); });
-    QObject::connect(&parts.masks, &MaskJob::made, [&log] { log("part told from the body"); });
-    QObject::connect(&parts.looks, &LookPictures::made,
+    const ImportJob& import = desktop.presenter<SeriesPresenter>().import();
+    QObject::connect(&import, &ImportJob::scanned, [&log] { log("headers read"); });
+    QObject::connect(&import, &ImportJob::loaded, [&log] { log("voxels and table in memory"); });
+    QObject::connect(&desktop.presenter<VisiblePresenter>().masks(), &MaskJob::made,
+                     [&log] { log("part told from the body"); });
+    QObject::connect(&desktop.presenter<LooksPresenter>().pictures(), &LookPictures::made,
                      [&log](int look) { log("gallery: look ", QString::number(look)); });
-    QObject::connect(&parts.bridge, &RenderBridge::frameReady,
+    QObject::connect(&desktop.bridge(), &RenderBridge::frameReady,
                      [&log, coarse = false, full = false](const std::shared_ptr<const Frame>& frame) mutable {
                          if (frame->rgba.empty() || full || (frame->coarse && coarse))
                              return;

@@ -3,6 +3,7 @@
 #include <QMenuBar>
 #include <QTest>
 
+#include "ui/series/series_panel.h"
 #include "ui/text/accuracy_text.h"
 #include "ui/text/language.h"
 #include "ui/text/series_text.h"

@@ -5,7 +5,7 @@ import json
 import re
 import xml.etree.ElementTree as ElementTree
 
-DESKTOP = ("desktop", "document", "jobs", "looks", "output", "plan", "scan")
+DESKTOP = ("desktop", "document", "jobs", "looks", "output", "plan", "presenters", "rendering", "scan")
 ROOMS = ("ui/**/*.cpp", "ui/**/*.h", *(f"app/{room}/*.{end}" for room in DESKTOP for end in ("cpp", "h")))
 # Sentences of rooms that know no Qt: the patterns of phrase(...), see render/base/text.h.
 ROOMS_BELOW = ("render/**/*.cpp", "render/**/*.h", "render/**/*.cu", "dicom/**/*.cpp", "dicom/**/*.h",

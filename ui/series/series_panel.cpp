@@ -147,9 +147,16 @@ void SeriesPanel::setNamesHidden(bool hidden) {
         patient_.setText(patientOf(model_.index(shown_, 0)));
 }
 
+QString SeriesPanel::numberedPatient() const {
+    return numberedPatient(model_.index(shown_, 0));
+}
+
+QString SeriesPanel::numberedPatient(const QModelIndex& item) {
+    return tr("Patient %1 (name hidden)").arg(item.data(kNumberRole).toInt());
+}
+
 QString SeriesPanel::patientOf(const QModelIndex& item) const {
-    return namesHidden_ ? tr("Patient %1 (name hidden)").arg(item.data(kNumberRole).toInt())
-                        : item.data(kPatientRole).toString();
+    return namesHidden_ ? numberedPatient(item) : item.data(kPatientRole).toString();
 }
 
 /// Sets the title of the item, preceded by the patient if the list has several.

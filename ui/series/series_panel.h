@@ -29,6 +29,8 @@ class SeriesPanel : public QWidget {
     void setNamesHidden(bool hidden);
     int current() const { return shown_; }
     QString patient() const { return patient_.text(); }
+    /// Returns what stands for the name of the shown series' patient while names are hidden. Requires a shown series.
+    QString numberedPatient() const;
     QString detail() const { return detail_.text(); }
     const QListView& list() const { return list_; }
 
@@ -42,6 +44,7 @@ class SeriesPanel : public QWidget {
   private:
     void showDetail(int index);
     void name(QStandardItem& item) const;
+    static QString numberedPatient(const QModelIndex& item);
     QString patientOf(const QModelIndex& item) const;
     void choose();
 

@@ -90,6 +90,7 @@ QPointF Viewport::placeOf(QPointF point) const {
 void Viewport::setPicking(Picking picking) {
     picking_ = picking;
     setCursor(picking != Picking::nothing ? Qt::CrossCursor : Qt::ArrowCursor);
+    emit pickingChanged(picking);
 }
 
 void Viewport::dragTissue(QPointF point) {

@@ -61,6 +61,8 @@ class Viewport : public QWidget {
     void tissuePicked(QPointF place);
     /// Reports a click requested with Picking::focus: at `place`, in fractions of the image's width and height.
     void focusPicked(QPointF place);
+    /// Reports what the next click picks from now on.
+    void pickingChanged(pdr::ui::Viewport::Picking picking);
     /// Reports that the pointer rests on the image: at `place`, in fractions of its width and height.
     void rested(QPointF place);
     /// Requests the first view, on Home. A signal of the view and no key of the window, since the accuracy strip and

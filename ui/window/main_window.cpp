@@ -1,7 +1,6 @@
 #include "ui/window/main_window.h"
 
 #include <QApplication>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -11,24 +10,12 @@
 
 #include "render/base/version.h"
 #include "ui/keys/keys_dialog.h"
-#include "ui/output/save_dialog.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/window/program_icon.h"
 
 namespace pdr::ui {
 namespace {
-
-/// Returns a widget with one panel above another; the upper one takes the extra height.
-QWidget* stacked(QWidget* above, QWidget* below) {
-    auto* both = new QWidget;
-    auto* column = new QVBoxLayout(both);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(above, 1);
-    column->addWidget(below);
-    return both;
-}
 
 QList<QAction*> namedActions(const QMenuBar& bar) {
     QList<QAction*> named;
@@ -43,112 +30,91 @@ QList<QAction*> namedActions(const QMenuBar& bar) {
 
 MainWindow::MainWindow()
     : viewport_(new Viewport),
-      region_(new RegionBox(viewport_)),
-      cut_(new CutTools(viewport_)),
-      series_(new SeriesPanel),
-      look_(new LookPanel),
-      visible_(new VisibleRow),
-      tissue_(new TissuePanel),
-      light_(new LightPanel),
-      camera_(new CameraPanel),
-      rendering_(new RenderPanel),
-      effects_(new EffectLedger),
-      nodes_(new NodesPanel),
       foot_(new Foot),
-      accuracy_(new AccuracyPanel),
       message_(new MessageBar(viewport_)),
       start_(new StartPanel),
       keys_(new KeysOverlay(this)),
-      docks_(new WindowDocks(*this, *viewport_,
-                             {series_, stacked(look_, visible_), tissue_, light_, camera_, &cut_->panel(), rendering_,
-                              accuracy_, effects_, nodes_})),
-      actions_(fillMenus(*menuBar(), docks_->toggles(), *cut_)),
-      bindings_(namedActions(*menuBar())) {
+      docks_(new WindowDocks(*this, *viewport_)),
+      actions_(fillMenus(*menuBar())) {
     // Lay out the view and the status bar
-    auto* inPlaceOfThePicture = new QGridLayout(viewport_);
-    inPlaceOfThePicture->addWidget(start_, 0, 0, Qt::AlignCenter);
+    auto* inPlaceOfTheImage = new QGridLayout(viewport_);
+    inPlaceOfTheImage->addWidget(start_, 0, 0, Qt::AlignCenter);
     start_->hide();
-    viewport_->setOverlay([this] { return whatIsSeen(); });
+    viewport_->setOverlay([this] { return linesOverImage(); });
     setCentralWidget(viewport_);
     statusBar()->addWidget(foot_, 1);
     statusBar()->setSizeGripEnabled(false);
 
-    // Connect menus and keys
+    // Connect menus, keys and the view
     for (const QAction* menu : menuBar()->actions())
         addActions(menu->menu()->actions());  // so that keys work while the menu bar is hidden
-    connectFileActions();
-    connectEditActions();
-    connectViewActions();
-    connect(actions_.keys, &QAction::triggered, keys_, [this] { keys_->toggle(bindings_.actions()); });
-    connect(actions_.editKeys, &QAction::triggered, this, &MainWindow::editKeys);
-    connect(actions_.about, &QAction::triggered, this, &MainWindow::about);
+    viewport_->addAction(actions_.pause);     // its key counts there only
+    connectActions();
+    connectView();
     connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MainWindow::escape);
-
-    // Connect the panels and the view
-    connect(docks_, &WindowDocks::cutShown, cut_, &CutTools::showHandles);
-    connect(docks_, &WindowDocks::effectsShown, this, &MainWindow::effectsShown);
-    connect(viewport_, &Viewport::resetRequested, this, &MainWindow::resetRequested);
-    connect(viewport_, &Viewport::menuRequested, this, &MainWindow::showMenu);
-    connect(viewport_, &Viewport::tissuePicked, this, [this] { setPicking(Viewport::Picking::nothing); });
-    connect(viewport_, &Viewport::focusPicked, this, [this] { setPicking(Viewport::Picking::nothing); });
-    connect(tissue_, &TissuePanel::pickingChosen, this,
-            [this](bool picking) { setPicking(picking ? Viewport::Picking::tissue : Viewport::Picking::nothing); });
-    connect(camera_, &CameraPanel::pickingChosen, this,
-            [this](bool picking) { setPicking(picking ? Viewport::Picking::focus : Viewport::Picking::nothing); });
-    connect(camera_, &CameraPanel::viewChosen, this, &MainWindow::viewChosen);
-    connect(region_, &RegionBox::drawn, this, &MainWindow::chooseRegion);
-    connect(region_, &RegionBox::notDrawn, actions_.boxFirst, [this] { actions_.boxFirst->setChecked(false); });
-    connect(look_, &LookPanel::pauseChosen, this, &MainWindow::pauseChosen);
-    connect(look_, &LookPanel::tissueWanted, docks_->toggleTissue(), &QAction::trigger);
-    connect(look_, &LookPanel::lightWanted, docks_->toggleLight(), &QAction::trigger);
-    connect(look_, &LookPanel::cameraWanted, docks_->toggleCamera(), &QAction::trigger);
-    connect(&foot_->status(), &StatusLine::textClicked, docks_->toggleAccuracy(), &QAction::trigger);
 
     // Set the state of a window in which nothing is open
     guardWheels(*this);
     setWindowIcon(programIcon());
     setAcceptDrops(true);
-    setUndoAvailable(false, false);
-    setPictureAvailable(false);
+    for (QAction* action : {actions_.undo, actions_.redo, actions_.save, actions_.copy})
+        action->setEnabled(false);
     setSubject({});
     viewport_->setFocus();
 }
 
-void MainWindow::connectFileActions() {
+void MainWindow::connectActions() {
     connect(actions_.open, &QAction::triggered, this, &MainWindow::chooseFolder);
     connect(start_, &StartPanel::openRequested, actions_.open, &QAction::trigger);
     connect(start_, &StartPanel::folderChosen, this, &MainWindow::folderChosen);
     connect(actions_.recent, &RecentMenu::folderChosen, this, &MainWindow::folderChosen);
-    connect(actions_.recent, &RecentMenu::rememberChosen, this, &MainWindow::rememberFoldersChosen);
-    connect(actions_.recent, &RecentMenu::forgetRequested, this, &MainWindow::forgetFoldersRequested);
-    connect(actions_.save, &QAction::triggered, this, &MainWindow::chooseFile);
     connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
-}
-
-void MainWindow::connectEditActions() {
-    connect(actions_.undo, &QAction::triggered, this, &MainWindow::undoRequested);
-    connect(actions_.redo, &QAction::triggered, this, &MainWindow::redoRequested);
-    connect(actions_.copy, &QAction::triggered, this, &MainWindow::copyRequested);
-}
-
-void MainWindow::connectViewActions() {
-    for (std::size_t i = 0; i < actions_.views.size(); ++i)
-        connect(actions_.views[i], &QAction::triggered, this, [this, i] { emit viewChosen(StandardView(i)); });
-    viewport_->addAction(actions_.pause);  // its key counts there only
-    connect(actions_.firstView, &QAction::triggered, this, &MainWindow::resetRequested);
-    connect(actions_.fit, &QAction::triggered, this, &MainWindow::fitRequested);
-    connect(actions_.pause, &QAction::triggered, this, &MainWindow::pauseChosen);
-    connect(actions_.smoothed, &QAction::triggered, this, &MainWindow::smoothingChosen);
-    connect(actions_.table, &QAction::triggered, this, &MainWindow::tableChosen);
-    connect(actions_.captioned, &QAction::triggered, this, &MainWindow::captionChosen);
-    connect(actions_.errorMap, &QAction::triggered, this, &MainWindow::errorMapChosen);
-    connect(actions_.boxFirst, &QAction::triggered, this, &MainWindow::drawOrForgetRegion);
-    connect(actions_.alone, &QAction::toggled, this, &MainWindow::showPictureAlone);
-    connect(actions_.hideName, &QAction::toggled, this, &MainWindow::hideName);
+    connect(actions_.alone, &QAction::toggled, this, &MainWindow::showImageAlone);
+    connect(actions_.hideName, &QAction::toggled, this, &MainWindow::hideNames);
     connect(actions_.languages, &QActionGroup::triggered, this,
             [this](const QAction* language) { emit languageChosen(language->data().toString()); });
     for (std::size_t i = 0; i < actions_.themes.size(); ++i)
         connect(actions_.themes[i], &QAction::triggered, this, [this, i] { emit themeChosen(ThemeChoice(i)); });
+    connect(actions_.keys, &QAction::triggered, keys_, [this] { keys_->toggle(bindings().actions()); });
+    connect(actions_.editKeys, &QAction::triggered, this, &MainWindow::editKeys);
+    connect(actions_.about, &QAction::triggered, this, &MainWindow::about);
+}
+
+void MainWindow::connectView() {
+    connect(viewport_, &Viewport::resetRequested, actions_.firstView, &QAction::trigger);
+    connect(viewport_, &Viewport::menuRequested, this, &MainWindow::showMenu);
+    connect(viewport_, &Viewport::tissuePicked, viewport_,
+            [this] { viewport_->setPicking(Viewport::Picking::nothing); });
+    connect(viewport_, &Viewport::focusPicked, viewport_,
+            [this] { viewport_->setPicking(Viewport::Picking::nothing); });
+}
+
+QAction* MainWindow::addPanel(QWidget* panel, const PanelInfo& info) {
+    QAction* toggle = docks_->add(panel, info);
+    actions_.view->insertAction(actions_.endOfPanels, toggle);
+    addAction(toggle);
+    guardWheels(*panel);
+    return toggle;
+}
+
+void MainWindow::addMenu(const QString& title, const std::function<void(QMenu&)>& fill) {
+    auto* menu = new QMenu(title, menuBar());
+    menuBar()->insertMenu(menuBar()->actions().last(), menu);
+    fill(*menu);
+    addActions(menu->actions());
+    menu->setToolTipsVisible(true);
+}
+
+void MainWindow::addToEscape(std::function<bool()> cancel) {
+    escapes_.push_back(std::move(cancel));
+}
+
+/// Returns the keys of all actions. Their defaults are those that they have when this is first called, at the latest
+/// when the user's keys are restored.
+KeyBindings& MainWindow::bindings() {
+    if (!bindings_)
+        bindings_.emplace(namedActions(*menuBar()));
+    return *bindings_;
 }
 
 void MainWindow::setSubject(const QString& subject, const QString& whileHidden) {
@@ -159,27 +125,14 @@ void MainWindow::setSubject(const QString& subject, const QString& whileHidden) 
     setWindowTitle(shown.isEmpty() ? program : shown + " - " + program);
 }
 
-void MainWindow::setPatient(const QStringList& lines) {
+void MainWindow::setPatient(const QStringList& lines, const QStringList& whileHidden) {
     patient_ = lines;
+    patientWhileHidden_ = whileHidden;
     viewport_->update();
-}
-
-QStringList MainWindow::patient() const {
-    return actions_.hideName->isChecked() && !patient_.isEmpty() ? QStringList(series_->patient()) : patient_;
 }
 
 void MainWindow::setLastFolder(const QString& folder) {
     lastFolder_ = folder;
-}
-
-void MainWindow::setUndoAvailable(bool undo, bool redo) {
-    actions_.undo->setEnabled(undo);
-    actions_.redo->setEnabled(redo);
-}
-
-void MainWindow::setUndoTexts(const QString& undo, const QString& redo) {
-    actions_.undo->setText('&' + undo);
-    actions_.redo->setText('&' + redo);
 }
 
 void MainWindow::setRecentFolders(const QStringList& folders, bool remembered) {
@@ -187,30 +140,13 @@ void MainWindow::setRecentFolders(const QStringList& folders, bool remembered) {
     start_->setRecent(folders);
 }
 
-void MainWindow::setStartShown(bool shown) {
-    start_->setVisible(shown);
-}
-
-void MainWindow::setExample(const QString& folder) {
-    start_->setExample(folder);
-}
-
-void MainWindow::setVolumeAvailable(bool available) {
-    for (QAction* view : actions_.views)
-        view->setEnabled(available);
-    for (QAction* action :
-         {actions_.firstView, actions_.fit, actions_.pause, actions_.smoothed, actions_.errorMap, actions_.boxFirst})
-        action->setEnabled(available);
-    look_->setEnabled(available);
-}
-
 void MainWindow::setKeys(const QMap<QString, QString>& choices) {
-    bindings_.restore(choices);
+    bindings().restore(choices);
 }
 
 void MainWindow::editKeys() {
-    KeysDialog dialog(bindings_, this);
-    connect(&dialog, &KeysDialog::keysChanged, this, [this] { emit keysChosen(bindings_.choices()); });
+    KeysDialog dialog(bindings(), this);
+    connect(&dialog, &KeysDialog::keysChanged, this, [this] { emit keysChosen(bindings().choices()); });
     dialog.exec();
 }
 
@@ -223,48 +159,8 @@ void MainWindow::setTheme(ThemeChoice choice) {
     actions_.themes[std::size_t(choice)]->setChecked(true);
 }
 
-void MainWindow::setPaused(bool paused) {
-    actions_.pause->setChecked(paused);
-    look_->setPaused(paused);
-}
-
-void MainWindow::setSmoothed(bool smoothed) {
-    actions_.smoothed->setChecked(smoothed);
-}
-
-void MainWindow::setRegion(const std::optional<QRectF>& box) {
-    actions_.boxFirst->setChecked(box.has_value());
-    region_->setBox(box);
-}
-
-void MainWindow::setTable(bool shown, bool there) {
-    actions_.table->setChecked(shown);
-    actions_.table->setEnabled(there);
-}
-
-void MainWindow::setCaptioned(bool captioned) {
-    actions_.captioned->setChecked(captioned);
-}
-
 void MainWindow::setQuestionOnClosing(const QString& question) {
     questionOnClosing_ = question;
-}
-
-void MainWindow::setPictureAvailable(bool available) {
-    actions_.save->setEnabled(available);
-    actions_.copy->setEnabled(available);
-}
-
-void MainWindow::setPictureOffer(const QString& name, const std::optional<PictureCost>& cost) {
-    pictureName_ = name;
-    pictureCost_ = cost;
-}
-
-/// Sets what the next click on the image picks, in the viewport and on the panels' buttons.
-void MainWindow::setPicking(Viewport::Picking picking) {
-    viewport_->setPicking(picking);
-    tissue_->setPicking(picking == Viewport::Picking::tissue);
-    camera_->setPicking(picking == Viewport::Picking::focus);
 }
 
 /// Opens the context menu: the most frequent actions, and those that have no button while the image fills the screen.
@@ -288,22 +184,7 @@ void MainWindow::chooseFolder() {
         emit folderChosen(folder);
 }
 
-void MainWindow::chooseFile() {
-    const Annotate usual = actions_.captioned->isChecked() ? Annotate::sides : Annotate::none;
-    const bool patientKnown = !patient_.isEmpty() && !actions_.hideName->isChecked();
-    const auto order =
-        askForPicture(this, *actions_.save,
-                      {viewport_->sizeInPixels(), pictureName_, folderOfPictures_, pictureCost_, usual, patientKnown});
-    if (!order)
-        return;
-    folderOfPictures_ = QFileInfo(order->file).absolutePath();
-    if (order->size)
-        emit pictureOrdered(*order);
-    else
-        emit saveRequested(order->file, order->annotate);
-}
-
-void MainWindow::showPictureAlone(bool alone) {
+void MainWindow::showImageAlone(bool alone) {
     if (alone)
         docks_->setAway(true);
     menuBar()->setVisible(!alone);
@@ -314,30 +195,17 @@ void MainWindow::showPictureAlone(bool alone) {
         docks_->setAway(false);
 }
 
-void MainWindow::chooseRegion(const std::optional<QRectF>& box) {
-    setRegion(box);
-    emit regionChosen(box);
-}
-
-/// Starts to draw a box with the next drag, or removes the box.
-void MainWindow::drawOrForgetRegion(bool draw) {
-    region_->stopDrawing();
-    if (draw)
-        region_->startDrawing();
-    else
-        chooseRegion(std::nullopt);
-}
-
-void MainWindow::hideName(bool hidden) {
-    series_->setNamesHidden(hidden);
+void MainWindow::hideNames(bool hidden) {
     setSubject(subject_, subjectWhileHidden_);
     actions_.recent->menuAction()->setVisible(!hidden);
     start_->setVisible(start_->isVisible() && !hidden);
     viewport_->update();
+    emit namesHiddenChanged(hidden);
 }
 
-/// Returns the overlay lines: the patient, and in full screen also the accuracy, since the status bar is hidden there.
-QStringList MainWindow::whatIsSeen() const {
+/// Returns the lines in the image's corner: the patient, and in full screen also the accuracy, since the status bar is
+/// hidden there.
+QStringList MainWindow::linesOverImage() const {
     QStringList lines = patient();
     if (actions_.alone->isChecked())
         lines << foot_->status().text();
@@ -347,14 +215,10 @@ QStringList MainWindow::whatIsSeen() const {
 void MainWindow::escape() {
     if (keys_->isVisible())
         return keys_->hide();
-    if (cut_->giveUp())
-        return;
-    if (region_->isDrawing()) {
-        region_->stopDrawing();
-        return actions_.boxFirst->setChecked(false);
-    }
-    setPicking(Viewport::Picking::nothing);
-    cut_->hideHandles();
+    for (const auto& cancel : escapes_)
+        if (cancel())
+            return;
+    viewport_->setPicking(Viewport::Picking::nothing);
     actions_.alone->setChecked(false);
     message_->clear();
     emit cancelRequested();

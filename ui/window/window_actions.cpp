@@ -3,7 +3,6 @@
 #include <QCoreApplication>
 #include <QMenu>
 
-#include "ui/cut/cut_tools.h"
 #include "ui/text/language.h"
 
 namespace pdr::ui {
@@ -85,13 +84,13 @@ void addLanguages(QMenu& view, WindowActions& actions) {
         add(languageName(code), code);
 }
 
-void fillViewMenu(QMenuBar& bar, const QList<QAction*>& panels, WindowActions& actions) {
-    QMenu* menu = bar.addMenu(Texts::tr("&View"));
+void fillViewMenu(QMenuBar& bar, WindowActions& actions) {
+    QMenu* menu = actions.view = bar.addMenu(Texts::tr("&View"));
     addViews(*menu, actions);
     menu->addSeparator();
     addPicture(*menu, actions);
     menu->addSeparator();
-    menu->addActions(panels);
+    actions.endOfPanels = menu->addSeparator();
     addThemes(*menu, actions);
     addLanguages(*menu, actions);
     actions.hideName = checkable(menu->addAction(Texts::tr("Hide the patient's &name"), QKeySequence(Qt::Key_N)),
@@ -101,8 +100,9 @@ void fillViewMenu(QMenuBar& bar, const QList<QAction*>& panels, WindowActions& a
 
 void fillHelpMenu(QMenuBar& bar, WindowActions& actions) {
     QMenu* menu = bar.addMenu(Texts::tr("&Help"));
+    actions.manual = menu->addAction(Texts::tr("&Manual"), QKeySequence(Qt::Key_F1));
     actions.keys = menu->addAction(Texts::tr("&Keys"));
-    actions.keys->setShortcuts({QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_H), QKeySequence(Qt::Key_Question)});
+    actions.keys->setShortcuts({QKeySequence(Qt::Key_H), QKeySequence(Qt::Key_Question)});
     actions.editKeys = menu->addAction(Texts::tr("&Edit keys..."));
     actions.about = menu->addAction(Texts::tr("&About PD-Render"));
 }
@@ -140,6 +140,7 @@ void describe(const WindowActions& actions) {
              {actions.hideName, "hideName", {}},
              {actions.alone, "alone",
               Texts::tr("Fills the screen with the image, the patient's name and its accuracy.")},
+             {actions.manual, "manual", Texts::tr("Opens the manual, which needs no network.")},
              {actions.keys, "keys", Texts::tr("Shows all keys and what they do.")},
              {actions.editKeys, "editKeys", Texts::tr("Changes keyboard shortcuts.")},
              {actions.about, "about",
@@ -152,12 +153,11 @@ void describe(const WindowActions& actions) {
 
 }  // namespace
 
-WindowActions fillMenus(QMenuBar& bar, const QList<QAction*>& panels, CutTools& cut) {
+WindowActions fillMenus(QMenuBar& bar) {
     WindowActions actions{};
     fillFileMenu(bar, actions);
     fillEditMenu(bar, actions);
-    fillViewMenu(bar, panels, actions);
-    cut.fillMenu(*bar.addMenu(Texts::tr("&Cut")));
+    fillViewMenu(bar, actions);
     fillHelpMenu(bar, actions);
     describe(actions);
     for (const QAction* menu : bar.actions())

@@ -10,9 +10,9 @@
 
 namespace pdr::ui {
 
-class CutTools;
-
 struct WindowActions {
+    QMenu* view;           ///< the View menu
+    QAction* endOfPanels;  ///< the separator in it below the panels' entries
     QAction *open, *save, *quit;
     RecentMenu* recent;
     QAction *undo, *redo, *copy;
@@ -21,11 +21,11 @@ struct WindowActions {
     QAction *pause, *smoothed, *table, *captioned, *errorMap, *boxFirst, *hideName, *alone;
     std::array<QAction*, 3> themes;  ///< in the order of ThemeChoice; one is checked
     QActionGroup* languages;         ///< language code as data, empty for the system's; one is checked
-    QAction *keys, *editKeys, *about;
+    QAction *manual, *keys, *editKeys, *about;
 };
 
-/// Fills the empty menu bar. Each action that may have a key has an object name, under which the key is saved, and a
-/// tool tip. `panels`: the actions that show and hide panels.
-WindowActions fillMenus(QMenuBar& bar, const QList<QAction*>& panels, CutTools& cut);
+/// Fills the empty menu bar; Help is its last menu. Each action that may have a key has an object name, under which the
+/// key is saved, and a tool tip.
+WindowActions fillMenus(QMenuBar& bar);
 
 }  // namespace pdr::ui

@@ -23,91 +23,99 @@ class ScrolledLooks : public QScrollArea {
     QSize sizeHint() const override { return widget()->sizeHint() + QSize(verticalScrollBar()->sizeHint().width(), 0); }
 };
 
-}  // namespace
-
-WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture, const Panels& panels)
-    : QObject(&window),
-      window_(window),
-      picture_(picture),
-      panels_(panels),
-      series_(add("Series", tr("Series"), panels.series, Qt::LeftDockWidgetArea, Qt::Key_F2)),
-      look_(
-          add("Look", tr("Appearance"), scrolled(panels.look, new ScrolledLooks), Qt::RightDockWidgetArea, Qt::Key_F3)),
-      tissue_(add("Tissue", tr("Tissue"), scrolled(panels.tissue), Qt::RightDockWidgetArea, Qt::Key_F5)),
-      light_(add("Light", tr("Light"), scrolled(panels.light), Qt::RightDockWidgetArea, Qt::Key_F8)),
-      camera_(add("Camera", tr("Camera"), scrolled(panels.camera), Qt::RightDockWidgetArea, Qt::Key_F7)),
-      cut_(add("Cut", tr("Cut"), scrolled(panels.cut), Qt::RightDockWidgetArea, Qt::Key_F9)),
-      rendering_(add("Rendering", tr("Rendering"), scrolled(panels.rendering), Qt::RightDockWidgetArea, Qt::Key_F4)),
-      accuracy_(new FloatingPanel(&picture, tr("Accuracy"), panels.accuracy, Qt::SHIFT | Qt::Key_E)),
-      effects_(add("Effects", tr("Render cost by effect"), panels.effects, Qt::BottomDockWidgetArea, Qt::Key_F6)),
-      nodes_(add("Nodes", tr("Render nodes"), panels.nodes, Qt::BottomDockWidgetArea, Qt::Key_F12)) {
-    look_->widget()->setMinimumHeight(kLookHeight);
-    for (QDockWidget* folded : {tissue_, light_, camera_, cut_, rendering_, effects_, nodes_})
-        folded->hide();
-    nameToggle(*accuracy_->toggleViewAction(), "Accuracy");
-    sides_ = {series_, look_, rendering_, tissue_, light_, camera_, cut_};
-    editors_ = {{tissue_, panels.tissue}, {light_, panels.light}, {camera_, panels.camera}, {cut_, panels.cut}};
-    for (QDockWidget* dock : std::as_const(sides_))
-        connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) { opened(dock, shown); });
-    below_ = {effects_, nodes_};
-    for (QDockWidget* dock : std::as_const(below_))
-        connect(dock->toggleViewAction(), &QAction::triggered, this,
-                [this, dock](bool shown) { openedBelow(dock, shown); });
-    connect(cut_->toggleViewAction(), &QAction::triggered, this, [this](bool shown) {
-        if (shown)
-            emit cutShown();
-    });
-    connect(effects_, &QDockWidget::visibilityChanged, this, &WindowDocks::effectsShown);
+/// Returns the widget for the dock: the panel, in a scroll area where the window's height might not suffice.
+QWidget* contentOf(QWidget* panel, PanelPlace place) {
+    if (place == PanelPlace::browser || place == PanelPlace::below)
+        return panel;
+    return place == PanelPlace::looks ? scrolled(panel, new ScrolledLooks) : scrolled(panel);
 }
 
-QList<QAction*> WindowDocks::toggles() const {
-    QList<QAction*> actions;
-    for (const QDockWidget* dock : all_)
-        actions << dock->toggleViewAction();
-    actions.insert(actions.indexOf(effects_->toggleViewAction()), accuracy_->toggleViewAction());
-    return actions;
+Qt::DockWidgetArea areaOf(PanelPlace place) {
+    if (place == PanelPlace::browser)
+        return Qt::LeftDockWidgetArea;
+    return place == PanelPlace::below ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea;
+}
+
+}  // namespace
+
+WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture)
+    : QObject(&window), window_(window), picture_(picture) {}
+
+QAction* WindowDocks::add(QWidget* panel, const PanelInfo& info) {
+    QAction* toggle = info.place == PanelPlace::floating ? addFloating(panel, info) : addDock(panel, info);
+    toggle->setObjectName(info.name + "Panel");  // the name under which its key is saved
+    toggle->setToolTip(tr("Shows or closes this panel."));
+    return toggles_[info.name] = toggle;
+}
+
+QAction* WindowDocks::addFloating(QWidget* panel, const PanelInfo& info) {
+    floating_ << new FloatingPanel(&picture_, info.title, panel, info.key);
+    return floating_.last()->toggleViewAction();
+}
+
+QAction* WindowDocks::addDock(QWidget* panel, const PanelInfo& info) {
+    auto* dock = new QDockWidget(info.title, &window_);
+    QAction* toggle = dock->toggleViewAction();
+    dock->setObjectName(info.name);  // the name under which the window state saves it
+    dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+    dock->setWidget(contentOf(panel, info.place));
+    toggle->setShortcut(info.key);
+    dock->setTitleBarWidget(panelTitle(info.title, *toggle));
+    window_.addDockWidget(areaOf(info.place), dock);
+    docks_ << dock;
+    contents_[dock] = {panel, info.place, info.fixedHeight};
+    keep(dock, info.place);
+    return toggle;
+}
+
+/// Shows or hides a new dock, and lets the toggle make room for it.
+void WindowDocks::keep(QDockWidget* dock, PanelPlace place) {
+    const QAction* toggle = dock->toggleViewAction();
+    if (place == PanelPlace::below) {
+        below_ << dock;
+        connect(toggle, &QAction::triggered, this, [this, dock](bool shown) { openedBelow(dock, shown); });
+    } else {
+        connect(toggle, &QAction::triggered, this, [this, dock](bool shown) { opened(dock, shown); });
+    }
+    if (place == PanelPlace::browser)
+        browser_ = dock;
+    else if (place == PanelPlace::looks)
+        (looks_ = dock)->widget()->setMinimumHeight(kLookHeight);
+    else
+        dock->hide();
+}
+
+QList<QDockWidget*> WindowDocks::docksAt(std::initializer_list<PanelPlace> places) const {
+    QList<QDockWidget*> docks;
+    for (QDockWidget* dock : docks_)
+        if (std::ranges::find(places, contents_[dock].place) != places.end())
+            docks << dock;
+    return docks;
 }
 
 void WindowDocks::setChoosing(bool choosing) {
     if (choosing == choosing_)
         return;
     choosing_ = choosing;
+    if (!browser_)
+        return;
     if (choosing)
-        seriesWereAway_ = series_->isHidden() && !gaveWay_.contains(series_);
-    series_->setVisible(choosing || !seriesWereAway_);
+        browserWasAway_ = browser_->isHidden() && !gaveWay_.contains(browser_);
+    browser_->setVisible(choosing || !browserWasAway_);
     makeRoom();
-    window_.resizeDocks({series_}, {choosing ? kChoosing : series_->widget()->sizeHint().width()}, Qt::Horizontal);
+    window_.resizeDocks({browser_}, {choosing ? kChoosing : browser_->widget()->sizeHint().width()}, Qt::Horizontal);
 }
 
 void WindowDocks::setAway(bool away) {
-    accuracy_->setVisible(!away && accuracy_->toggleViewAction()->isChecked());
+    for (FloatingPanel* panel : std::as_const(floating_))
+        panel->setVisible(!away && panel->toggleViewAction()->isChecked());
     if (!away) {
         window_.restoreState(std::exchange(stateBefore_, {}));
         return makeRoom();
     }
     stateBefore_ = window_.saveState();
-    for (QDockWidget* dock : std::as_const(all_))
+    for (QDockWidget* dock : std::as_const(docks_))
         dock->hide();
-}
-
-QDockWidget* WindowDocks::add(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area,
-                              const QKeySequence& key) {
-    auto* dock = new QDockWidget(title, &window_);
-    dock->setObjectName(name);  // the name under which the window state saves it
-    dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
-    dock->setWidget(panel);
-    dock->toggleViewAction()->setShortcut(key);
-    nameToggle(*dock->toggleViewAction(), name);
-    dock->setTitleBarWidget(panelTitle(title, *dock->toggleViewAction()));
-    window_.addDockWidget(area, dock);
-    all_ << dock;
-    return dock;
-}
-
-/// Names the action; the name is that under which its key is saved.
-void WindowDocks::nameToggle(QAction& toggle, const QString& panel) {
-    toggle.setObjectName(panel + "Panel");
-    toggle.setToolTip(tr("Shows or closes this panel."));
 }
 
 /// Hides docks below the image that have no room: side by side they are legible in wide windows only, and the one
@@ -124,7 +132,7 @@ void WindowDocks::openedBelow(QDockWidget* dock, bool shown) {
     for (QDockWidget* one : std::as_const(below_))
         if (!one->isHidden() && --room < 0)
             one->hide();
-    if (dock != effects_)
+    if (!contents_[dock].fixedHeight)
         window_.resizeDocks({dock}, {int(kPart * window_.height())}, Qt::Vertical);
 }
 
@@ -133,25 +141,26 @@ void WindowDocks::openedBelow(QDockWidget* dock, bool shown) {
 void WindowDocks::opened(QDockWidget* dock, bool shown) {
     gaveWay_.removeAll(dock);
     insisted_ = shown ? dock : nullptr;
-    if (editors_.contains(dock))
+    if (isEditor(dock))
         return openedEditor(dock, shown);
     makeRoom();
 }
 
 /// Shows one editor at a time and divides the right-hand column between it and the looks.
 void WindowDocks::openedEditor(QDockWidget* dock, bool shown) {
-    for (QDockWidget* other : editors_.keys())
+    for (QDockWidget* other : docksAt({PanelPlace::editor}))
         if (other != dock)
             other->hide();
     if (shown)
-        column_ = look_->isVisible() ? look_->width() : 0;
+        column_ = looks_->isVisible() ? looks_->width() : 0;
     makeRoom();
     if (shown) {
         window_.resizeDocks({dock}, {kEditorColumn}, Qt::Horizontal);
-        const int room = middleHeight(), look = std::max(room - editors_[dock]->sizeHint().height(), kLookHeight);
-        window_.resizeDocks({look_, dock}, {look, std::max(room - look, kEditorHeight)}, Qt::Vertical);
+        const int room = middleHeight(),
+                  looks = std::max(room - contents_[dock].panel->sizeHint().height(), kLookHeight);
+        window_.resizeDocks({looks_, dock}, {looks, std::max(room - looks, kEditorHeight)}, Qt::Vertical);
     } else if (column_ > 0) {
-        window_.resizeDocks({look_}, {std::exchange(column_, 0)}, Qt::Horizontal);
+        window_.resizeDocks({looks_}, {std::exchange(column_, 0)}, Qt::Horizontal);
     }
 }
 
@@ -159,7 +168,8 @@ void WindowDocks::makeRoom() {
     if (!stateBefore_.isEmpty())
         return;
     QList<QDockWidget*> wanted = gaveWay_;
-    for (QDockWidget* dock : std::as_const(sides_))
+    for (QDockWidget* dock :
+         docksAt({PanelPlace::browser, PanelPlace::looks, PanelPlace::editor, PanelPlace::settings}))
         if (!dock->isHidden() && !wanted.contains(dock))
             wanted << dock;
     gaveWay_ = inTheWayOf(wanted);
@@ -167,25 +177,25 @@ void WindowDocks::makeRoom() {
         dock->setVisible(!gaveWay_.contains(dock));
 }
 
-/// Returns which of the `wanted` docks must give way: the rendering settings first, then the series, since one has been
-/// chosen; beside an editor the looks, where the two do not fit above each other.
+/// Returns which of the `wanted` docks must give way: the settings first, then the browser, since something has been
+/// chosen in it; beside an editor the looks, where the two do not fit above each other.
 QList<QDockWidget*> WindowDocks::inTheWayOf(QList<QDockWidget*> wanted) const {
     constexpr int kNarrow = 1100;
     constexpr double kPicture = 0.61;  // least share of the window, of which frames take some
     QList<QDockWidget*> away;
     const auto give = [&](QDockWidget* dock) {
-        if (dock != insisted_ && !(choosing_ && dock == series_) && wanted.removeOne(dock))
+        if (dock != insisted_ && !(choosing_ && dock == browser_) && wanted.removeOne(dock))
             away << dock;
     };
-    const auto editor = std::ranges::find_if(wanted, [&](QDockWidget* dock) { return editors_.contains(dock); });
-    QWidget* panel = editor == wanted.end() ? nullptr : editors_[*editor];
+    const bool editing = std::ranges::any_of(wanted, [&](QDockWidget* dock) { return isEditor(dock); });
     const bool narrow = window_.width() < kNarrow;
-    if (narrow || panel)
-        give(rendering_);
+    if (narrow || editing)
+        for (QDockWidget* settings : docksAt({PanelPlace::settings}))
+            give(settings);
     if (narrow || pictureShare(wanted) < kPicture)
-        give(series_);
-    if (panel && middleHeight() < kLookHeight + kEditorHeight)
-        give(look_);
+        give(browser_);
+    if (editing && middleHeight() < kLookHeight + kEditorHeight)
+        give(looks_);
     return away;
 }
 
@@ -195,9 +205,9 @@ int WindowDocks::middleHeight() const {
 }
 
 int WindowDocks::widthOf(const QDockWidget& dock) const {
-    if (editors_.contains(const_cast<QDockWidget*>(&dock)))
+    if (isEditor(const_cast<QDockWidget*>(&dock)))
         return std::max(kEditorColumn, dock.minimumSizeHint().width());
-    if (&dock == look_ && column_ > 0)
+    if (&dock == looks_ && column_ > 0)
         return column_;
     return dock.isVisible() ? dock.width() : dock.sizeHint().width();
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// The dock panels around the image: where they stand, and which of them give way to others when room is short, so that
-/// the image keeps most of the window.
+/// The panels around the image: where they stand, and which of them give way to others when room is short, so that the
+/// image keeps most of the window.
 
 #include <QDockWidget>
 #include <QList>
@@ -8,6 +8,7 @@
 #include <QMap>
 
 #include "ui/window/floating_panel.h"
+#include "ui/window/panel_info.h"
 
 namespace pdr::ui {
 
@@ -15,42 +16,37 @@ class WindowDocks : public QObject {
     Q_OBJECT
 
   public:
-    /// The panels that the docks hold.
-    struct Panels {
-        QWidget *series, *look, *tissue, *light, *camera, *cut, *rendering, *accuracy, *effects, *nodes;
-    };
+    /// `picture`: the image's widget, which keeps most of `window`; floating panels lie over it.
+    WindowDocks(QMainWindow& window, QWidget& picture);
 
-    /// Adds all docks to `window`; all but series and look are hidden at first. `picture`: the image's widget, which
-    /// keeps most of the window; the accuracy panel floats over it.
-    WindowDocks(QMainWindow& window, QWidget& picture, const Panels& panels);
-
-    /// Returns the actions that show and hide each panel, in the menu's order.
-    QList<QAction*> toggles() const;
-    QAction* toggleTissue() const { return tissue_->toggleViewAction(); }
-    QAction* toggleLight() const { return light_->toggleViewAction(); }
-    QAction* toggleCamera() const { return camera_->toggleViewAction(); }
-    QAction* toggleAccuracy() const { return accuracy_->toggleViewAction(); }
+    /// Adds `panel` at its place, and returns the action that opens and closes it.
+    QAction* add(QWidget* panel, const PanelInfo& info);
+    /// Returns the action that opens and closes the panel `name`; null if there is none.
+    QAction* toggle(const QString& name) const { return toggles_.value(name); }
     /// Returns the window state to save for the next start. Panels that are hidden only for lack of room count as
     /// shown.
     QByteArray wantedState();
     /// Hides panels where the window has become too small for them, and shows them again in a larger one.
     void makeRoom();
-    /// Sets whether the user still has to choose a series. While true, the series list is shown and does not give way;
+    /// Sets whether the user still has to choose what to open. While true, the browser is shown and does not give way;
     /// then it returns to its previous state.
     void setChoosing(bool choosing);
     /// Hides all panels, or restores those that were shown before.
     void setAway(bool away);
 
-  signals:
-    /// Reports whether the cost table of the effects is visible.
-    void effectsShown(bool shown);
-    /// Emitted when the user opens the cut panel.
-    void cutShown();
-
   private:
-    QDockWidget* add(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area,
-                     const QKeySequence& key);
-    static void nameToggle(QAction& toggle, const QString& panel);
+    /// What a dock holds, and where it stands.
+    struct Content {
+        QWidget* panel = nullptr;
+        PanelPlace place = PanelPlace::editor;
+        bool fixedHeight = false;
+    };
+
+    QAction* addDock(QWidget* panel, const PanelInfo& info);
+    QAction* addFloating(QWidget* panel, const PanelInfo& info);
+    void keep(QDockWidget* dock, PanelPlace place);
+    QList<QDockWidget*> docksAt(std::initializer_list<PanelPlace> places) const;
+    bool isEditor(QDockWidget* dock) const { return contents_[dock].place == PanelPlace::editor; }
     void opened(QDockWidget* dock, bool shown);
     void openedEditor(QDockWidget* dock, bool shown);
     QList<QDockWidget*> inTheWayOf(QList<QDockWidget*> wanted) const;
@@ -61,27 +57,19 @@ class WindowDocks : public QObject {
 
     QMainWindow& window_;
     QWidget& picture_;
-    Panels panels_;
-    QList<QDockWidget*> all_;
-    QDockWidget* series_;
-    QDockWidget* look_;
-    QDockWidget* tissue_;
-    QDockWidget* light_;
-    QDockWidget* camera_;
-    QDockWidget* cut_;
-    QDockWidget* rendering_;
-    FloatingPanel* accuracy_;
-    QDockWidget* effects_;
-    QDockWidget* nodes_;
-    QList<QDockWidget*> below_;             ///< docks below the image, the one opened last first
-    QList<QDockWidget*> sides_;             ///< docks left and right of the image
-    QMap<QDockWidget*, QWidget*> editors_;  ///< wide docks on the right, one shown at a time, with their panels
-    QList<QDockWidget*> gaveWay_;           ///< docks hidden for lack of room; shown again when there is room
-    bool choosing_ = false;                 ///< the user still has to choose a series
-    bool seriesWereAway_ = false;           ///< the user had hidden the series list before that
-    QDockWidget* insisted_ = nullptr;       ///< dock opened last, which does not give way; null: none
-    int column_ = 0;                        ///< width of the looks before an editor opened [px]; 0: the current one
-    QByteArray stateBefore_;                ///< window state before setAway(true); empty: not away
+    QList<QDockWidget*> docks_;  ///< in the order in which they were added
+    QMap<QDockWidget*, Content> contents_;
+    QList<FloatingPanel*> floating_;
+    QMap<QString, QAction*> toggles_;  ///< by the panels' names
+    QDockWidget* browser_ = nullptr;   ///< null until it is added
+    QDockWidget* looks_ = nullptr;     ///< null until it is added
+    QList<QDockWidget*> below_;        ///< docks below the image, the one opened last first
+    QList<QDockWidget*> gaveWay_;      ///< docks hidden for lack of room; shown again when there is room
+    bool choosing_ = false;            ///< the user still has to choose what to open
+    bool browserWasAway_ = false;      ///< the user had hidden the browser before that
+    QDockWidget* insisted_ = nullptr;  ///< dock opened last, which does not give way; null: none
+    int column_ = 0;                   ///< width of the looks before an editor opened [px]; 0: the current one
+    QByteArray stateBefore_;           ///< window state before setAway(true); empty: not away
 };
 
 }  // namespace pdr::ui

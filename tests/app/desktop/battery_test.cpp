@@ -4,7 +4,8 @@
 #include <QFile>
 #include <QTest>
 
-#include "app/desktop/power_supply.h"
+#include "app/rendering/battery_rest.h"
+#include "app/rendering/power_supply.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "ui/text/to_qt.h"
 

@@ -49,7 +49,7 @@ void TestBoxFirst::initTestCase() {
 void TestBoxFirst::aBoxIsDrawnHasItsOwnSentenceAndIsForgotten() {
     Trial trial;
     trial.openAndWait(series_);
-    const std::size_t scene = trial.desktop.parts().document.scene().revision;
+    const std::size_t scene = trial.desktop.document().scene().revision;
     drawBox(trial);
     const auto last = [&] { return trial.frames.back(); };
     QTRY_VERIFY_WITH_TIMEOUT(last()->region && !last()->region->reached, test::kPatience);
@@ -64,14 +64,14 @@ void TestBoxFirst::aBoxIsDrawnHasItsOwnSentenceAndIsForgotten() {
     QVERIFY(trial.said().contains("for the region"));
     QTRY_VERIFY_WITH_TIMEOUT(last()->status.mostSamplesPerPixel > last()->status.samplesPerPixel, test::kPatience);
     // As good as is wanted of it, all of the picture is spoken of again.
-    trial.desktop.parts().bridge.setStop({.levels = 32});
+    trial.desktop.bridge().setStop({.levels = 32});
     QTRY_VERIFY_WITH_TIMEOUT(last()->region->reached, test::kPatience);
     QVERIFY(!trial.said().startsWith("In the region: "));
     QVERIFY(trial.said().contains(QString::fromUtf8("in the region ±")));
     QTest::keyClick(&trial.desktop.window(), Qt::Key_B);
     QTRY_VERIFY_WITH_TIMEOUT(!last()->region, test::kPatience);
     QVERIFY(!boxFirst(trial)->isChecked() && !trial.said().contains("box"));
-    QCOMPARE(trial.desktop.parts().document.scene().revision, scene);
+    QCOMPARE(trial.desktop.document().scene().revision, scene);
 }
 
 void TestBoxFirst::escapeDrawsNone() {

@@ -4,11 +4,16 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/desktop/show_scan.h"
+#include "app/presenters/light_presenter.h"
+#include "app/presenters/series_presenter.h"
+#include "app/presenters/tissue_presenter.h"
 #include "render/scene/edit/camera_edits.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/desktop/hand_on_window.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/dicom/phantom_series.h"
+#include "ui/camera/camera_panel.h"
+#include "ui/light/light_panel.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {
@@ -25,7 +30,7 @@ struct CameraTrial : Trial {
         return !document.canUndo() && document.setup() == before;
     }
 
-    Document& document = desktop.parts().document;
+    Document& document = desktop.document();
     ui::MainWindow& window = desktop.window();
     PictureSetup before;
 };
@@ -50,8 +55,8 @@ class TestCameraInWindow : public QObject {
 void TestCameraInWindow::whatIsClickedBecomesSharp() {
     CameraTrial trial(series());
     ui::Viewport& viewport = trial.window.viewport();
-    QSignalSpy found(&trial.desktop.parts().study, &TissueStudy::depthFound);
-    emit trial.window.camera().pickingChosen(true);
+    QSignalSpy found(&trial.desktop.presenter<TissuePresenter>().study(), &TissueStudy::depthFound);
+    emit test::the<ui::CameraPanel>(trial.window).pickingChosen(true);
     QTest::mouseClick(&viewport, Qt::LeftButton, {}, viewport.rect().center());
     QTRY_COMPARE_WITH_TIMEOUT(found.count(), 1, test::kPatience);
     const Camera& camera = trial.document.setup().camera;
@@ -66,14 +71,15 @@ void TestCameraInWindow::whatIsClickedBecomesSharp() {
 
 void TestCameraInWindow::aParallelViewStaysOneFromEverySide() {
     CameraTrial trial(series());
-    emit trial.window.camera().cameraEdited(withType(trial.before.camera, Camera::Type::orthographic));
+    emit test::the<ui::CameraPanel>(trial.window)
+        .cameraEdited(withType(trial.before.camera, Camera::Type::orthographic));
     trial.document.setView(StandardView::left);
     QVERIFY(trial.document.setup().camera.type == Camera::Type::orthographic);
     ui::Viewport& viewport = trial.window.viewport();
     drag(viewport, {300, 200}, {360, 220});
     QVERIFY(trial.document.setup().camera.type == Camera::Type::orthographic);
     trial.waitForNewest();
-    QVERIFY(trial.desktop.parts().bridge.lastFrame()->error.empty());
+    QVERIFY(trial.desktop.bridge().lastFrame()->error.empty());
     trial.document.resetView();
     QVERIFY(trial.document.setup().camera == trial.before.camera);
 }
@@ -81,9 +87,9 @@ void TestCameraInWindow::aParallelViewStaysOneFromEverySide() {
 void TestCameraInWindow::aBackgroundIsShownAsItWasChosen() {
     CameraTrial trial(series());
     for (const QColor colour : {QColor(110, 110, 110), QColor(250, 250, 250), QColor(20, 60, 100)}) {
-        emit trial.window.camera().backgroundChosen(colour);
+        emit test::the<ui::CameraPanel>(trial.window).backgroundChosen(colour);
         trial.waitForNewest();
-        const auto& frame = trial.desktop.parts().bridge.lastFrame();
+        const auto& frame = trial.desktop.bridge().lastFrame();
         for (int channel = 0; channel < 3; ++channel)
             QVERIFY(std::abs(int(frame->rgba[std::size_t(channel)]) - (channel == 0   ? colour.red()
                                                                        : channel == 1 ? colour.green()
@@ -92,15 +98,15 @@ void TestCameraInWindow::aBackgroundIsShownAsItWasChosen() {
         trial.document.undo();
     }
     QVERIFY(trial.document.setup() == trial.before);
-    emit trial.window.camera().backgroundChosen(std::nullopt);
+    emit test::the<ui::CameraPanel>(trial.window).backgroundChosen(std::nullopt);
     QVERIFY(trial.document.setup().look.environment.visible);
     QVERIFY(trial.undoBringsItBack());
 }
 
 void TestCameraInWindow::anotherModelSaysWhatItCosts() {
     CameraTrial trial(series());
-    ui::ModelChoice& choice = trial.window.light().model();
-    QSignalSpy measured(&trial.desktop.parts().modelTrial, &ModelTrial::measured);
+    ui::ModelChoice& choice = test::the<ui::LightPanel>(trial.window).model();
+    QSignalSpy measured(&trial.desktop.presenter<LightPresenter>().trial(), &ModelTrial::measured);
     const auto said = [&] {
         QString all;
         for (const QLabel* label : choice.findChildren<QLabel*>())
@@ -123,8 +129,8 @@ void TestCameraInWindow::anotherModelSaysWhatItCosts() {
 void TestCameraInWindow::whatIsClosedIsNotHeld() {
     CameraTrial trial(series());
     const std::weak_ptr<const Volume> volume = trial.document.scene().volume;
-    emit trial.window.light().model().modelChosen(Model::absorption);
-    showNothing(trial.desktop.parts());
+    emit test::the<ui::LightPanel>(trial.window).model().modelChosen(Model::absorption);
+    trial.desktop.presenter<SeriesPresenter>().close();
     trial.frames.clear();
     QTRY_VERIFY_WITH_TIMEOUT(volume.expired(), test::kPatience);
 }

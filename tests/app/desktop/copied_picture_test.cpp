@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "app/desktop/annotating.h"
-#include "app/desktop/copied_picture.h"
+#include "app/presenters/annotating.h"
+#include "app/presenters/clipboard_image.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/patience.h"
@@ -49,9 +49,9 @@ static std::vector<std::uint8_t> bytesOf(const QImage& image) {
 
 /// A picture whose rendering holds, so that it stays the one on the screen.
 static const Frame& heldFrame(Trial& trial) {
-    trial.desktop.parts().bridge.setPaused(true);
+    trial.desktop.bridge().setPaused(true);
     trial.heldSamples();
-    return *trial.desktop.parts().bridge.lastFrame();
+    return *trial.desktop.bridge().lastFrame();
 }
 
 void TestCopiedPicture::initTestCase() {
@@ -63,7 +63,7 @@ void TestCopiedPicture::initTestCase() {
 void TestCopiedPicture::theCopyIsThePictureOnTheScreen() {
     Trial trial;
     trial.openAndWait(series_);
-    emit trial.desktop.window().captionChosen(false);
+    trial.desktop.window().menuActions().captioned->trigger();
     const Frame& frame = heldFrame(trial);
     const QImage image = copied(trial);
     QCOMPARE(image.size(), trial.desktop.window().viewport().sizeInPixels());
@@ -80,14 +80,14 @@ void TestCopiedPicture::anUnfinishedCopySaysSoUnlessItIsToldNotTo() {
     std::vector<std::uint8_t> annotated = frame.rgba;
     const QString words = ui::previewText(shownOf(frame), frame.stop.levels);
     QVERIFY(words.startsWith("Preview, not converged"));
-    ui::Annotations all = annotationsOf(trial.desktop.parts(), frame);
+    ui::Annotations all = annotationsOf(trial.desktop.workspace(), frame);
     QVERIFY(all.patient.join(' ').contains("Phantom"));
     all.patient.clear();
     all.texts << words;
     ui::annotate(all, frame.size, annotated);
     QVERIFY(annotated != frame.rgba);
     QVERIFY(bytesOf(copied(trial)) == annotated);
-    emit trial.desktop.window().captionChosen(false);
+    trial.desktop.window().menuActions().captioned->trigger();
     QVERIFY(bytesOf(copied(trial)) == frame.rgba);
 }
 
@@ -118,9 +118,9 @@ void TestCopiedPicture::aCoarsePictureIsCopiedAtFullSize() {
 
 /// What is said when an image in that look leaves the window.
 static QString saidOfCopy(Trial& trial, const std::string& look) {
-    const auto& looks = trial.desktop.parts().document.looks().fitted();
+    const auto& looks = trial.desktop.document().looks().fitted();
     const auto found = std::ranges::find(looks, look, &NamedLook::name);
-    trial.desktop.parts().document.chooseLook(int(found - looks.begin()));
+    trial.desktop.document().chooseLook(int(found - looks.begin()));
     trial.waitForNewest();
     trial.desktop.window().message().clear();
     copied(trial);
@@ -154,7 +154,7 @@ void TestCopiedPicture::withoutAPictureTheClipboardStays() {
     Trial trial;
     QGuiApplication::clipboard()->setText("theirs");
     copied(trial);
-    copyPicture(trial.desktop.parts());
+    trial.desktop.window().menuActions().copy->trigger();
     QCOMPARE(QGuiApplication::clipboard()->text(), QString("theirs"));
 }
 

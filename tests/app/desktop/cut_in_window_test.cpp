@@ -6,7 +6,9 @@
 
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/desktop/hand_on_window.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/dicom/phantom_series.h"
+#include "ui/cut/cut_tools.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {
@@ -25,12 +27,12 @@ class TestCutInWindow : public QObject {
     void aDraggedHandleIsOneStep() {
         Trial trial;
         trial.openAndWait(series_);
-        Document& document = trial.desktop.parts().document;
+        Document& document = trial.desktop.document();
         ui::MainWindow& window = trial.desktop.window();
         const Film before = rendered(document);
-        QVERIFY(!window.cut().layer().handlesShown());
+        QVERIFY(!test::the<ui::CutTools>(window).layer().handlesShown());
         QTest::keyClick(&window, Qt::Key_C);
-        QVERIFY(window.cut().layer().handlesShown());
+        QVERIFY(test::the<ui::CutTools>(window).layer().handlesShown());
         QVERIFY(!document.canUndo());  // to look is no step
         const QPoint head = handle(window, {Kind::face, 5});
         QTest::mousePress(&window.viewport(), Qt::LeftButton, {}, head);
@@ -53,7 +55,7 @@ class TestCutInWindow : public QObject {
     void escapeGivesAGestureUp() {
         Trial trial;
         trial.openAndWait(series_);
-        Document& document = trial.desktop.parts().document;
+        Document& document = trial.desktop.document();
         ui::MainWindow& window = trial.desktop.window();
         const PictureSetup before = document.setup();
         QTest::keyClick(&window, Qt::Key_C);
@@ -64,27 +66,27 @@ class TestCutInWindow : public QObject {
         QTest::keyClick(&window, Qt::Key_Escape);
         QVERIFY(document.setup() == before);
         QVERIFY(!document.canUndo());
-        QVERIFY(window.cut().layer().handlesShown());
+        QVERIFY(test::the<ui::CutTools>(window).layer().handlesShown());
         QTest::mouseRelease(&window.viewport(), Qt::LeftButton, {}, head);
         QVERIFY(document.setup() == before);
         QTest::keyClick(&window, Qt::Key_Escape);
-        QVERIFY(!window.cut().layer().handlesShown());
+        QVERIFY(!test::the<ui::CutTools>(window).layer().handlesShown());
     }
 
     void planesComeFromTheViewAndGoWithUndoAll() {
         Trial trial;
         trial.openAndWait(series_);
-        Document& document = trial.desktop.parts().document;
+        Document& document = trial.desktop.document();
         ui::MainWindow& window = trial.desktop.window();
         QTest::keyClick(&window, Qt::Key_P);
         QCOMPARE(document.setup().clip.planes.size(), std::size_t(1));
-        QVERIFY(window.cut().layer().handlesShown());
+        QVERIFY(test::the<ui::CutTools>(window).layer().handlesShown());
         QVERIFY(glm::dot(document.setup().clip.planes[0].normal, document.setup().camera.forward()) < -0.999);
         for (int i = 0; i < 12; ++i)
-            emit window.cut().panel().planeWanted(i % 3);
+            emit test::the<ui::CutTools>(window).panel().planeWanted(i % 3);
         QCOMPARE(document.setup().clip.planes.size(), kMostPlanes);
         QVERIFY(document.setup().clip.check());
-        emit window.cut().uncutWanted();
+        emit test::the<ui::CutTools>(window).uncutWanted();
         QVERIFY(document.setup().clip.empty());
         document.undo();
         QCOMPARE(document.setup().clip.planes.size(), kMostPlanes);
@@ -104,9 +106,9 @@ class TestCutInWindow : public QObject {
     void aDrawnLineIsOneStepAndEscapeForgetsIt() {
         Trial trial;
         trial.openAndWait(series_);
-        Document& document = trial.desktop.parts().document;
+        Document& document = trial.desktop.document();
         ui::MainWindow& window = trial.desktop.window();
-        ui::FreehandPen& pen = window.cut().pen();
+        ui::FreehandPen& pen = test::the<ui::CutTools>(window).pen();
         const Film before = rendered(document);
         QTest::keyClick(&window, Qt::Key_X);
         QVERIFY(pen.isDrawing());
@@ -133,14 +135,14 @@ class TestCutInWindow : public QObject {
     void savedPicturesSayWhatIsCut() {
         Trial trial;
         trial.openAndWait(series_);
-        Document& document = trial.desktop.parts().document;
+        Document& document = trial.desktop.document();
         Clip clip = withCutOff({}, *document.uncut(), 2, 5);
         clip.planes = {facingPlane(document.setup().camera, *document.uncut())};
         document.setClip(clip);
         trial.waitForNewest();
         const QString file = trial.folder.filePath("cut.png");
-        QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
-        trial.desktop.parts().bridge.save(file);
+        QSignalSpy saved(&trial.desktop.bridge(), &RenderBridge::saved);
+        trial.desktop.bridge().save(file);
         QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, test::kPatience);
         QCOMPARE(QImage(file).text("pdrender/cut"), QString("box, 1 plane"));
     }
@@ -155,7 +157,7 @@ class TestCutInWindow : public QObject {
         QTest::mouseRelease(&pen, Qt::LeftButton, {}, middle + corners[2]);
     }
     static QPoint handle(ui::MainWindow& window, CutHandle handle) {
-        return window.cut().layer().marks().placeOf(handle).value_or(QPointF(-99, -99)).toPoint();
+        return test::the<ui::CutTools>(window).layer().marks().placeOf(handle).value_or(QPointF(-99, -99)).toPoint();
     }
 
     QTemporaryDir folder_;

@@ -6,16 +6,19 @@
 #include <QTest>
 #include <algorithm>
 
+#include "app/presenters/saving_presenter.h"
 #include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/devices/failing_device.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/patience.h"
+#include "ui/rendering/render_panel.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {
 
 static const QComboBox* device(Trial& trial) {
-    for (const QComboBox* box : trial.desktop.window().rendering().findChildren<QComboBox*>())
+    for (const QComboBox* box : test::the<ui::RenderPanel>(trial.desktop.window()).findChildren<QComboBox*>())
         if (box->accessibleName() == "Device")
             return box;
     return nullptr;
@@ -62,9 +65,9 @@ void TestDesktopDevices::aDeviceThatFailsIsSaidAndThePictureGoesOn() {
 void TestDesktopDevices::aDeviceThatIsNotThereIsSaidAndThePictureGoesOn() {
     Trial trial;
     trial.openAndWait(series_);
-    trial.desktop.window().rendering().setDevices({"cpu", "abacus"}, {"CPU", "abacus"});
-    trial.desktop.window().rendering().setDevice("abacus");
-    emit trial.desktop.window().rendering().deviceChosen("abacus");
+    test::the<ui::RenderPanel>(trial.desktop.window()).setDevices({"cpu", "abacus"}, {"CPU", "abacus"});
+    test::the<ui::RenderPanel>(trial.desktop.window()).setDevice("abacus");
+    emit test::the<ui::RenderPanel>(trial.desktop.window()).deviceChosen("abacus");
     QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.window().message().text().contains("abacus"), test::kPatience);
     QTRY_COMPARE_WITH_TIMEOUT(device(trial)->currentData().toString(), "cpu",
                               test::kPatience);  // what is really in use
@@ -76,7 +79,7 @@ void TestDesktopDevices::anotherDeviceGoesOnFromTheSamples() {
     Trial trial(test::failing(std::make_shared<test::Mishaps>()));
     trial.openAndWait(series_);
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel >= 3, test::kPatience);
-    emit trial.desktop.window().rendering().deviceChosen("cpu");
+    emit test::the<ui::RenderPanel>(trial.desktop.window()).deviceChosen("cpu");
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->device == "cpu", test::kPatience);
     const auto first = std::find_if(trial.frames.begin(), trial.frames.end(),
                                     [](const auto& frame) { return frame->device == "cpu"; });
@@ -94,8 +97,8 @@ void TestDesktopDevices::theStatusSaysWhatThePictureIsMadeBy() {
 void TestDesktopDevices::aComparisonIsSaidPlainly() {
     Trial trial;
     trial.openAndWait(series_);
-    ui::RenderPanel& panel = trial.desktop.window().rendering();
-    Document& document = trial.desktop.parts().document;
+    ui::RenderPanel& panel = test::the<ui::RenderPanel>(trial.desktop.window());
+    Document& document = trial.desktop.document();
     emit panel.estimatorChosen(Estimator::kroesMarch);
     QVERIFY(document.scene().estimator == Estimator::kroesMarch);
     trial.waitForNewest();
@@ -108,8 +111,8 @@ void TestDesktopDevices::aComparisonIsSaidPlainly() {
     emit panel.scheduleChosen({.kind = Schedule::Kind::kroes});
     QTRY_VERIFY_WITH_TIMEOUT(trial.said().contains("comparison: Exposure Render's schedule K1, blurred"),
                              test::kPatience);
-    QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
-    emit trial.desktop.window().saveRequested(trial.folder.filePath("picture.png"));
+    QSignalSpy saved(&trial.desktop.bridge(), &RenderBridge::saved);
+    trial.desktop.presenter<SavingPresenter>().save(trial.folder.filePath("picture.png"), ui::Annotate::sides);
     QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
     QCOMPARE(QImage(trial.folder.filePath("picture.png")).text("pdrender/schedule"), "Exposure Render's K1, blurred");
 }
@@ -120,13 +123,13 @@ void TestDesktopDevices::theDeviceAndThePaceAreKept() {
     {
         Desktop desktop(*bundledLooks(), makeCpuDevice(1), file);
         QCOMPARE(Settings(file).device(), "auto");
-        QVERIFY(desktop.window().rendering().pace() == FrameBudget{.automatic = true});
-        emit desktop.window().rendering().deviceChosen("cpu");
-        emit desktop.window().rendering().paceChosen({false, 12, 3.5});
+        QVERIFY(test::the<ui::RenderPanel>(desktop.window()).pace() == FrameBudget{.automatic = true});
+        emit test::the<ui::RenderPanel>(desktop.window()).deviceChosen("cpu");
+        emit test::the<ui::RenderPanel>(desktop.window()).paceChosen({false, 12, 3.5});
     }
     Desktop desktop(*bundledLooks(), makeCpuDevice(1), file);
     QCOMPARE(Settings(file).device(), "cpu");
-    QVERIFY((desktop.window().rendering().pace() == FrameBudget{false, 12, 3.5}));
+    QVERIFY((test::the<ui::RenderPanel>(desktop.window()).pace() == FrameBudget{false, 12, 3.5}));
 }
 
 }  // namespace pdr::app

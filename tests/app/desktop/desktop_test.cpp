@@ -11,12 +11,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/desktop/show_frame.h"
+#include "app/presenters/saving_presenter.h"
 #include "render/film/levels_text.h"
 #include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/dicom/shared_data.h"
 #include "tests/support/patience.h"
+#include "ui/looks/look_panel.h"
+#include "ui/series/series_panel.h"
 #include "ui/text/language.h"
 #include "ui/text/to_qt.h"
 
@@ -94,11 +97,11 @@ void TestDesktop::initTestCase() {
 void TestDesktop::aFolderBecomesAPictureThatGrowsBetter() {
     Trial trial;
     trial.openAndWait(series_);
-    QCOMPARE(trial.desktop.window().series().current(), 0);
+    QCOMPARE(test::the<ui::SeriesPanel>(trial.desktop.window()).current(), 0);
     const std::uint64_t first = trial.frames.back()->status.samplesPerPixel;
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel > first + 3, test::kPatience);
     const Frame& frame = *trial.frames.back();
-    QVERIFY(frame.size == trial.desktop.parts().document.scene().film);
+    QVERIFY(frame.size == trial.desktop.document().scene().film);
     QVERIFY(*std::max_element(frame.rgba.begin(), frame.rgba.end() - 1) > 60);
     // The head is in the middle, dark ground around it.
     const QImage shown = trial.desktop.window().viewport().grab().toImage();
@@ -118,7 +121,7 @@ void TestDesktop::theWindowNeverWaitsForReadingOrRendering() {
             QTest::qWait(10);
         }
         trial.desktop.window().resize(800 + 50 * attempt, 450);
-        trial.desktop.parts().document.chooseLook(1);
+        trial.desktop.document().chooseLook(1);
         QTest::qWait(500);
         best = std::min(best, watch.longestMs());
     }
@@ -128,7 +131,7 @@ void TestDesktop::theWindowNeverWaitsForReadingOrRendering() {
 void TestDesktop::aDragIsSeenWhileTheHandMoves() {
     Trial trial;
     trial.openAndWait(series_);
-    const std::uint64_t before = trial.desktop.parts().document.scene().revision;
+    const std::uint64_t before = trial.desktop.document().scene().revision;
     ui::Viewport& viewport = trial.desktop.window().viewport();
     QTest::mousePress(&viewport, Qt::LeftButton, {}, QPoint(200, 200));
     std::vector<std::uint64_t> seen;
@@ -151,7 +154,7 @@ void TestDesktop::aDragIsSeenWhileTheHandMoves() {
     QVERIFY(std::is_sorted(seen.begin(), seen.end()));
     QTest::mouseRelease(&viewport, Qt::LeftButton, {}, QPoint(320, 200));
     trial.waitForNewest();
-    QVERIFY(trial.frames.back()->size == trial.desktop.parts().document.scene().film);
+    QVERIFY(trial.frames.back()->size == trial.desktop.document().scene().film);
 }
 
 void TestDesktop::aLookChangesThePicture() {
@@ -169,7 +172,7 @@ void TestDesktop::aLookChangesThePicture() {
         return sum / (double(rgba.size()) / 4);
     };
     const dvec3 bone = colour();
-    Document& document = trial.desktop.parts().document;
+    Document& document = trial.desktop.document();
     document.chooseLook(int(document.looks().fitted().size()) - 1);
     const double change = glm::length(colour() - bone);
     QVERIFY2(glm::length(bone) > 0 && change > 1,
@@ -189,7 +192,7 @@ void TestDesktop::brightnessWorksWithoutARestart() {
     const double before = light();
     const std::uint64_t samples = trial.frames.back()->status.samplesPerPixel;
     const std::uint64_t revision = trial.frames.back()->revision;
-    trial.desktop.window().look().findChild<QSlider*>()->setValue(20);
+    test::the<ui::LookPanel>(trial.desktop.window()).findChild<QSlider*>()->setValue(20);
     QTRY_VERIFY_WITH_TIMEOUT(light() > 1.2 * before, test::kPatience);
     QCOMPARE(trial.frames.back()->revision, revision);
     QVERIFY(trial.frames.back()->status.samplesPerPixel >= samples);
@@ -219,7 +222,7 @@ void TestDesktop::oneKeyShowsWhereThePictureIsStillRough() {
     trial.openAndWait(series_);
     ui::Viewport& viewport = trial.desktop.window().viewport();
     QVERIFY(!trial.frames.back()->errorMap);
-    trial.desktop.parts().bridge.setPaused(true);
+    trial.desktop.bridge().setPaused(true);
     const std::uint64_t samples = trial.heldSamples();
     const QImage before = viewport.grab().toImage();
     QTest::keyClick(&viewport, Qt::Key_E);
@@ -236,7 +239,7 @@ void TestDesktop::whereTheMouseRestsItIsSaidHowGoodThePictureIsThere() {
     Trial trial;
     trial.openAndWait(series_);
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel >= kSamplesToEstimate, test::kPatience);
-    RenderBridge& bridge = trial.desktop.parts().bridge;
+    RenderBridge& bridge = trial.desktop.bridge();
     bridge.setPaused(true);
     trial.heldSamples();
     std::vector<LevelErrorsAt> found;
@@ -257,11 +260,11 @@ void TestDesktop::whereTheMouseRestsItIsSaidHowGoodThePictureIsThere() {
 void TestDesktop::aSavedImageSaysWhatTheScreenSays() {
     Trial trial;
     trial.openAndWait(series_);
-    trial.desktop.parts().bridge.setStop({.levels = 0.2});
+    trial.desktop.bridge().setStop({.levels = 0.2});
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->smoothedError, test::kPatience);
     const QString file = trial.folder.filePath("saved.png");
-    QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
-    trial.desktop.parts().bridge.save(file);
+    QSignalSpy saved(&trial.desktop.bridge(), &RenderBridge::saved);
+    trial.desktop.bridge().save(file);
     QTRY_VERIFY_WITH_TIMEOUT(!saved.isEmpty(), test::kPatience);
     const QString text = QImage(file).text("pdrender/smoothed");
     const auto says = [&](const std::shared_ptr<const Frame>& frame) {
@@ -283,7 +286,7 @@ void TestDesktop::linesThatSmoothingTookAwayAreMarkedInTheSmoothedPictureAlone()
             LevelErrorMap{frame->size, std::vector<std::uint8_t>(frame->rgba.size() / 4, kNoTissueBin)});
         if (marked)
             frame->lostLines = {{.begin = vec2(20, 30), .end = vec2(60, 40), .darker = true}};
-        showFrame(trial.desktop.parts(), frame);
+        emit trial.desktop.bridge().frameReady(frame);
         return trial.desktop.window().viewport().grab().toImage();
     };
     const QRect aboveWords(0, 0, 900, 200);
@@ -295,7 +298,7 @@ void TestDesktop::pauseHoldsTheSamples() {
     Trial trial;
     trial.openAndWait(series_);
     QTest::keyClick(&trial.desktop.window().viewport(), Qt::Key_Space);
-    QVERIFY(trial.desktop.parts().bridge.paused());
+    QVERIFY(trial.desktop.bridge().paused());
     const std::uint64_t held = trial.heldSamples();
     QTest::qWait(300);
     QCOMPARE(trial.frames.back()->status.samplesPerPixel, held);
@@ -306,7 +309,7 @@ void TestDesktop::pauseHoldsTheSamples() {
 void TestDesktop::undoBringsTheFirstViewBack() {
     Trial trial;
     trial.openAndWait(series_);
-    Document& document = trial.desktop.parts().document;
+    Document& document = trial.desktop.document();
     const Camera first = document.scene().camera;
     document.setView(StandardView::left);
     QTest::keyClick(&trial.desktop.window(), Qt::Key_Z, Qt::ControlModifier);
@@ -326,9 +329,9 @@ void TestDesktop::thePictureIsSaved() {
     QFETCH(QByteArray, magic);
     Trial trial;
     trial.openAndWait(series_);
-    QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
+    QSignalSpy saved(&trial.desktop.bridge(), &RenderBridge::saved);
     const QString path = trial.folder.filePath(name);
-    emit trial.desktop.window().saveRequested(path);
+    trial.desktop.presenter<SavingPresenter>().save(path, ui::Annotate::sides);
     QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
@@ -340,14 +343,15 @@ void TestDesktop::thePictureIsSaved() {
 void TestDesktop::aPictureThatCannotBeWrittenIsSaid() {
     Trial trial;
     trial.openAndWait(series_);
-    emit trial.desktop.window().saveRequested(trial.folder.filePath("no/such/folder/picture.png"));
+    trial.desktop.presenter<SavingPresenter>().save(trial.folder.filePath("no/such/folder/picture.png"),
+                                                    ui::Annotate::sides);
     QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.window().message().text().contains("picture.png"), test::kPatience);
 }
 
 void TestDesktop::anUnknownFormatIsSaid() {
     Trial trial;
     trial.openAndWait(series_);
-    emit trial.desktop.window().saveRequested(trial.folder.filePath("picture.jpg"));
+    trial.desktop.presenter<SavingPresenter>().save(trial.folder.filePath("picture.jpg"), ui::Annotate::sides);
     QVERIFY(trial.desktop.window().message().text().contains(".png or .exr"));
     QVERIFY(!QFileInfo::exists(trial.folder.filePath("picture.jpg")));
 }
@@ -357,7 +361,7 @@ void TestDesktop::aFailedFolderIsSaidAndThePictureStays() {
     trial.openAndWait(series_);
     trial.desktop.open(trial.folder.filePath("nowhere"));
     QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.window().message().text().contains("nowhere"), test::kPatience);
-    QVERIFY(trial.desktop.parts().document.hasVolume());
+    QVERIFY(trial.desktop.document().hasVolume());
     const std::size_t frames = trial.frames.size();
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames, test::kPatience);
 }
@@ -381,7 +385,7 @@ void TestDesktop::onlyTheWindowIsKept() {
         Desktop desktop(*bundledLooks(), makeCpuDevice(1), file);
         desktop.window().show();
         desktop.open(series_);
-        QTRY_VERIFY_WITH_TIMEOUT(desktop.parts().document.hasVolume(), test::kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.document().hasVolume(), test::kPatience);
     }
     const QSettings settings(file, QSettings::IniFormat);
     QCOMPARE(settings.allKeys(), QStringList({"window/geometry", "window/state"}));
@@ -392,7 +396,7 @@ void TestDesktop::aRealChestIsShown() {
     Trial trial;
     trial.openAndWait(ui::toQt(test::sharedCt() / "chest_contrast"));
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel >= 3, test::kPatience);
-    QVERIFY(trial.desktop.parts().document.scene().volume->size() == ivec3(512, 512, 100));
+    QVERIFY(trial.desktop.document().scene().volume->size() == ivec3(512, 512, 100));
 }
 
 }  // namespace pdr::app

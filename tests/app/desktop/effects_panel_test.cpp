@@ -5,11 +5,13 @@
 #include <QTest>
 #include <algorithm>
 
-#include "app/desktop/ledger_content.h"
+#include "app/presenters/ledger_content.h"
 #include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/desktop/told_document.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/scenes/scenes.h"
+#include "ui/accuracy/effect_ledger.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {
@@ -141,27 +143,27 @@ void TestEffectsPanel::theTableSaysWhatIsMeasuredAndWhatIsOff() {
 void TestEffectsPanel::nothingIsMeasuredWhileThePanelIsClosed() {
     Trial trial;
     ui::MainWindow& window = trial.desktop.window();
-    RenderBridge& bridge = trial.desktop.parts().bridge;
+    RenderBridge& bridge = trial.desktop.bridge();
     int changes = 0;
     connect(&bridge, &RenderBridge::ledgerChanged, [&] { ++changes; });
     trial.openAndWait(series_);
-    trial.desktop.parts().document.setViewSize({24, 16});
+    trial.desktop.document().setViewSize({24, 16});
     trial.waitForNewest();
-    QVERIFY(!window.effects().isVisible());
+    QVERIFY(!test::the<ui::EffectLedger>(window).isVisible());
     QCOMPARE(changes, 0);
     QTest::keyClick(&window.viewport(), Qt::Key_Space);  // while rendering holds, measuring has all the time
     QTest::keyClick(&window, Qt::Key_F6);
     QTRY_VERIFY_WITH_TIMEOUT(bridge.lastLedger() && bridge.lastLedger()->complete, test::kPatience);
-    QVERIFY(window.effects().isVisible());
+    QVERIFY(test::the<ui::EffectLedger>(window).isVisible());
     const auto says = [&](const QString& words) {
-        const auto labels = window.effects().findChildren<QLabel*>();
+        const auto labels = test::the<ui::EffectLedger>(window).findChildren<QLabel*>();
         return std::ranges::any_of(labels, [&](QLabel* label) { return label->text().contains(words); });
     };
     QVERIFY(says("shadows") && says("Measured on an image of"));
     QTest::keyClick(&window, Qt::Key_F6);
     QTRY_VERIFY_WITH_TIMEOUT(!bridge.lastLedger(), test::kPatience);
     changes = 0;
-    trial.desktop.parts().document.setView(StandardView::left);
+    trial.desktop.document().setView(StandardView::left);
     trial.waitForNewest();
     QTest::qWait(100);
     QVERIFY(changes == 0 && !bridge.lastLedger());

@@ -7,10 +7,13 @@
 
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/desktop/event_times.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/desktop/tissue_hand.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/dicom/shared_data.h"
 #include "tests/support/scenes/sky_file.h"
+#include "ui/light/light_panel.h"
+#include "ui/looks/look_panel.h"
 #include "ui/text/to_qt.h"
 #include "ui/theme/theme.h"
 
@@ -18,6 +21,11 @@ namespace pdr::app {
 
 constexpr double kFrameMs = 16;  ///< time of a frame on a screen with 60 frames per second
 constexpr double kNoticedMs = 200;
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool kTimed = false;  ///< times of an instrumented program say nothing of the program
+#else
+constexpr bool kTimed = true;
+#endif
 
 class TestEventTimes : public QObject {
     Q_OBJECT
@@ -37,8 +45,8 @@ static void check(const char* during) {
     const double p99 = app.at(0.99, &test::EventTime::processorMs), most = app.at(1, &test::EventTime::processorMs);
     qInfo("%s: %zu events, processor time p50 %.2f ms, p99 %.2f ms, most %.2f ms", during, app.times.size(),
           app.at(0.5, &test::EventTime::processorMs), p99, most);
-    QVERIFY2(p99 <= kFrameMs, (during + (": \n" + app.longest(8))).c_str());
-    QVERIFY2(most <= kNoticedMs, (during + (": \n" + app.longest(8))).c_str());
+    QVERIFY2(!kTimed || p99 <= kFrameMs, (during + (": \n" + app.longest(8))).c_str());
+    QVERIFY2(!kTimed || most <= kNoticedMs, (during + (": \n" + app.longest(8))).c_str());
     application().times.clear();
 }
 
@@ -82,7 +90,7 @@ void TestEventTimes::loadingRenderingAndEditing() {
     QTest::mouseRelease(&window.viewport(), Qt::LeftButton, {}, middle);
     check("turning");
 
-    auto* slider = window.look().findChild<QSlider*>();
+    auto* slider = test::the<ui::LookPanel>(window).findChild<QSlider*>();
     for (int i = 0; i < 60; ++i) {
         QMetaObject::invokeMethod(
             slider, [slider, i] { slider->setValue(i % 20); }, Qt::QueuedConnection);
@@ -91,7 +99,7 @@ void TestEventTimes::loadingRenderingAndEditing() {
     check("brightening");
 
     for (int i = 0; i < 30; ++i) {
-        const auto edit = [&, i] { trial.desktop.parts().tissue.drag({0.001 * i, 0}, i < 29); };
+        const auto edit = [&, i] { emit window.viewport().tissueDragged({0.001 * i, 0}, i < 29); };
         QMetaObject::invokeMethod(&window, edit, Qt::QueuedConnection);
         QTest::qWait(8);
     }
@@ -101,8 +109,8 @@ void TestEventTimes::loadingRenderingAndEditing() {
     test::writeSky(ui::fromQt(sky), {2048, 1024}, [](int x, int y) { return vec3(float(x % 7), float(y), 1); });
     application().times.clear();
     QMetaObject::invokeMethod(
-        &window, [&] { emit window.light().skyChosen(sky); }, Qt::QueuedConnection);
-    QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.parts().document.setup().look.environment.image, test::kPatience);
+        &window, [&] { emit test::the<ui::LightPanel>(window).skyChosen(sky); }, Qt::QueuedConnection);
+    QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.document().setup().look.environment.image, test::kPatience);
     trial.waitForNewest();
     check("lighting by a picture");
 

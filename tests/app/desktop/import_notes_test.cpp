@@ -47,10 +47,10 @@ class TestImportNotes : public QObject {
             std::filesystem::resize_file(series / emptied.toStdString(), 0);
         Desktop desktop(*bundledLooks(), makeCpuDevice(1), folder.filePath("settings.ini"), 1);
         desktop.open(folder.filePath("series"));
-        QTRY_VERIFY_WITH_TIMEOUT(desktop.parts().document.hasVolume(), test::kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.document().hasVolume(), test::kPatience);
         const QString text = desktop.window().message().text();
         QVERIFY2(said.isEmpty() ? text.isEmpty() : text.startsWith(said), qPrintable(text));
-        QCOMPARE(desktop.parts().document.scene().volume->remarks(), remarks.toStdString());
+        QCOMPARE(desktop.document().scene().volume->remarks(), remarks.toStdString());
     }
 };
 

@@ -7,8 +7,10 @@
 #include <functional>
 
 #include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/patience.h"
+#include "ui/looks/look_panel.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {
@@ -58,7 +60,7 @@ static std::vector<WindowAction> windowActions() {
          [](Window& window) { window.addDockWidget(Qt::RightDockWidgetArea, window.findChild<QDockWidget*>("Look")); }},
         {"groups of looks fold",
          [](Window& window) {
-             for (QToolButton* heading : window.look().findChildren<QToolButton*>())
+             for (QToolButton* heading : test::the<ui::LookPanel>(window).findChildren<QToolButton*>())
                  if (heading->accessibleName().startsWith("Looks: "))
                      heading->click();
          }},
@@ -105,12 +107,12 @@ void TestKeptImage::noWindowActionCostsASample() {
     trial.openAndWait(series_);
     QTRY_VERIFY_WITH_TIMEOUT(last(trial).status.samplesPerPixel > 5, test::kPatience);
     ui::MainWindow& window = trial.desktop.window();
-    RenderBridge& bridge = trial.desktop.parts().bridge;
+    RenderBridge& bridge = trial.desktop.bridge();
     if (held) {
         bridge.setPaused(true);
         (void)trial.heldSamples();
     }
-    const Scene& scene = trial.desktop.parts().document.scene();
+    const Scene& scene = trial.desktop.document().scene();
     std::uint64_t revision = scene.revision;
     ivec2 size = last(trial).size;
     std::uint64_t samples = last(trial).status.samplesPerPixel;
@@ -136,7 +138,7 @@ void TestKeptImage::theNextEditFillsTheView() {
     Trial trial;
     trial.openAndWait(series_);
     ui::MainWindow& window = trial.desktop.window();
-    Document& document = trial.desktop.parts().document;
+    Document& document = trial.desktop.document();
     const ivec2 before = document.scene().film;
     window.resize(1000, 640);
     QTest::qWait(400);
@@ -160,7 +162,7 @@ void TestKeptImage::theImageIsFittedToTheViewWhenThatIsAskedFor() {
     QVERIFY(fit);
     fit->trigger();
     const QSize view = window.viewport().sizeInPixels();
-    QVERIFY(trial.desktop.parts().document.scene().film == ivec2(view.width(), view.height()));
+    QVERIFY(trial.desktop.document().scene().film == ivec2(view.width(), view.height()));
     trial.waitForNewest();
 }
 

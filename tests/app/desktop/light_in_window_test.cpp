@@ -6,7 +6,9 @@
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/desktop/hand_on_window.h"
 #include "tests/support/desktop/named_widget.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/dicom/phantom_series.h"
+#include "ui/light/light_panel.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {
@@ -14,8 +16,8 @@ namespace pdr::app {
 /// A window with the phantom in it.
 struct LightTrial : Trial {
     explicit LightTrial(const QString& series) { openAndWait(series); }
-    Document& document = desktop.parts().document;
-    ui::LightPanel& panel = desktop.window().light();
+    Document& document = desktop.document();
+    ui::LightPanel& panel = test::the<ui::LightPanel>(desktop.window());
 };
 
 class TestLightInWindow : public QObject {
@@ -46,7 +48,7 @@ void TestLightInWindow::aDragOnTheBallIsOneStepAndUndoBringsTheSameBits() {
     QVERIFY(trial.document.setup().look.rig != before.rig);
     QVERIFY(!test::sameBits(rendered(trial.document), picture));
     trial.waitForNewest();
-    QVERIFY(trial.desktop.parts().bridge.lastFrame()->error.empty());
+    QVERIFY(trial.desktop.bridge().lastFrame()->error.empty());
     trial.document.undo();
     QVERIFY(!trial.document.canUndo());
     QVERIFY(trial.document.setup().look == before);
@@ -108,7 +110,7 @@ void TestLightInWindow::handlesStayWithWhatTheLightsAreTiedTo() {
     QVERIFY(glm::length(sphere.lamp().from - key) < 1e-9);  // the view's
     Lighting tied = trial.panel.lighting();
     tied.rig = tiedTo(tied.rig, LightRig::Follows::patient, trial.document.setup().camera);
-    trial.desktop.parts().light.setLighting(tied, false);
+    emit trial.panel.lightingEdited(tied, false);
     QVERIFY(glm::length(sphere.lamp().from - key) < 1e-9);
     trial.document.setView(StandardView::right);
     QVERIFY(glm::length(sphere.lamp().from - dvec3(-key.x, key.y, -key.z)) < 1e-9);

@@ -3,8 +3,8 @@
 #include <QSet>
 #include <QTest>
 
-#include "app/desktop/look_text.h"
 #include "app/looks/looks.h"
+#include "app/presenters/look_text.h"
 #include "tests/support/desktop/told_document.h"
 #include "ui/text/language.h"
 

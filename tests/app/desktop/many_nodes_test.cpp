@@ -9,14 +9,17 @@
 #include <vector>
 
 #include "app/coordinator/reference_bits.h"
+#include "app/presenters/nodes_presenter.h"
 #include "app/remote/certificates.h"
 #include "app/remote/dial.h"
 #include "app/remote/listener.h"
 #include "render/tiles/reference_tiles.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/desktop/event_times.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/network/taken_port.h"
+#include "ui/nodes/nodes_panel.h"
 #include "ui/text/to_qt.h"
 #include "ui/theme/theme.h"
 
@@ -101,7 +104,7 @@ void TestManyNodes::sixtyFourLeaveTheWindowFree() {
     QVERIFY(writePhantomSeries(ui::fromQt(series), "Head of a phantom"));
     QVERIFY(remote::makeCertificates(bundle));
     Trial trial;
-    ui::NodesPanel& panel = trial.desktop.window().nodes();
+    ui::NodesPanel& panel = test::the<ui::NodesPanel>(trial.desktop.window());
     panel.parentWidget()->show();
     trial.openAndWait(series);
     const quint16 port = test::freePort();
@@ -112,7 +115,7 @@ void TestManyNodes::sixtyFourLeaveTheWindowFree() {
     clock.start();
     const Crowd crowd(kNodes, {"127.0.0.1", port}, *remote::readIdentity(bundle, remote::Role::node));
     const auto named = [&] {
-        return std::ranges::count_if(trial.desktop.parts().nodes.rows(),
+        return std::ranges::count_if(trial.desktop.presenter<NodesPresenter>().job().rows(),
                                      [](const ui::NodeRow& row) { return !row.name.isEmpty(); });
     };
     QTRY_COMPARE_WITH_TIMEOUT(named(), kNodes, test::kPatience);
@@ -132,9 +135,9 @@ void TestManyNodes::whoMakesOtherBitsIsRefusedAndSaid() {
     connect(&node, &remote::Listener::connected, &node,
             [](remote::Channel* channel) { channel->send(greeting(1, wire::Hash{})); });
     Trial trial;
-    ui::NodesPanel& panel = trial.desktop.window().nodes();
+    ui::NodesPanel& panel = test::the<ui::NodesPanel>(trial.desktop.window());
     emit panel.addRequested(node.address().text());
-    const auto rows = [&] { return trial.desktop.parts().nodes.rows(); };
+    const auto rows = [&] { return trial.desktop.presenter<NodesPresenter>().job().rows(); };
     QTRY_COMPARE_WITH_TIMEOUT(rows().value(0).state, ui::NodeState::refused, test::kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(!rows()[0].sameBits && rows()[0].name == "node 1", test::kPatience);
     const QString said = panel.table().model()->index(0, ui::NodesModel::state).data().toString();

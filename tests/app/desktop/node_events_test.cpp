@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "app/desktop/node_events.h"
+#include "app/presenters/node_events.h"
 
 namespace pdr::app {
 

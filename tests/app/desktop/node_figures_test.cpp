@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "app/desktop/node_figures.h"
+#include "app/presenters/node_figures.h"
 
 namespace pdr::app {
 

@@ -11,11 +11,14 @@
 #include <algorithm>
 #include <set>
 
+#include "app/presenters/nodes_presenter.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/desktop/named_widget.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/network/node_process.h"
 #include "tests/support/network/taken_port.h"
+#include "ui/nodes/nodes_panel.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {
@@ -53,8 +56,8 @@ void TestNodesInWindow::initTestCase() {
 }
 
 struct NodesTrial : Trial {
-    ui::NodesPanel& panel() { return desktop.window().nodes(); }
-    NodesJob& nodes() { return desktop.parts().nodes; }
+    ui::NodesPanel& panel() { return test::the<ui::NodesPanel>(desktop.window()); }
+    NodesJob& nodes() { return desktop.presenter<NodesPresenter>().job(); }
 
     void listen(quint16 port) {
         test::named<QSpinBox>(panel(), "Port").setValue(port);
@@ -202,20 +205,22 @@ void TestNodesInWindow::theyAreWantedTheNextTime() {
     const QString address = QString("127.0.0.1:%1").arg(test::freePort());
     {
         Desktop desktop(*bundledLooks(), makeCpuDevice(1), file, 1);
-        emit desktop.window().nodes().addRequested(address);
-        emit desktop.window().nodes().addRequested("127.0.0.1:1");
-        emit desktop.window().nodes().listenRequested(port);
-        emit desktop.window().nodes().removeRequested(desktop.parts().nodes.rows()[1].id);
-        emit desktop.window().nodes().splitRequested(Split::samples);
+        emit test::the<ui::NodesPanel>(desktop.window()).addRequested(address);
+        emit test::the<ui::NodesPanel>(desktop.window()).addRequested("127.0.0.1:1");
+        emit test::the<ui::NodesPanel>(desktop.window()).listenRequested(port);
+        emit test::the<ui::NodesPanel>(desktop.window())
+            .removeRequested(desktop.presenter<NodesPresenter>().job().rows()[1].id);
+        emit test::the<ui::NodesPanel>(desktop.window()).splitRequested(Split::samples);
     }
     Desktop desktop(*bundledLooks(), makeCpuDevice(1), file, 1);
-    QCOMPARE(desktop.parts().nodes.addresses(), QStringList{address});
-    QCOMPARE(desktop.parts().nodes.port(), std::optional(port));
-    QVERIFY(test::named<QCheckBox>(desktop.window().nodes(), "Listen on port").isChecked());
-    QCOMPARE(test::named<QSpinBox>(desktop.window().nodes(), "Port").value(), int(port));
-    QVERIFY(desktop.parts().nodes.wantedSplit() == Split::samples);
-    QCOMPARE(test::named<QComboBox>(desktop.window().nodes(), "How nodes share the work").currentText(),
-             QString("Always samples"));
+    QCOMPARE(desktop.presenter<NodesPresenter>().job().addresses(), QStringList{address});
+    QCOMPARE(desktop.presenter<NodesPresenter>().job().port(), std::optional(port));
+    QVERIFY(test::named<QCheckBox>(test::the<ui::NodesPanel>(desktop.window()), "Listen on port").isChecked());
+    QCOMPARE(test::named<QSpinBox>(test::the<ui::NodesPanel>(desktop.window()), "Port").value(), int(port));
+    QVERIFY(desktop.presenter<NodesPresenter>().job().wantedSplit() == Split::samples);
+    QCOMPARE(
+        test::named<QComboBox>(test::the<ui::NodesPanel>(desktop.window()), "How nodes share the work").currentText(),
+        QString("Always samples"));
 }
 
 /// Whether `bytes` stand somewhere in what the process may write to; none: it cannot be looked at.
@@ -257,13 +262,13 @@ void TestNodesInWindow::nothingOfTheScanStaysWithThem() {
     trial.listen(port);
     const test::NodeProcess node(dialling(port));
     QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
-    const QByteArray voxels = someVoxels(*trial.desktop.parts().document.scene().volume);
+    const QByteArray voxels = someVoxels(*trial.desktop.document().scene().volume);
     const std::optional<bool> there = holds(node.id(), voxels);
     if (!there)
         QSKIP("another program's memory cannot be read here");
     QVERIFY(*there);
     QVERIFY(!*holds(node.id(), "ZZCANARY"));
-    trial.desktop.parts().bridge.clear();
+    trial.desktop.bridge().clear();
     QTRY_VERIFY_WITH_TIMEOUT(!*holds(node.id(), voxels), test::kPatience);
     QCOMPARE(trial.nodes().rows().size(), 1);  // it stays connected
 }
@@ -277,7 +282,7 @@ void TestNodesInWindow::theWindowClosesWithNodesConnected() {
         trial.openAndWait(series_);
         trial.listen(port);
         QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
-        voxels = someVoxels(*trial.desktop.parts().document.scene().volume);
+        voxels = someVoxels(*trial.desktop.document().scene().volume);
     }
     if (!holds(node.id(), voxels))
         QSKIP("another program's memory cannot be read here");

@@ -7,13 +7,15 @@
 #include <QTest>
 #include <QTimer>
 
-#include "app/desktop/desktop_parts.h"
+#include "app/presenters/saving_presenter.h"
 #include "render/device/device_list.h"
 #include "render/film/display/tone_map.h"
 #include "render/session/batch_render.h"
 #include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/patience.h"
+#include "ui/series/series_panel.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {
@@ -61,17 +63,18 @@ void TestOrderedPicture::initTestCase() {
 void TestOrderedPicture::itIsTheSceneOfTheWindowAndTheSessionGoesOn() {
     Trial trial;
     trial.openAndWait(series_);
-    trial.desktop.parts().document.setSmoothed(false);
-    const DesktopParts parts = trial.desktop.parts();
-    const Scene shown = parts.document.scene();
-    QSignalSpy saved(&parts.picture, &PictureJob::saved);
+    trial.desktop.document().setSmoothed(false);
+    const Document& document = trial.desktop.document();
+    const Scene shown = document.scene();
+    auto& saving = trial.desktop.presenter<SavingPresenter>();
+    QSignalSpy saved(&saving.job(), &PictureJob::saved);
     const std::uint64_t samples = trial.frames.back()->status.samplesPerPixel;
     const QString file = trial.folder.filePath("tall.png");
-    emit trial.desktop.window().pictureOrdered(
+    trial.desktop.presenter<SavingPresenter>().render(
         {file, QSize(60, 90), {.levels = 0.2, .samples = 4}, ui::Annotate::none});
     QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
     QVERIFY(trial.said().contains("Saved as"));
-    QVERIFY(parts.document.scene() == shown && !parts.document.canUndo());
+    QVERIFY(document.scene() == shown && !document.canUndo());
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->status.samplesPerPixel > samples, test::kPatience);
     QCOMPARE(trial.frames.back()->revision, shown.revision);
     QVERIFY(trial.frames.back()->size == shown.film);
@@ -81,9 +84,9 @@ void TestOrderedPicture::itIsTheSceneOfTheWindowAndTheSessionGoesOn() {
     const auto device = makeCpuDevice(2);
     QVERIFY(device->upload(scene));
     const auto film = *device->film(scene.film, scene.revision, scene.schedule);
-    QVERIFY(BatchRender(*film, {.samples = 4}, parts.document.display()).run({}, [](const BatchState&) {}));
+    QVERIFY(BatchRender(*film, {.samples = 4}, document.display()).run({}, [](const BatchState&) {}));
     const QImage picture = QImage(file).convertToFormat(QImage::Format_RGBX8888);
-    const std::vector<std::uint8_t> expected = toneMap(**film->film(), parts.document.display());
+    const std::vector<std::uint8_t> expected = toneMap(**film->film(), document.display());
     QVERIFY(
         std::equal(expected.begin(), expected.end(), picture.constBits(), picture.constBits() + picture.sizeInBytes()));
 }
@@ -91,15 +94,15 @@ void TestOrderedPicture::itIsTheSceneOfTheWindowAndTheSessionGoesOn() {
 void TestOrderedPicture::theButtonCancelsIt() {
     Trial trial;
     trial.openAndWait(series_);
-    emit trial.desktop.window().pictureOrdered(endless(trial));
+    trial.desktop.presenter<SavingPresenter>().render(endless(trial));
     QTRY_VERIFY_WITH_TIMEOUT(isMade(trial) && cancelButton(trial)->isVisible(), test::kPatience);
     const std::size_t frames = trial.frames.size();
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames, test::kPatience);
     cancelButton(trial)->click();
-    QVERIFY(!trial.desktop.parts().picture.isRunning());
+    QVERIFY(!trial.desktop.presenter<SavingPresenter>().job().isRunning());
     QVERIFY2(trial.said().contains("no image was saved"), qPrintable(trial.said()));
     QVERIFY(!cancelButton(trial)->isVisible());
-    QVERIFY(trial.desktop.parts().document.hasVolume());
+    QVERIFY(trial.desktop.document().hasVolume());
     QCOMPARE(pictures(trial), QStringList());
 }
 
@@ -107,20 +110,20 @@ void TestOrderedPicture::theButtonCancelsIt() {
 void TestOrderedPicture::escapeDoesNot() {
     Trial trial;
     trial.openAndWait(series_);
-    emit trial.desktop.window().pictureOrdered(endless(trial));
+    trial.desktop.presenter<SavingPresenter>().render(endless(trial));
     QTest::keyClick(&trial.desktop.window(), Qt::Key_Escape);
-    QVERIFY(trial.desktop.parts().picture.isRunning());
+    QVERIFY(trial.desktop.presenter<SavingPresenter>().job().isRunning());
 }
 
 /// Opening another series cancels the image: its volume could not be read as long as the image holds the first one.
 void TestOrderedPicture::anotherSeriesEndsIt() {
     Trial trial;
     trial.openAndWait(series_);
-    emit trial.desktop.window().pictureOrdered(endless(trial));
+    trial.desktop.presenter<SavingPresenter>().render(endless(trial));
     QTRY_VERIFY_WITH_TIMEOUT(isMade(trial), test::kPatience);
     trial.frames.clear();
-    emit trial.desktop.window().series().seriesChosen(0);
-    QVERIFY(!trial.desktop.parts().picture.isRunning());
+    emit test::the<ui::SeriesPanel>(trial.desktop.window()).seriesChosen(0);
+    QVERIFY(!trial.desktop.presenter<SavingPresenter>().job().isRunning());
     QTRY_VERIFY_WITH_TIMEOUT(!trial.frames.empty(), test::kPatience);
     QCOMPARE(pictures(trial), QStringList());
 }
@@ -128,7 +131,7 @@ void TestOrderedPicture::anotherSeriesEndsIt() {
 void TestOrderedPicture::closingTheWindowAsksWhileItIsMade() {
     Trial trial;
     trial.openAndWait(series_);
-    emit trial.desktop.window().pictureOrdered(endless(trial));
+    trial.desktop.presenter<SavingPresenter>().render(endless(trial));
     QTRY_VERIFY_WITH_TIMEOUT(isMade(trial), test::kPatience);
     int asked = 0;
     const auto closedWith = [&](QMessageBox::StandardButton answer) {
@@ -141,7 +144,7 @@ void TestOrderedPicture::closingTheWindowAsksWhileItIsMade() {
         return trial.desktop.window().close();
     };
     QVERIFY(!closedWith(QMessageBox::No));
-    QVERIFY(trial.desktop.parts().picture.isRunning());
+    QVERIFY(trial.desktop.presenter<SavingPresenter>().job().isRunning());
     QVERIFY(closedWith(QMessageBox::Yes));
     QCOMPARE(asked, 2);
     trial.desktop.window().show();
@@ -154,7 +157,8 @@ void TestOrderedPicture::theProgramMayEndWhileItIsMade() {
     {
         Trial trial;
         trial.openAndWait(series_);
-        emit trial.desktop.window().pictureOrdered({place.filePath("large.png"), QSize(1500, 1000), {.levels = 0.2}});
+        trial.desktop.presenter<SavingPresenter>().render(
+            {place.filePath("large.png"), QSize(1500, 1000), {.levels = 0.2}});
         QTRY_VERIFY_WITH_TIMEOUT(isMade(trial), test::kPatience);
     }
     QCOMPARE(QDir(place.path()).entryList(QDir::Files | QDir::Hidden), QStringList());
@@ -164,11 +168,11 @@ void TestOrderedPicture::whatGoesWrongIsSaid() {
     Trial trial;
     trial.openAndWait(series_);
     const auto said = [&] { return trial.desktop.window().message().text(); };
-    emit trial.desktop.window().pictureOrdered({trial.folder.filePath("head.jpg"), QSize(30, 30), {}});
+    trial.desktop.presenter<SavingPresenter>().render({trial.folder.filePath("head.jpg"), QSize(30, 30), {}});
     QTRY_VERIFY_WITH_TIMEOUT(said().contains(".png or .exr"), test::kPatience);
-    emit trial.desktop.window().pictureOrdered({trial.folder.filePath("nowhere/head.png"), QSize(30, 30), {}});
+    trial.desktop.presenter<SavingPresenter>().render({trial.folder.filePath("nowhere/head.png"), QSize(30, 30), {}});
     QTRY_VERIFY_WITH_TIMEOUT(said().contains("nowhere"), test::kPatience);
-    QVERIFY(trial.desktop.parts().document.hasVolume());
+    QVERIFY(trial.desktop.document().hasVolume());
 }
 
 }  // namespace pdr::app

@@ -7,11 +7,14 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/desktop/show_scan.h"
+#include "app/presenters/saving_presenter.h"
+#include "app/presenters/series_presenter.h"
 #include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/devices/failing_device.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/patience.h"
+#include "ui/series/series_panel.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {
@@ -79,7 +82,7 @@ void TestPictureOnScreen::anEditNamesNothingNewBeforeItsPictureIsThere() {
     QFETCH(int, edit);
     Trial trial(test::failing(slow(0.05)));
     trial.openAndWait(series_);
-    Document& document = trial.desktop.parts().document;
+    Document& document = trial.desktop.document();
     document.setView(StandardView::left);
     document.setView(StandardView::superior);
     document.undo();
@@ -91,7 +94,7 @@ void TestPictureOnScreen::anEditNamesNothingNewBeforeItsPictureIsThere() {
             document.setView(StandardView::posterior);
             break;
         case 1:
-            emit trial.desktop.window().resetRequested();
+            trial.desktop.window().menuActions().firstView->trigger();
             break;
         case 2:
             document.undo();
@@ -110,7 +113,7 @@ void TestPictureOnScreen::anEditNamesNothingNewBeforeItsPictureIsThere() {
             break;
     }
     QVERIFY(margins(trial) == before);
-    emit trial.desktop.parts().bridge.pausedChanged(false);  // the status is written anew
+    emit trial.desktop.bridge().pausedChanged(false);  // the status is written anew
     QCOMPARE(trial.said(), status);
 }
 
@@ -119,11 +122,11 @@ void TestPictureOnScreen::anEditNamesNothingNewBeforeItsPictureIsThere() {
 void TestPictureOnScreen::theLettersAreThoseOfTheFrame() {
     Trial trial(test::failing(slow(0.02)));
     trial.openAndWait(series_);
-    Document& document = trial.desktop.parts().document;
+    Document& document = trial.desktop.document();
     ui::Viewport& viewport = trial.desktop.window().viewport();
     std::size_t compared = 0;
     const auto compare = [&] {
-        const auto& frame = trial.desktop.parts().bridge.lastFrame();
+        const auto& frame = trial.desktop.bridge().lastFrame();
         const ui::EdgeLetters painted = viewport.letters(), right = ui::edgeLetters(frame->camera);
         QVERIFY(painted.left == right.left && painted.right == right.right);
         QVERIFY(painted.top == right.top && painted.bottom == right.bottom);
@@ -155,10 +158,10 @@ void TestPictureOnScreen::theLettersAreThoseOfTheFrame() {
 void TestPictureOnScreen::whatIsSavedIsWhatWasSeen() {
     Trial trial(test::failing(slow(0.2)));
     trial.openAndWait(series_);
-    QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
+    QSignalSpy saved(&trial.desktop.bridge(), &RenderBridge::saved);
     const QString file = trial.folder.filePath("front.png");
-    emit trial.desktop.window().saveRequested(file);
-    trial.desktop.parts().document.setView(StandardView::posterior);
+    trial.desktop.presenter<SavingPresenter>().save(file, ui::Annotate::sides);
+    trial.desktop.document().setView(StandardView::posterior);
     trial.waitForNewest();
     const auto frames = trial.frames.size();
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames + 1, test::kPatience);
@@ -172,11 +175,11 @@ void TestPictureOnScreen::aSavedPictureSaysWhatItShowsUnlessItIsToldNotTo() {
     Trial trial;
     trial.openAndWait(series_);
     ui::MainWindow& window = trial.desktop.window();
-    emit window.pauseChosen(true);
-    QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
+    window.menuActions().pause->trigger();
+    QSignalSpy saved(&trial.desktop.bridge(), &RenderBridge::saved);
     const auto picture = [&](ui::Annotate annotate) {
         const int before = saved.count();
-        emit window.saveRequested(trial.folder.filePath("picture.png"), annotate);
+        trial.desktop.presenter<SavingPresenter>().save(trial.folder.filePath("picture.png"), annotate);
         [&] { QTRY_COMPARE_WITH_TIMEOUT(saved.count(), before + 1, test::kPatience); }();
         return QImage(trial.folder.filePath("picture.png"));
     };
@@ -193,7 +196,7 @@ void TestPictureOnScreen::aSavedPictureSaysWhatItShowsUnlessItIsToldNotTo() {
     QVERIFY(captioned.text("pdrender/camera").contains("perspective"));
     QVERIFY(captioned.text("pdrender/effects").contains("shadows"));
     QVERIFY(!captioned.text("pdrender/look").isEmpty());
-    emit window.captionChosen(false);
+    window.menuActions().captioned->trigger();
     QVERIFY(!Settings(trial.folder.filePath("settings.ini")).captioned());
 }
 
@@ -204,17 +207,17 @@ void TestPictureOnScreen::whatTheLastPictureTookIsToldUntilThisOneKnows() {
     QVERIFY(!trial.said().contains("the last time"));
     const Frame& frame = *trial.frames.back();
     const QSize view = trial.desktop.window().viewport().sizeInPixels();
-    trial.desktop.parts().settings.keepPlanningSeconds(QString::fromStdString(frame.device + "/" + frame.lookName),
-                                                       90.0 / (view.width() * view.height()));
-    emit trial.desktop.window().pauseChosen(true);
+    trial.desktop.settings().keepPlanningSeconds(QString::fromStdString(frame.device + "/" + frame.lookName),
+                                                 90.0 / (view.width() * view.height()));
+    trial.desktop.window().menuActions().pause->trigger();
     QVERIFY2(trial.said().contains(QString::fromUtf8("±8 took 1.5 min the last time")), qPrintable(trial.said()));
 }
 
 /// A scene that cannot be rendered.
 static void fail(Trial& trial) {
-    Camera camera = trial.desktop.parts().document.scene().camera;
+    Camera camera = trial.desktop.document().scene().camera;
     camera.apertureMm = -1;
-    trial.desktop.parts().document.setCamera(camera, false);
+    trial.desktop.document().setCamera(camera, false);
 }
 
 void TestPictureOnScreen::afterAFailureNothingStaysUpAndSavingSaysSo() {
@@ -234,12 +237,12 @@ void TestPictureOnScreen::afterAFailureNothingStaysUpAndSavingSaysSo() {
     QCOMPARE(shown.pixelColor(shown.width() / 2, shown.height() / 3), QColor(Qt::black));
     QVERIFY(trial.said().isEmpty());
 
-    QSignalSpy failed(&trial.desktop.parts().bridge, &RenderBridge::saveFailed);
-    emit trial.desktop.window().saveRequested(trial.folder.filePath("none.png"));
+    QSignalSpy failed(&trial.desktop.bridge(), &RenderBridge::saveFailed);
+    trial.desktop.presenter<SavingPresenter>().save(trial.folder.filePath("none.png"), ui::Annotate::sides);
     QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, test::kPatience);
     QVERIFY(trial.desktop.window().message().text().contains("Not saved, because"));
 
-    trial.desktop.parts().document.undo();
+    trial.desktop.document().undo();
     trial.waitForNewest();
     QTRY_VERIFY_WITH_TIMEOUT(saveAction(trial)->isEnabled(), test::kPatience);
 }
@@ -247,12 +250,12 @@ void TestPictureOnScreen::afterAFailureNothingStaysUpAndSavingSaysSo() {
 void TestPictureOnScreen::aFailureAnswersTheSaveThatWaits() {
     Trial trial(test::failing(slow(0.2)));
     trial.openAndWait(series_);
-    QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
-    QSignalSpy failed(&trial.desktop.parts().bridge, &RenderBridge::saveFailed);
-    emit trial.desktop.window().saveRequested(trial.folder.filePath("front.png"));
+    QSignalSpy saved(&trial.desktop.bridge(), &RenderBridge::saved);
+    QSignalSpy failed(&trial.desktop.bridge(), &RenderBridge::saveFailed);
+    trial.desktop.presenter<SavingPresenter>().save(trial.folder.filePath("front.png"), ui::Annotate::sides);
     fail(trial);
     QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, test::kPatience);
-    trial.desktop.parts().document.undo();
+    trial.desktop.document().undo();
     trial.waitForNewest();
     QCOMPARE(saved.count(), 0);
 }
@@ -260,10 +263,10 @@ void TestPictureOnScreen::aFailureAnswersTheSaveThatWaits() {
 void TestPictureOnScreen::closingAnswersTheSaveThatWaits() {
     Trial trial(test::failing(slow(0.2)));
     trial.openAndWait(series_);
-    QSignalSpy saved(&trial.desktop.parts().bridge, &RenderBridge::saved);
-    QSignalSpy failed(&trial.desktop.parts().bridge, &RenderBridge::saveFailed);
-    emit trial.desktop.window().saveRequested(trial.folder.filePath("first_patient.png"));
-    showNothing(trial.desktop.parts());
+    QSignalSpy saved(&trial.desktop.bridge(), &RenderBridge::saved);
+    QSignalSpy failed(&trial.desktop.bridge(), &RenderBridge::saveFailed);
+    trial.desktop.presenter<SavingPresenter>().save(trial.folder.filePath("first_patient.png"), ui::Annotate::sides);
+    trial.desktop.presenter<SeriesPresenter>().close();
     QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, test::kPatience);
     trial.frames.clear();
     trial.openAndWait(series_);
@@ -276,11 +279,11 @@ void TestPictureOnScreen::aClosedPatientIsFreedAndNotRenderedOn() {
     auto mishaps = std::make_shared<test::Mishaps>();
     Trial trial(test::failing(mishaps));
     trial.openAndWait(series_);
-    trial.desktop.parts().document.chooseLook(1);  // it is in the steps to undo, too
+    trial.desktop.document().chooseLook(1);  // it is in the steps to undo, too
     trial.waitForNewest();
-    const std::weak_ptr<const Volume> volume = trial.desktop.parts().document.scene().volume;
+    const std::weak_ptr<const Volume> volume = trial.desktop.document().scene().volume;
     QVERIFY(!volume.expired());
-    showNothing(trial.desktop.parts());
+    trial.desktop.presenter<SeriesPresenter>().close();
     QTRY_VERIFY_WITH_TIMEOUT(volume.expired(), test::kPatience);
     const int iterations = mishaps->accumulates;
     QTest::qWait(300);
@@ -292,16 +295,17 @@ void TestPictureOnScreen::aClosedPatientIsFreedAndNotRenderedOn() {
 void TestPictureOnScreen::anotherSeriesClosesTheFirstBeforeItIsRead() {
     Trial trial;
     trial.openAndWait(series_);
-    const std::weak_ptr<const Volume> volume = trial.desktop.parts().document.scene().volume;
+    const std::weak_ptr<const Volume> volume = trial.desktop.document().scene().volume;
     bool freed = false;
-    QObject::connect(&trial.desktop.parts().import, &ImportJob::loaded, [&] { freed = volume.expired(); });
+    QObject::connect(&trial.desktop.presenter<SeriesPresenter>().import(), &ImportJob::loaded,
+                     [&] { freed = volume.expired(); });
     trial.frames.clear();
-    emit trial.desktop.window().series().seriesChosen(0);
-    QVERIFY(!trial.desktop.parts().document.hasVolume());
-    QCOMPARE(trial.desktop.window().series().patient(), QString());
+    emit test::the<ui::SeriesPanel>(trial.desktop.window()).seriesChosen(0);
+    QVERIFY(!trial.desktop.document().hasVolume());
+    QCOMPARE(test::the<ui::SeriesPanel>(trial.desktop.window()).patient(), QString());
     QTRY_VERIFY_WITH_TIMEOUT(!trial.frames.empty(), test::kPatience);
     QVERIFY(freed);
-    QVERIFY(!trial.desktop.window().series().patient().isEmpty());
+    QVERIFY(!test::the<ui::SeriesPanel>(trial.desktop.window()).patient().isEmpty());
 }
 
 }  // namespace pdr::app

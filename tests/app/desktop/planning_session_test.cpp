@@ -8,10 +8,15 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "app/presenters/saving_presenter.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/desktop/hand_on_window.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/dicom/shared_data.h"
+#include "ui/cut/cut_tools.h"
+#include "ui/light/light_panel.h"
+#include "ui/looks/look_panel.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {
@@ -29,13 +34,13 @@ struct Session : Trial {
         QCoreApplication::sendEvent(&window, &event);
     }
     void chooseAnotherLook() {
-        for (auto* button : window.look().findChildren<QAbstractButton*>())
+        for (auto* button : test::the<ui::LookPanel>(window).findChildren<QAbstractButton*>())
             if (button->accessibleName().startsWith("Look ") && !button->isChecked())
                 return button->click();
         QFAIL("there is no other look");
     }
     void dragANode() {
-        ui::CurveEditor& editor = window.tissue().editor();
+        ui::CurveEditor& editor = test::the<ui::TissuePanel>(window).editor();
         editor.resize(400, 200);
         const CurvePoint point = editor.points()[editor.points().size() / 2];
         const QPoint place = editor.view().at(double(point.hu), double(point.value)).toPoint();
@@ -46,21 +51,21 @@ struct Session : Trial {
         drag(window.viewport(), middle, middle + QPoint(window.viewport().height() / 8, 0), Qt::ControlModifier);
     }
     void turnALight() {
-        ui::LightSphere& sphere = window.light().sphere();
+        ui::LightSphere& sphere = test::the<ui::LightPanel>(window).sphere();
         sphere.resize(180, 180);
         const QPoint lamp = sphere.handleOf(sphere.lamp().from).toPoint();
         drag(sphere, lamp, lamp + QPoint(40, 20));
     }
     void cutOffTheTop() {
-        window.cut().showHandles();
-        const auto handle = window.cut().layer().marks().placeOf({CutHandle::Kind::face, 5});
+        test::the<ui::CutTools>(window).showHandles();
+        const auto handle = test::the<ui::CutTools>(window).layer().marks().placeOf({CutHandle::Kind::face, 5});
         QVERIFY(handle);
         drag(window.viewport(), handle->toPoint(), handle->toPoint() + QPoint(0, window.viewport().height() / 6));
-        window.cut().hideHandles();
+        test::the<ui::CutTools>(window).hideHandles();
     }
 
     ui::MainWindow& window = desktop.window();
-    Document& document = desktop.parts().document;
+    Document& document = desktop.document();
 };
 
 class TestPlanningSession : public QObject {
@@ -101,15 +106,15 @@ void TestPlanningSession::fromTheFolderToTheSavedPicture() {
         (session.*gesture)();
         QVERIFY(document.setup() != before);
         QVERIFY(document.scene().check());
-        QVERIFY(document.undoable() != Change::nothing);
+        QVERIFY(document.undoText() != "Undo");
     }
     QTRY_VERIFY_WITH_TIMEOUT(session.frames.back()->revision == document.scene().revision, test::kPatience);
     QVERIFY(session.frames.back()->error.empty());
     QVERIFY(!test::sameBits(rendered(document), picture));
 
     const QString file = session.folder.filePath("plan.png");
-    QSignalSpy saved(&session.desktop.parts().picture, &PictureJob::saved);
-    emit session.window.pictureOrdered({file, QSize(2000, 2000), {.levels = 0.2, .samples = 1}});
+    QSignalSpy saved(&session.desktop.presenter<SavingPresenter>().job(), &PictureJob::saved);
+    session.desktop.presenter<SavingPresenter>().render({file, QSize(2000, 2000), {.levels = 0.2, .samples = 1}});
     QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
     QCOMPARE(QImage(file).size(), QSize(2000, 2000));
     QVERIFY(!QImage(file).text("pdrender/cut").isEmpty());
@@ -126,3 +131,4 @@ void TestPlanningSession::fromTheFolderToTheSavedPicture() {
 
 QTEST_MAIN(pdr::app::TestPlanningSession)
 #include "planning_session_test.moc"
+#include "ui/tissue/tissue_panel.h"

@@ -6,11 +6,14 @@
 #include <QTest>
 
 #include "app/jobs/series_pictures.h"
+#include "app/presenters/series_presenter.h"
 #include "app/scan/series_choice.h"
 #include "dicom/write/export.h"
 #include "render/volume/phantom.h"
 #include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/patience.h"
+#include "ui/series/series_panel.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {
@@ -26,7 +29,7 @@ static void writeSeries(const QString& folder, const std::string& name, const st
 }
 
 static QVariant itemOf(Trial& trial, int row, int role) {
-    return trial.desktop.window().series().list().model()->index(row, 0).data(role);
+    return test::the<ui::SeriesPanel>(trial.desktop.window()).list().model()->index(row, 0).data(role);
 }
 
 class TestSeriesList : public QObject {
@@ -52,16 +55,17 @@ void TestSeriesList::severalPatientsAreToBeChosenFrom() {
     Trial trial;
     ui::MainWindow& window = trial.desktop.window();
     trial.desktop.open(at("all"));
-    QTRY_COMPARE_WITH_TIMEOUT(window.series().list().model()->rowCount(), 2, test::kPatience);
-    QVERIFY(window.series().isVisible());
+    QTRY_COMPARE_WITH_TIMEOUT(test::the<ui::SeriesPanel>(window).list().model()->rowCount(), 2, test::kPatience);
+    QVERIFY(test::the<ui::SeriesPanel>(window).isVisible());
     QVERIFY2(window.viewport().message().contains("Choose a series"), qPrintable(window.viewport().message()));
     QTRY_VERIFY_WITH_TIMEOUT(!itemOf(trial, 1, Qt::DecorationRole).value<QPixmap>().isNull(), test::kPatience);
     QVERIFY(!itemOf(trial, 0, Qt::DecorationRole).value<QPixmap>().isNull());
     const QString first = itemOf(trial, 0, Qt::AccessibleTextRole).toString();
     QVERIFY2(first.contains("Thorax") && first.contains("ID 471"), qPrintable(first));
-    QVERIFY(!trial.desktop.parts().import.isRunning() && !trial.desktop.parts().document.hasVolume());
-    const QRect second = window.series().list().visualRect(window.series().list().model()->index(1, 0));
-    QTest::mouseClick(window.series().list().viewport(), Qt::LeftButton, {}, second.center());
+    QVERIFY(!trial.desktop.presenter<SeriesPresenter>().import().isRunning() && !trial.desktop.document().hasVolume());
+    const QRect second = test::the<ui::SeriesPanel>(window).list().visualRect(
+        test::the<ui::SeriesPanel>(window).list().model()->index(1, 0));
+    QTest::mouseClick(test::the<ui::SeriesPanel>(window).list().viewport(), Qt::LeftButton, {}, second.center());
     QTRY_VERIFY_WITH_TIMEOUT(!trial.frames.empty(), test::kPatience);
     QVERIFY(window.patient().front() == itemOf(trial, 1, Qt::UserRole).toString());
 }
@@ -70,7 +74,7 @@ void TestSeriesList::theOnlySeriesIsShown() {
     writeSeries(at("one"), "Doe^Jane", "4711");
     Trial trial;
     trial.openAndWait(at("one"));
-    QVERIFY(trial.desktop.parts().document.hasVolume());
+    QVERIFY(trial.desktop.document().hasVolume());
 }
 
 void TestSeriesList::oneLoadableAmongSeveralPatientsIsToBeChosen() {
@@ -91,8 +95,9 @@ void TestSeriesList::aRefusedFolderShowsItsListAndItsReasons() {
     ui::MainWindow& window = trial.desktop.window();
     trial.desktop.open(at("gap"));
     QTRY_VERIFY_WITH_TIMEOUT(!window.message().text().isEmpty(), test::kPatience);
-    QVERIFY(window.series().isVisible());
-    QVERIFY2(window.series().detail().contains("mm apart"), qPrintable(window.series().detail()));
+    QVERIFY(test::the<ui::SeriesPanel>(window).isVisible());
+    QVERIFY2(test::the<ui::SeriesPanel>(window).detail().contains("mm apart"),
+             qPrintable(test::the<ui::SeriesPanel>(window).detail()));
     QVERIFY2(window.viewport().message().contains("The list says why"), qPrintable(window.viewport().message()));
 }
 

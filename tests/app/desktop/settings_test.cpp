@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/desktop/settings.h"
+#include "app/presenters/settings.h"
 
 namespace pdr::app {
 

@@ -5,7 +5,7 @@
 #include <QTest>
 #include <algorithm>
 
-#include "app/desktop/requests.h"
+#include "app/presenters/saving_presenter.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/network/nearby_worker.h"
@@ -59,9 +59,9 @@ void TestSharedPicture::itGoesOnWhenOthersComeAndGo() {
     Trial trial;
     trial.openAndWait(series_);
     waitForMore(trial, 3);
-    QSignalSpy noticed(&trial.desktop.parts().bridge, &RenderBridge::noticed);
+    QSignalSpy noticed(&trial.desktop.bridge(), &RenderBridge::noticed);
     const auto pool = newPool();
-    trial.desktop.parts().bridge.setPool(pool);
+    trial.desktop.bridge().setPool(pool);
     waitForMore(trial, 2);
     {
         const test::NearbyWorker worker(pool, "one");
@@ -69,7 +69,7 @@ void TestSharedPicture::itGoesOnWhenOthersComeAndGo() {
         waitForMore(trial, 2);
     }
     waitForMore(trial, 2);
-    trial.desktop.parts().bridge.setPool(nullptr);
+    trial.desktop.bridge().setPool(nullptr);
     QTRY_VERIFY_WITH_TIMEOUT(!pool->scene().scene, test::kPatience);  // it forgets the scan
     waitForMore(trial, 2);
     QVERIFY(neverFallsBack(trial));
@@ -79,10 +79,9 @@ void TestSharedPicture::itGoesOnWhenOthersComeAndGo() {
 /// Returns the pixels of the image as it is after `samples` samples.
 static QByteArray pictureOf(const QString& series, std::uint64_t samples, const std::shared_ptr<WorkerPool>& pool) {
     Trial trial;
-    DesktopParts parts = trial.desktop.parts();
-    parts.document.setSmoothed(false);
-    parts.bridge.setStop({.levels = kFinestTarget, .samples = samples});
-    parts.bridge.setPool(pool);
+    trial.desktop.document().setSmoothed(false);
+    trial.desktop.bridge().setStop({.levels = kFinestTarget, .samples = samples});
+    trial.desktop.bridge().setPool(pool);
     trial.openAndWait(series);
     [&] { QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->reached, test::kPatience); }();
     const Frame& last = *trial.frames.back();
@@ -103,11 +102,11 @@ void TestSharedPicture::anotherDeviceIsSharedToo() {
     Trial trial;
     trial.openAndWait(series_);
     const auto pool = newPool();
-    trial.desktop.parts().bridge.setPool(pool);
+    trial.desktop.bridge().setPool(pool);
     const test::NearbyWorker worker(pool, "one");
     QTRY_VERIFY_WITH_TIMEOUT(worker.status().results > 0, test::kPatience);
     const std::uint64_t before = pool->scene().number;
-    trial.desktop.parts().bridge.setDevice("cpu");
+    trial.desktop.bridge().setDevice("cpu");
     QTRY_VERIFY_WITH_TIMEOUT(pool->scene().number > before, test::kPatience);
     waitForMore(trial, 2);
     QVERIFY(pool->scene().scene);  // that of the new device
@@ -118,13 +117,13 @@ void TestSharedPicture::anotherDeviceIsSharedToo() {
 void TestSharedPicture::aPictureThatIsSavedHasTheOthersUntilItIsDone() {
     Trial trial;
     trial.openAndWait(series_);
-    DesktopParts parts = trial.desktop.parts();
+    auto& saving = trial.desktop.presenter<SavingPresenter>();
     const auto pool = newPool();
-    parts.bridge.setPool(pool);
+    trial.desktop.bridge().setPool(pool);
     const test::NearbyWorker worker(pool, "one");
     QTRY_VERIFY_WITH_TIMEOUT(worker.status().results > 0, test::kPatience);
-    QSignalSpy saved(&parts.picture, &PictureJob::saved);
-    makePicture(parts, {folder_.filePath("saved.png"), QSize(300, 200), {.levels = kFinestTarget, .samples = 200}});
+    QSignalSpy saved(&saving.job(), &PictureJob::saved);
+    saving.render({folder_.filePath("saved.png"), QSize(300, 200), {.levels = kFinestTarget, .samples = 200}});
     QTRY_COMPARE_WITH_TIMEOUT(pool->scene().purpose, Purpose::finalRender, test::kPatience);
     const double before = worker.status().work;
     QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
@@ -139,10 +138,10 @@ void TestSharedPicture::nothingIsLeftWhenItIsClosed() {
     const auto pool = newPool();
     {
         Trial trial;
-        trial.desktop.parts().bridge.setPool(pool);
+        trial.desktop.bridge().setPool(pool);
         trial.openAndWait(series_);
         QVERIFY(pool->scene().scene);
-        trial.desktop.parts().bridge.clear();
+        trial.desktop.bridge().clear();
         QTRY_VERIFY_WITH_TIMEOUT(!pool->scene().scene, test::kPatience);
         trial.desktop.open(series_);
         QTRY_VERIFY_WITH_TIMEOUT(pool->scene().scene, test::kPatience);

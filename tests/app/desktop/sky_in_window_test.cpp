@@ -10,13 +10,16 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/desktop/keep_looks.h"
 #include "app/output/provenance.h"
+#include "app/presenters/light_presenter.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/desktop/hand_on_window.h"
 #include "tests/support/desktop/named_widget.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/scenes/sky_file.h"
+#include "ui/light/light_panel.h"
+#include "ui/looks/look_panel.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {
@@ -47,8 +50,8 @@ struct SkyTrial : Trial {
     }
     const Environment& environment() const { return document.setup().look.environment; }
 
-    Document& document = desktop.parts().document;
-    ui::LightPanel& panel = desktop.window().light();
+    Document& document = desktop.document();
+    ui::LightPanel& panel = test::the<ui::LightPanel>(desktop.window());
 };
 
 class TestSkyInWindow : public QObject {
@@ -94,10 +97,10 @@ void TestSkyInWindow::aPictureLightsTheVolumeAndUndoBringsTheSameBits() {
             1e-5);
     QCOMPARE(trial.environment().visible, before.look.environment.visible);
     QVERIFY(trial.button("Environment image...").isChecked());
-    QCOMPARE(undoText(trial.document.undoable()), QString("Undo changing the light"));
+    QCOMPARE(trial.document.undoText(), Text("Undo changing the light"));
     QCOMPARE(provenanceOf(trial.document.scene(), {}).sky, std::string("32 x 16, turned by 0 degrees"));
     trial.waitForNewest();
-    QVERIFY(trial.desktop.parts().bridge.lastFrame()->error.empty());
+    QVERIFY(trial.desktop.bridge().lastFrame()->error.empty());
     trial.document.undo();
     QVERIFY(!trial.document.canUndo() && trial.document.setup() == before);
     QVERIFY(test::sameBits(rendered(trial.document), picture));
@@ -109,7 +112,7 @@ void TestSkyInWindow::givingUpTheDialogChangesNothing() {
     SkyTrial trial(at("series"));
     const PictureSetup before = trial.document.setup();
     trial.ask(at("sky.exr"), false);
-    QVERIFY(!trial.desktop.parts().sky.isRunning());
+    QVERIFY(!trial.desktop.presenter<LightPresenter>().sky().isRunning());
     QVERIFY(!trial.document.canUndo() && trial.document.setup() == before);
     QVERIFY(!trial.button("Environment image...").isChecked());
 }
@@ -143,7 +146,7 @@ void TestSkyInWindow::itIsTurnedDimmedAndTakenAway() {
     QVERIFY(!turn.parentWidget()->isHidden());
     turn.setValue(90);
     QCOMPARE(trial.environment().rotationDegrees, 90.0);
-    QCOMPARE(undoText(trial.document.undoable()), QString("Undo changing the light"));
+    QCOMPARE(trial.document.undoText(), Text("Undo changing the light"));
     auto& around = test::named<QSlider>(trial.panel, "Ambient light");
     around.setValue(around.value() - 10);
     QVERIFY(std::abs(trial.environment().radiance.x / chosen.radiance.x - 0.5f) < 0.04f);  // the slider has steps
@@ -181,7 +184,7 @@ void TestSkyInWindow::aLookIsKeptWithoutIt() {
     SkyTrial trial(at("series"));
     trial.choose(at("sky.exr"));
     const Environment chosen = trial.environment();
-    saveLook(trial.desktop.parts(), "mine");
+    emit test::the<ui::LookPanel>(trial.desktop.window()).menu().saveWanted("mine");
     QVERIFY(!trial.environment().image && trial.environment().radiance == chosen.radiance);
     QVERIFY(trial.document.look() >= 0);
     QVERIFY(trial.desktop.window().message().text().contains("environment image"));

@@ -4,10 +4,12 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/desktop/show_scan.h"
+#include "app/presenters/series_presenter.h"
+#include "app/presenters/tissue_presenter.h"
 #include "render/scene/edit/tissue_channels.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/desktop/hand_on_window.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/patience.h"
 #include "ui/text/to_qt.h"
@@ -40,22 +42,22 @@ void TestTissueInWindow::initTestCase() {
 
 void TestTissueInWindow::theHistogramComesWithTheVolumeAndGoesWithIt() {
     Trial trial;
-    QSignalSpy found(&trial.desktop.parts().study, &TissueStudy::histogramFound);
+    QSignalSpy found(&trial.desktop.presenter<TissuePresenter>().study(), &TissueStudy::histogramFound);
     trial.openAndWait(series_);
     QTRY_COMPARE_WITH_TIMEOUT(found.count(), 1, test::kPatience);
     const auto histogram = found.front().front().value<std::shared_ptr<const Histogram>>();
     QCOMPARE(histogram->total(), 64.0 * 57 * 64);
-    const ui::PlotView& view = trial.desktop.window().tissue().editor().view();
+    const ui::PlotView& view = test::the<ui::TissuePanel>(trial.desktop.window()).editor().view();
     QVERIFY(view.lowHu() < histogram->percentile(0.001) && view.highHu() > histogram->percentile(0.999));
 }
 
 void TestTissueInWindow::anEditedNodeIsOneStepAndUndoBringsTheSameBits() {
     Trial trial;
     trial.openAndWait(series_);
-    Document& document = trial.desktop.parts().document;
+    Document& document = trial.desktop.document();
     const Look before = document.setup().look;
     const Film picture = rendered(document);
-    ui::CurveEditor& editor = trial.desktop.window().tissue().editor();
+    ui::CurveEditor& editor = test::the<ui::TissuePanel>(trial.desktop.window()).editor();
     editor.resize(400, 200);
     const CurvePoint point = editor.points()[5];
     const QPoint place = editor.view().at(double(point.hu), double(point.value)).toPoint();
@@ -65,12 +67,12 @@ void TestTissueInWindow::anEditedNodeIsOneStepAndUndoBringsTheSameBits() {
     QCOMPARE(document.look(), -1);
     QVERIFY(!test::sameBits(rendered(document), picture));
     trial.waitForNewest();
-    QVERIFY(trial.desktop.parts().bridge.lastFrame()->error.empty());
+    QVERIFY(trial.desktop.bridge().lastFrame()->error.empty());
 
     document.undo();
     QVERIFY(!document.canUndo());
     QVERIFY(document.setup().look == before);
-    QVERIFY(trial.desktop.window().tissue().transferFunction() == before.transferFunction);
+    QVERIFY(test::the<ui::TissuePanel>(trial.desktop.window()).transferFunction() == before.transferFunction);
     QVERIFY(test::sameBits(rendered(document), picture));
     document.redo();
     QVERIFY(document.setup().look != before);
@@ -79,7 +81,7 @@ void TestTissueInWindow::anEditedNodeIsOneStepAndUndoBringsTheSameBits() {
 void TestTissueInWindow::aDragOnThePictureShiftsAndWidens() {
     Trial trial;
     trial.openAndWait(series_);
-    Document& document = trial.desktop.parts().document;
+    Document& document = trial.desktop.document();
     const PictureSetup before = document.setup();
     const TransferFunction& nodes = document.setup().look.transferFunction;
     ui::Viewport& viewport = trial.desktop.window().viewport();
@@ -100,9 +102,9 @@ void TestTissueInWindow::aDragOnThePictureShiftsAndWidens() {
 void TestTissueInWindow::aClickOnThePictureShowsTheTissueThere() {
     Trial trial;
     trial.openAndWait(series_);
-    Document& document = trial.desktop.parts().document;
+    Document& document = trial.desktop.document();
     const Look before = document.setup().look;
-    QSignalSpy found(&trial.desktop.parts().study, &TissueStudy::tissueFound);
+    QSignalSpy found(&trial.desktop.presenter<TissuePresenter>().study(), &TissueStudy::tissueFound);
     QTest::mouseClick(&trial.desktop.window().viewport(), Qt::LeftButton, Qt::ControlModifier,
                       trial.desktop.window().viewport().rect().center());
     QTRY_COMPARE_WITH_TIMEOUT(found.count(), 1, test::kPatience);
@@ -120,17 +122,17 @@ void TestTissueInWindow::theButtonPicksOnce() {
     Trial trial;
     trial.openAndWait(series_);
     ui::MainWindow& window = trial.desktop.window();
-    const Camera camera = trial.desktop.parts().document.setup().camera;
+    const Camera camera = trial.desktop.document().setup().camera;
     QSignalSpy picked(&window.viewport(), &ui::Viewport::tissuePicked);
     const QPoint middle = window.viewport().rect().center();
-    emit window.tissue().pickingChosen(true);
+    emit test::the<ui::TissuePanel>(window).pickingChosen(true);
     drag(window.viewport(), middle, middle + QPoint(50, 0), {});
     QCOMPARE(picked.count(), 1);
-    QVERIFY(trial.desktop.parts().document.setup().camera == camera);
+    QVERIFY(trial.desktop.document().setup().camera == camera);
     drag(window.viewport(), middle, middle + QPoint(50, 0), {});
     QCOMPARE(picked.count(), 1);
-    QVERIFY(trial.desktop.parts().document.setup().camera != camera);
-    emit window.tissue().pickingChosen(true);
+    QVERIFY(trial.desktop.document().setup().camera != camera);
+    emit test::the<ui::TissuePanel>(window).pickingChosen(true);
     QTest::keyClick(&window, Qt::Key_Escape);
     QTest::mouseClick(&window.viewport(), Qt::LeftButton, {}, middle);
     QCOMPARE(picked.count(), 1);
@@ -139,24 +141,24 @@ void TestTissueInWindow::theButtonPicksOnce() {
 void TestTissueInWindow::besideTheAnatomyNothingIsPicked() {
     Trial trial;
     trial.openAndWait(series_);
-    QSignalSpy nothing(&trial.desktop.parts().study, &TissueStudy::nothingFound);
+    QSignalSpy nothing(&trial.desktop.presenter<TissuePresenter>().study(), &TissueStudy::nothingFound);
     QTest::mouseClick(&trial.desktop.window().viewport(), Qt::LeftButton, Qt::ControlModifier, {3, 3});
     QTRY_COMPARE_WITH_TIMEOUT(nothing.count(), 1, test::kPatience);
-    QVERIFY(!trial.desktop.parts().document.canUndo());
+    QVERIFY(!trial.desktop.document().canUndo());
 }
 
 /// Another series is read when the volume before is freed: also while its tissue is looked at.
 void TestTissueInWindow::whatIsClosedIsNotHeld() {
     Trial trial;
     trial.openAndWait(series_);
-    const std::weak_ptr<const Volume> volume = trial.desktop.parts().document.scene().volume;
+    const std::weak_ptr<const Volume> volume = trial.desktop.document().scene().volume;
     QTest::mouseClick(&trial.desktop.window().viewport(), Qt::LeftButton, Qt::ControlModifier,
                       trial.desktop.window().viewport().rect().center());
-    showNothing(trial.desktop.parts());
+    trial.desktop.presenter<SeriesPresenter>().close();
     trial.frames.clear();
     QTRY_VERIFY_WITH_TIMEOUT(volume.expired(), test::kPatience);
     trial.openAndWait(series_);
-    QVERIFY(!trial.desktop.parts().document.canUndo());
+    QVERIFY(!trial.desktop.document().canUndo());
 }
 
 /// A histogram that was found while the window was busy is dropped, too.
@@ -177,3 +179,4 @@ void TestTissueInWindow::nothingIsToldOfWhatIsClosed() {
 
 QTEST_MAIN(pdr::app::TestTissueInWindow)
 #include "tissue_in_window_test.moc"
+#include "ui/tissue/tissue_panel.h"

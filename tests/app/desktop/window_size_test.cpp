@@ -52,7 +52,7 @@ void TestWindowSize::thePictureHasTheScreensOwnPixels() {
     Trial trial;
     ui::Viewport& viewport = trial.desktop.window().viewport();
     QCOMPARE(viewport.devicePixelRatioF(), 1.5);
-    trial.desktop.parts().document.setSmoothed(false);  // lines that smoothing takes away are marked
+    trial.desktop.document().setSmoothed(false);  // lines that smoothing takes away are marked
     openAndWait(trial, series_);
     QTest::keyClick(&viewport, Qt::Key_Space);
     (void)trial.heldSamples();
@@ -76,7 +76,7 @@ void TestWindowSize::whatIsStretchedIsSaid() {
     Trial trial(test::failing(mishaps));
     trial.openAndWait(series_);
     QVERIFY(!trial.said().contains("stretched"));
-    trial.desktop.parts().document.setView(StandardView::left);
+    trial.desktop.document().setView(StandardView::left);
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.back()->coarse, test::kPatience);
     const QSize view = trial.desktop.window().viewport().sizeInPixels();
     const QString text =
@@ -93,7 +93,7 @@ void TestWindowSize::whatIsStretchedIsSaid() {
 void TestWindowSize::aDragOfTheEdgeShowsTheImageAllTheWhile() {
     Trial trial;
     openAndWait(trial, series_);
-    Document& document = trial.desktop.parts().document;
+    Document& document = trial.desktop.document();
     ui::MainWindow& window = trial.desktop.window();
     const std::uint64_t revision = document.scene().revision, samples = samplesOf(trial);
     for (int i = 1; i <= 20; ++i) {
@@ -113,7 +113,7 @@ void TestWindowSize::aHiddenWindowIsNotRenderedFor() {
     auto mishaps = std::make_shared<test::Mishaps>();
     Trial trial(test::failing(mishaps));
     openAndWait(trial, series_);
-    trial.desktop.parts().document.setViewSize({60, 40});  // whose iterations are soon done
+    trial.desktop.document().setViewSize({60, 40});  // whose iterations are soon done
     const auto becomes = [&](bool rendered) {
         const auto seen = [&] {
             const int before = mishaps->accumulates;
@@ -131,15 +131,15 @@ void TestWindowSize::aHiddenWindowIsNotRenderedFor() {
     QVERIFY(becomes(false));
     trial.desktop.window().showNormal();
     QVERIFY(becomes(true));
-    QVERIFY(!trial.desktop.parts().bridge.paused());
+    QVERIFY(!trial.desktop.bridge().paused());
 }
 
 void TestWindowSize::aFinishedPictureHoldsAndGoesOnWithOneKey() {
     Trial trial;
-    RenderBridge& bridge = trial.desktop.parts().bridge;
+    RenderBridge& bridge = trial.desktop.bridge();
     trial.openAndWait(series_);
-    trial.desktop.parts().document.setViewSize({12, 8});  // small and dark: finished soon
-    trial.desktop.parts().document.setBrightness(-4);
+    trial.desktop.document().setViewSize({12, 8});  // small and dark: finished soon
+    trial.desktop.document().setBrightness(-4);
     bridge.setPace({.iterations = 100});
     QTRY_VERIFY_WITH_TIMEOUT(bridge.reached(), test::kPatience);
     QVERIFY2(trial.said().contains("target reached (Space: continue)"), qPrintable(trial.said()));
@@ -157,10 +157,10 @@ void TestWindowSize::aFinishedPictureHoldsAndGoesOnWithOneKey() {
 /// The target is kept for the next time; undo leaves it alone.
 void TestWindowSize::theKnobStopsRenderingAndGoesOn() {
     Trial trial;
-    RenderBridge& bridge = trial.desktop.parts().bridge;
+    RenderBridge& bridge = trial.desktop.bridge();
     ui::AccuracyStrip& strip = trial.desktop.window().foot().strip();
     trial.openAndWait(series_);
-    trial.desktop.parts().document.setViewSize({12, 8});
+    trial.desktop.document().setViewSize({12, 8});
     bridge.setPace({.iterations = 8});
     const auto reached = [&](double levels) {
         const Frame& frame = *trial.frames.back();
@@ -172,8 +172,8 @@ void TestWindowSize::theKnobStopsRenderingAndGoesOn() {
     QTest::keyClick(&strip, Qt::Key_End);
     QTest::keyClick(&strip, Qt::Key_Left);
     QTRY_VERIFY_WITH_TIMEOUT(reached(2), test::kPatience);
-    QCOMPARE(trial.desktop.parts().settings.target(), 2.0);
-    trial.desktop.parts().document.undo();
+    QCOMPARE(trial.desktop.settings().target(), 2.0);
+    trial.desktop.document().undo();
     QCOMPARE(strip.target(), 2.0);
 }
 
@@ -181,8 +181,7 @@ void TestWindowSize::beforeTheFirstPictureTheViewSaysWhatHappens() {
     Trial trial;
     ui::Viewport& viewport = trial.desktop.window().viewport();
     QString said;
-    QObject::connect(&trial.desktop.parts().document, &Document::sceneChanged, &viewport,
-                     [&] { said = viewport.message(); });
+    QObject::connect(&trial.desktop.document(), &Document::sceneChanged, &viewport, [&] { said = viewport.message(); });
     trial.openAndWait(series_);
     QCOMPARE(said, "Preparing CT series 1...");
     QVERIFY(viewport.message().isEmpty());

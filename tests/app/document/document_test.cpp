@@ -11,6 +11,8 @@ class TestDocument : public QObject {
     Q_OBJECT
 
   private slots:
+    void eachOperationIsReportedOnce();
+    void aPlanIsEditedAsAWhole();
     void anOpenedVolumeIsSeenFromTheFrontWithTheFirstLook();
     void everySceneHasItsOwnGrowingRevision();
     void everySceneCanBeRendered();
@@ -313,6 +315,42 @@ void TestDocument::aDragOfTheBrightnessIsOneStep() {
     told.document.undo();
     QCOMPARE(told.document.setup().stops, 0.0);
     QVERIFY(!told.document.canUndo());
+}
+
+/// The window shows the document once for each operation, and knows what has changed.
+void TestDocument::eachOperationIsReportedOnce() {
+    Told told;
+    Document& document = told.document;
+    const auto reportOf = [&](auto operation) {
+        told.reports.clear();
+        operation();
+        return told.reports.size() == 1 ? told.reports.front() : Changes::none;
+    };
+    Look look = document.setup().look;
+    look.transferFunction.nodes = {{7, 0.5f}};
+    QCOMPARE(reportOf([&] { document.setLook(look, true); }), Changes::tissue);
+    look.display.exposure = 3;
+    QVERIFY(has(reportOf([&] { document.setLook(look); }), Changes::otherLook));
+    QVERIFY(has(reportOf([&] { document.chooseLook(1); }), Changes::lookName));
+    QCOMPARE(reportOf([&] { document.setBrightness(1); }), Changes::brightness);
+    QCOMPARE(reportOf([&] { document.setView(StandardView::left); }), Changes::camera);
+    QCOMPARE(reportOf([&] { document.undo(); }), Changes::camera);
+    QCOMPARE(reportOf([&] { document.setSmoothed(false); }), Changes::display);
+    QVERIFY(has(reportOf([&] { document.open(cube()); }), Changes::series));
+    QVERIFY(has(reportOf([&] { document.close(); }), Changes::series));
+}
+
+void TestDocument::aPlanIsEditedAsAWhole() {
+    Told told;
+    Plan plan = told.document.plan();
+    plan.picture.model = Model::absorption;
+    plan.picture.stops = 1;
+    const std::size_t scenes = told.scenes.size();
+    told.document.edit(plan);
+    QVERIFY(told.document.plan() == plan && told.scenes.size() == scenes + 1);
+    QCOMPARE(told.reports.back(), Changes::brightness | Changes::model);
+    told.document.undo();
+    QVERIFY(told.document.plan() != plan);
 }
 
 }  // namespace pdr::app

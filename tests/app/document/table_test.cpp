@@ -47,7 +47,7 @@ class TestTable : public QObject {
     void theWindowHidesItSaysSoAndShowsItAgain() {
         Trial trial;
         trial.openAndWait(series_);
-        Document& document = trial.desktop.parts().document;
+        Document& document = trial.desktop.document();
         ui::MainWindow& window = trial.desktop.window();
         const auto without = document.scene().volume;
         QVERIFY2(QString::fromStdString(without->hidden()).contains(" ml of "), without->hidden().c_str());

@@ -9,10 +9,12 @@
 #include "app/jobs/mask_job.h"
 #include "dicom/write/export.h"
 #include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/desktop/told_document.h"
 #include "tests/support/dicom/lying_patients.h"
 #include "tests/support/program_run.h"
 #include "tests/support/scenes/masks.h"
+#include "ui/looks/visible_row.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {
@@ -146,8 +148,8 @@ class VisibleTest : public QObject {
     void theWindowPeelsAndSaysSo() {
         Trial trial;
         trial.openAndWait(series_);
-        const Document& document = trial.desktop.parts().document;
-        ui::VisibleRow& row = trial.desktop.window().visible();
+        const Document& document = trial.desktop.document();
+        ui::VisibleRow& row = test::the<ui::VisibleRow>(trial.desktop.window());
         auto* peel = row.findChild<QDoubleSpinBox*>();
         const auto says = [&row] {
             for (const QLabel* label : row.findChildren<QLabel*>())
@@ -159,9 +161,9 @@ class VisibleTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(document.scene().mask != nullptr, test::kPatience);
         QVERIFY(says());
         trial.waitForNewest();
-        trial.desktop.window().undoRequested();
+        trial.desktop.document().undo();
         QVERIFY(document.scene().mask == nullptr && peel->value() == 0 && !says());
-        trial.desktop.window().redoRequested();
+        trial.desktop.document().redo();
         QVERIFY(document.scene().mask != nullptr && peel->value() == 10);
     }
 
@@ -169,11 +171,11 @@ class VisibleTest : public QObject {
     void theWindowSaysWhatTheScanDoesNotHave() {
         Trial trial;
         trial.openAndWait(series_);
-        auto* part = trial.desktop.window().visible().findChild<QComboBox*>();
+        auto* part = test::the<ui::VisibleRow>(trial.desktop.window()).findChild<QComboBox*>();
         part->setCurrentIndex(part->findText("Lungs"));
         emit part->activated(part->currentIndex());
         QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.window().message().text().contains("150 ml"), test::kPatience);
-        const Document& document = trial.desktop.parts().document;
+        const Document& document = trial.desktop.document();
         QVERIFY(document.scene().mask == nullptr && document.scene().visible.all());
         QCOMPARE(part->currentText(), QString("Everything"));
         QVERIFY(!document.canUndo());

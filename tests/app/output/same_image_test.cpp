@@ -5,7 +5,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/desktop/desktop_parts.h"
+#include "app/presenters/looks_presenter.h"
+#include "app/presenters/saving_presenter.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/patience.h"
@@ -53,9 +54,9 @@ void TestSameImage::theWindowsImageIsThatOfTheCommandLine() {
     QFETCH(QStringList, options);
     QFETCH(bool, denoised);
     Trial trial;
-    QSignalSpy brightness(&trial.desktop.parts().looks, &LookPictures::made);
+    QSignalSpy brightness(&trial.desktop.presenter<LooksPresenter>().pictures(), &LookPictures::made);
     trial.openAndWait(series_);
-    Document& document = trial.desktop.parts().document;
+    Document& document = trial.desktop.document();
     QTRY_COMPARE_WITH_TIMEOUT(brightness.count(), int(document.looks().fitted().size()), test::kPatience);
     for (int i = 0; document.looks().holds(i); ++i)
         if (document.looks()[i].name == look.toStdString())
@@ -68,8 +69,8 @@ void TestSameImage::theWindowsImageIsThatOfTheCommandLine() {
     document.resetView();
 
     const QString window = folder_.filePath("window.png"), line = folder_.filePath("line.png");
-    QSignalSpy saved(&trial.desktop.parts().picture, &PictureJob::saved);
-    emit trial.desktop.window().pictureOrdered(
+    QSignalSpy saved(&trial.desktop.presenter<SavingPresenter>().job(), &PictureJob::saved);
+    trial.desktop.presenter<SavingPresenter>().render(
         {window, QSize(150, 120), {.levels = kFinestStep, .samples = 32}, ui::Annotate::none});
     QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
 

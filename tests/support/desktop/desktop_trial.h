@@ -18,9 +18,9 @@ namespace pdr::app {
 struct Trial {
     explicit Trial(std::unique_ptr<Device> device = makeCpuDevice(1))
         : desktop(*bundledLooks(), std::move(device), folder.filePath("settings.ini"), 1) {
-        QObject::connect(&desktop.parts().bridge, &RenderBridge::frameReady,
+        QObject::connect(&desktop.bridge(), &RenderBridge::frameReady,
                          [this](const std::shared_ptr<const Frame>& frame) { frames.push_back(frame); });
-        desktop.parts().bridge.setTarget(kFinestStep);  // keeps rendering as long as a test runs
+        desktop.bridge().setTarget(kFinestStep);  // keeps rendering as long as a test runs
         desktop.window().resize(900, 500);
         desktop.window().show();
     }
@@ -32,7 +32,7 @@ struct Trial {
 
     /// Waits for a full image of the document's newest scene.
     void waitForNewest() {
-        const Document& document = desktop.parts().document;
+        const Document& document = desktop.document();
         QTRY_VERIFY_WITH_TIMEOUT(frames.back()->revision == document.scene().revision && !frames.back()->coarse,
                                  test::kPatience);
     }
@@ -50,8 +50,8 @@ struct Trial {
     /// two launches, so that no samples are in flight.
     std::uint64_t heldSamples() {
         const QString file = folder.filePath("held.png");
-        QSignalSpy saved(&desktop.parts().bridge, &RenderBridge::saved);
-        desktop.parts().bridge.save(file);
+        QSignalSpy saved(&desktop.bridge(), &RenderBridge::saved);
+        desktop.bridge().save(file);
         const auto held = [&] {
             return saved.isEmpty() ? 0 : QImage(file).text("pdrender/samplesPerPixel").toULongLong();
         };

@@ -33,6 +33,7 @@ struct Told {
         });
         QObject::connect(&document, &Document::displayChanged,
                          [this](const Display& display) { displays.push_back(display); });
+        QObject::connect(&document, &Document::changed, [this](Changes changes) { reports.push_back(changes); });
         document.setViewSize({400, 200});
         document.open(cube());
     }
@@ -40,6 +41,7 @@ struct Told {
     Document document;
     std::vector<Scene> scenes;
     std::vector<Display> displays;
+    std::vector<Changes> reports;
     bool lastMoves = false;
 };
 

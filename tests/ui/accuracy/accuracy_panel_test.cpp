@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "tests/support/desktop/contrast.h"
+#include "tests/support/desktop/the.h"
+#include "tests/support/desktop/whole_window.h"
+#include "ui/accuracy/accuracy_panel.h"
 #include "ui/accuracy/error_marks.h"
 #include "ui/text/status_text.h"
 #include "ui/theme/theme.h"
@@ -236,40 +239,43 @@ static void activate(MainWindow& window) {
 }
 
 void TestAccuracyPanel::itIsFoldedAwayUntilTheSentenceIsClicked() {
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     activate(window);
-    QVERIFY(!window.accuracy().isVisible());
+    QVERIFY(!test::the<AccuracyPanel>(window).isVisible());
     window.foot().setAccuracy(accuracyNow());
     const auto* sentence = window.status().findChild<QLabel*>();
     QVERIFY(sentence->text().startsWith("Good for planning"));
     const QPoint place = sentence->mapTo(&window.status(), QPoint(30, sentence->height() / 2));
     QTest::mouseClick(&window.status(), Qt::LeftButton, {}, place);
-    QVERIFY(window.accuracy().isVisible());
+    QVERIFY(test::the<AccuracyPanel>(window).isVisible());
     QTest::mouseClick(&window.status(), Qt::LeftButton, {}, place);
-    QVERIFY(!window.accuracy().isVisible());
+    QVERIFY(!test::the<AccuracyPanel>(window).isVisible());
     QTest::mouseClick(&window.status(), Qt::RightButton, {}, place);
-    QVERIFY(!window.accuracy().isVisible());
+    QVERIFY(!test::the<AccuracyPanel>(window).isVisible());
 }
 
 void TestAccuracyPanel::itHasAKeyAndLeavesThePictureItsPart() {
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     activate(window);
     QTest::keyClick(&window.viewport(), Qt::Key_E, Qt::ShiftModifier);
-    QVERIFY(window.accuracy().isVisible());
+    QVERIFY(test::the<AccuracyPanel>(window).isVisible());
     QTRY_VERIFY(window.viewport().height() >= 0.6 * window.height());
-    QVERIFY(window.accuracy().plot().height() >= 80);
+    QVERIFY(test::the<AccuracyPanel>(window).plot().height() >= 80);
     QTest::keyClick(&window.viewport(), Qt::Key_E, Qt::ShiftModifier);
-    QVERIFY(!window.accuracy().isVisible());
+    QVERIFY(!test::the<AccuracyPanel>(window).isVisible());
 }
 
 void TestAccuracyPanel::thePictureAloneIsAlone() {
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     activate(window);
     QTest::keyClick(&window.viewport(), Qt::Key_E, Qt::ShiftModifier);
     QTest::keyClick(&window, Qt::Key_F11);
-    QVERIFY(!window.accuracy().isVisible());
+    QVERIFY(!test::the<AccuracyPanel>(window).isVisible());
     QTest::keyClick(&window, Qt::Key_F11);
-    QVERIFY(window.accuracy().isVisible());
+    QVERIFY(test::the<AccuracyPanel>(window).isVisible());
 }
 
 }  // namespace pdr::ui

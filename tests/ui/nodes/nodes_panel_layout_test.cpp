@@ -9,7 +9,11 @@
 #include "tests/support/desktop/contrast.h"
 #include "tests/support/desktop/named_widget.h"
 #include "tests/support/desktop/node_rows.h"
+#include "tests/support/desktop/the.h"
+#include "tests/support/desktop/whole_window.h"
 #include "tests/support/processor_time.h"
+#include "ui/accuracy/effect_ledger.h"
+#include "ui/nodes/nodes_panel.h"
 #include "ui/window/main_window.h"
 
 namespace pdr::ui {
@@ -106,29 +110,31 @@ void TestNodesPanelLayout::itFitsIntoSmallWindows() {
 }
 
 void TestNodesPanelLayout::itLeavesThePictureItsPart() {
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     window.resize(1024, 768);
     window.show();
     window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&window));
     window.foot().setRemarks({"a remark"});
     window.viewport().setFocus();
-    QVERIFY(!window.nodes().isVisible());
+    QVERIFY(!test::the<NodesPanel>(window).isVisible());
     QTest::keyClick(&window, Qt::Key_F12);
-    window.nodes().setNodes(nodes(8));
-    QVERIFY(window.nodes().isVisible());
+    test::the<NodesPanel>(window).setNodes(nodes(8));
+    QVERIFY(test::the<NodesPanel>(window).isVisible());
     QTRY_VERIFY2(window.viewport().height() >= 0.55 * window.height(),
                  qPrintable(QString::number(window.viewport().height())));
-    QVERIFY(window.nodes().table().viewport()->height() >= 2 * window.nodes().table().rowHeight(0));
+    QVERIFY(test::the<NodesPanel>(window).table().viewport()->height() >=
+            2 * test::the<NodesPanel>(window).table().rowHeight(0));
     window.resize(800, 600);
     QCoreApplication::processEvents();
     QCOMPARE(window.size(), QSize(800, 600));
     QTest::keyClick(&window, Qt::Key_F6);
-    QVERIFY(window.effects().isVisible() && !window.nodes().isVisible());
+    QVERIFY(test::the<EffectLedger>(window).isVisible() && !test::the<NodesPanel>(window).isVisible());
     QTest::keyClick(&window, Qt::Key_F12);
-    QVERIFY(!window.effects().isVisible() && window.nodes().isVisible());
+    QVERIFY(!test::the<EffectLedger>(window).isVisible() && test::the<NodesPanel>(window).isVisible());
     QTest::keyClick(&window, Qt::Key_F12);
-    QVERIFY(!window.nodes().isVisible());
+    QVERIFY(!test::the<NodesPanel>(window).isVisible());
 }
 
 /// Measures the time on the window's thread, including repainting, when all rows change each time.

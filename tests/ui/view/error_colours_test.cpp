@@ -156,7 +156,7 @@ void TestErrorMap::theMapHasAKeyAlsoWhereThePictureIsAlone() {
     window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&window));
     window.viewport().setFocus();
-    QSignalSpy chosen(&window, &MainWindow::errorMapChosen);
+    QSignalSpy chosen(window.menuActions().errorMap, &QAction::triggered);
     QTest::keyClick(&window.viewport(), Qt::Key_E);
     QTest::keyClick(&window, Qt::Key_F11);
     QTest::keyClick(&window.viewport(), Qt::Key_E);

@@ -7,7 +7,9 @@
 #include <QTest>
 #include <QTimer>
 
+#include "tests/support/desktop/whole_window.h"
 #include "ui/output/picture_size_box.h"
+#include "ui/output/save_dialog.h"
 #include "ui/window/main_window.h"
 
 namespace pdr::ui {
@@ -35,9 +37,12 @@ class TestFileDialogs : public QObject {
     void whatWasKeptByOtherProgramsStays();
     void theDialogForSavingGoesWithItsPicture();
     void aPictureOfAnotherSizeIsOrderedWithItsTarget();
+    void savingBeginsWithTheOffer();
     void savingBeginsWhereTheLastPictureIs();
 
   private:
+    /// Connects the action for saving to the dialog, which begins with `offer`; the order goes to `ordered`.
+    void connectSaving(MainWindow& window, std::optional<PictureOrder>& ordered, const PictureOffer& offer = {});
     /// Opens the dialog with `key`, goes to the patient's folder and takes what is there, or gives up.
     void use(MainWindow& window, const QKeySequence& key, bool accept);
 
@@ -53,6 +58,13 @@ void TestFileDialogs::init() {
 
 void TestFileDialogs::cleanup() {
     QSettings(QSettings::UserScope, "QtProject").clear();
+}
+
+void TestFileDialogs::connectSaving(MainWindow& window, std::optional<PictureOrder>& ordered,
+                                    const PictureOffer& offer) {
+    QAction* save = window.menuActions().save;
+    save->setEnabled(true);
+    connect(save, &QAction::triggered, this, [&, save, offer] { ordered = askForPicture(&window, *save, offer); });
 }
 
 void TestFileDialogs::use(MainWindow& window, const QKeySequence& key, bool accept) {
@@ -79,12 +91,12 @@ void TestFileDialogs::whereTheHandWasIsNotKept_data() {
 
 void TestFileDialogs::whereTheHandWasIsNotKept() {
     QFETCH(bool, accept);
-    QString opened, saved;
+    QString opened;
+    std::optional<PictureOrder> saved;
     {
         MainWindow window;
-        window.setPictureAvailable(true);
+        connectSaving(window, saved);
         connect(&window, &MainWindow::folderChosen, this, [&](const QString& folder) { opened = folder; });
-        connect(&window, &MainWindow::saveRequested, this, [&](const QString& file) { saved = file; });
         window.setLastFolder(patient_);
         window.show();
         for (int i = 0; i < 2; ++i) {
@@ -93,7 +105,7 @@ void TestFileDialogs::whereTheHandWasIsNotKept() {
         }
     }
     QCOMPARE(opened, accept ? patient_ + "/series" : QString());
-    QCOMPARE(saved, accept ? patient_ + "/picture.png" : QString());
+    QCOMPARE(saved ? saved->file : QString(), accept ? patient_ + "/picture.png" : QString());
     QDirIterator files(home().path(), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
     while (files.hasNext()) {
         QFile file(files.next());
@@ -120,71 +132,78 @@ void TestFileDialogs::whatWasKeptByOtherProgramsStays() {
 
 void TestFileDialogs::theDialogForSavingGoesWithItsPicture() {
     MainWindow window;
-    window.setPictureAvailable(true);
+    std::optional<PictureOrder> ordered;
+    connectSaving(window, ordered);
     window.show();
-    int saved = 0, seen = 0;
-    connect(&window, &MainWindow::saveRequested, this, [&] { ++saved; });
+    int seen = 0;
     QTimer::singleShot(0, &window, [&] {
         seen += qobject_cast<QFileDialog*>(QApplication::activeModalWidget()) != nullptr;
-        window.setPictureAvailable(false);
+        window.menuActions().save->setEnabled(false);
     });
     for (QAction* action : window.findChildren<QAction*>())
         if (action->shortcut() == QKeySequence(QKeySequence::Save))
             action->trigger();  // comes back
     QCOMPARE(seen, 1);
-    QCOMPARE(saved, 0);
+    QVERIFY(!ordered);
 }
 
 /// The target is good for planning unless another is chosen.
 void TestFileDialogs::aPictureOfAnotherSizeIsOrderedWithItsTarget() {
     MainWindow window;
-    window.setPictureAvailable(true);
-    window.show();
-    int saved = 0;
     std::optional<PictureOrder> ordered;
-    connect(&window, &MainWindow::saveRequested, this, [&] { ++saved; });
-    connect(&window, &MainWindow::pictureOrdered, this, [&](const PictureOrder& order) { ordered = order; });
+    connectSaving(window, ordered);
+    window.show();
     QTimer::singleShot(0, &window, [&] {
         const auto* box = QApplication::activeModalWidget()->findChild<PictureSizeBox*>();
         QVERIFY(box && box->isVisible());
         box->findChild<QComboBox*>()->setCurrentIndex(2);
     });
     use(window, QKeySequence::Save, true);
-    QVERIFY(ordered && saved == 0);
+    QVERIFY(ordered.has_value());
     QCOMPARE(ordered->file, patient_ + "/picture.png");
     QVERIFY(ordered->size == QSize(2000, 2000));
     QVERIFY((ordered->stop == StopRule{.levels = 8}));
     QVERIFY(ordered->annotate == Annotate::sides);
 }
 
-/// Saving begins in the documents folder, then in the last image's folder, also after other dialogs, under the proposed
-/// name.
+void TestFileDialogs::savingBeginsWithTheOffer() {
+    MainWindow window;
+    std::optional<PictureOrder> ordered;
+    connectSaving(window, ordered, {.name = "Bone_A_2026-11-25", .folder = patient_});
+    window.show();
+    QString file;
+    QTimer::singleShot(0, &window, [&] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        QVERIFY(dialog);
+        file = dialog->selectedFiles().value(0);
+        dialog->reject();
+    });
+    window.menuActions().save->trigger();
+    QCOMPARE(file, patient_ + "/Bone_A_2026-11-25.png");
+}
+
+/// Saving begins in the documents folder, then in the last image's folder, also after other dialogs.
 void TestFileDialogs::savingBeginsWhereTheLastPictureIs() {
     QVERIFY(QDir().mkpath(home().filePath("Documents")));
-    MainWindow window;
-    window.setPictureAvailable(true);
-    window.setPictureOffer("Bone_A_2026-11-25", {});
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     window.show();
-    const auto beginsAt = [&](QString& name) {
+    window.menuActions().save->setEnabled(true);
+    const auto beginsAt = [&] {
         QString folder;
         QTimer::singleShot(0, &window, [&] {
             auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
             QVERIFY(dialog);
             folder = dialog->directory().absolutePath();
-            name = dialog->selectedFiles().value(0);
             dialog->reject();
         });
-        for (QAction* action : window.findChildren<QAction*>())
-            if (action->shortcut() == QKeySequence(QKeySequence::Save))
-                action->trigger();
+        window.menuActions().save->trigger();
         return folder;
     };
-    QString name;
-    QCOMPARE(beginsAt(name), home().filePath("Documents"));
-    QVERIFY2(name.endsWith("/Bone_A_2026-11-25.png"), qPrintable(name));
+    QCOMPARE(beginsAt(), home().filePath("Documents"));
     use(window, QKeySequence::Save, true);
     use(window, QKeySequence::Open, false);
-    QCOMPARE(beginsAt(name), patient_);
+    QCOMPARE(beginsAt(), patient_);
 }
 
 }  // namespace pdr::ui

@@ -8,6 +8,11 @@
 #include <QTest>
 
 #include "tests/support/desktop/named_widget.h"
+#include "tests/support/desktop/the.h"
+#include "tests/support/desktop/told_document.h"
+#include "tests/support/desktop/whole_window.h"
+#include "ui/looks/look_panel.h"
+#include "ui/series/series_panel.h"
 #include "ui/window/main_window.h"
 #include "ui/window/program_icon.h"
 
@@ -24,7 +29,6 @@ class TestMainWindow : public QObject {
     void theRawPictureHasAKey();
     void undoAndRedoHaveKeysAndNeedSomethingToUndo();
     void keysWorkWhenThePictureIsAlone();
-    void stepsToUndoAreNamed();
     void coloursAreChosenInTheMenu();
     void theStartOffersWaysToOpen();
     void recentFoldersAreOffered();
@@ -71,17 +75,17 @@ void TestMainWindow::theSixViewsHaveKeys() {
     QFETCH(int, view);
     MainWindow window;
     activate(window);
-    QList<int> chosen;
-    connect(&window, &MainWindow::viewChosen, &window, [&](StandardView v) { chosen << int(v); });
+    QSignalSpy chosen(window.menuActions().views[std::size_t(view)], &QAction::triggered);
     QTest::keyClick(&window, Qt::Key(key));
     QTest::keyClick(&window, Qt::Key(key), Qt::KeypadModifier);
-    QCOMPARE(chosen, QList<int>({view, view}));
+    QCOMPARE(chosen.count(), 2);
 }
 
 void TestMainWindow::theFirstViewAndPauseHaveKeys() {
     MainWindow window;
     activate(window);
-    QSignalSpy reset(&window, &MainWindow::resetRequested), pause(&window, &MainWindow::pauseChosen);
+    QSignalSpy reset(window.menuActions().firstView, &QAction::triggered);
+    QSignalSpy pause(window.menuActions().pause, &QAction::triggered);
     QTest::keyClick(&window.viewport(), Qt::Key_R);
     QTest::keyClick(&window.viewport(), Qt::Key_Space);
     QTest::keyClick(&window.viewport(), Qt::Key_Space);
@@ -94,8 +98,8 @@ void TestMainWindow::theFirstViewAndPauseHaveKeys() {
 void TestMainWindow::theRawPictureHasAKey() {
     MainWindow window;
     activate(window);
-    window.setSmoothed(true);
-    QSignalSpy chosen(&window, &MainWindow::smoothingChosen);
+    window.menuActions().smoothed->setChecked(true);
+    QSignalSpy chosen(window.menuActions().smoothed, &QAction::triggered);
     QTest::keyClick(&window.viewport(), Qt::Key_S);
     QTest::keyClick(&window.viewport(), Qt::Key_S);
     QCOMPARE(chosen.count(), 2);
@@ -106,10 +110,12 @@ void TestMainWindow::theRawPictureHasAKey() {
 void TestMainWindow::undoAndRedoHaveKeysAndNeedSomethingToUndo() {
     MainWindow window;
     activate(window);
-    QSignalSpy undo(&window, &MainWindow::undoRequested), redo(&window, &MainWindow::redoRequested);
+    const WindowActions& actions = window.menuActions();
+    QSignalSpy undo(actions.undo, &QAction::triggered), redo(actions.redo, &QAction::triggered);
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(undo.count(), 0);
-    window.setUndoAvailable(true, true);
+    for (QAction* action : {actions.undo, actions.redo})
+        action->setEnabled(true);
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     QCOMPARE(undo.count(), 1);
@@ -117,17 +123,19 @@ void TestMainWindow::undoAndRedoHaveKeysAndNeedSomethingToUndo() {
 }
 
 void TestMainWindow::keysWorkWhenThePictureIsAlone() {
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     activate(window);
-    QSignalSpy reset(&window, &MainWindow::resetRequested);
+    window.menuActions().firstView->setEnabled(true);
+    QSignalSpy reset(window.menuActions().firstView, &QAction::triggered);
     QTest::keyClick(&window, Qt::Key_F11);
     QVERIFY(!window.menuBar()->isVisible());
-    QVERIFY(!window.look().isVisible());
+    QVERIFY(!test::the<LookPanel>(window).isVisible());
     QTest::keyClick(&window, Qt::Key_R);
     QCOMPARE(reset.count(), 1);
     QTest::keyClick(&window, Qt::Key_Escape);
     QVERIFY(window.menuBar()->isVisible());
-    QVERIFY(window.look().isVisible());
+    QVERIFY(test::the<LookPanel>(window).isVisible());
 }
 
 static QAction* actionCalled(MainWindow& window, const QString& text) {
@@ -135,16 +143,6 @@ static QAction* actionCalled(MainWindow& window, const QString& text) {
         if (action->text().remove('&') == text)
             return action;
     return nullptr;
-}
-
-void TestMainWindow::stepsToUndoAreNamed() {
-    MainWindow window;
-    window.setUndoAvailable(true, true);
-    window.setUndoTexts("Undo turning the view", "Redo choosing a look");
-    const QAction* undo = actionCalled(window, "Undo turning the view");
-    QVERIFY(undo && actionCalled(window, "Redo choosing a look"));
-    QCOMPARE(undo->toolTip(), QString("Undo turning the view"));
-    QCOMPARE(undo->shortcut(), QKeySequence(QKeySequence::Undo));
 }
 
 void TestMainWindow::coloursAreChosenInTheMenu() {
@@ -162,11 +160,11 @@ void TestMainWindow::theStartOffersWaysToOpen() {
     activate(window);
     window.resize(800, 600);
     QVERIFY(!test::named<QAbstractButton>(window, "Open a folder").isVisible());
-    window.setStartShown(true);
+    window.start().show();
     QCoreApplication::processEvents();
     QVERIFY(test::named<QAbstractButton>(window, "Open a folder").isVisible());
     QVERIFY(!test::named<QAbstractButton>(window, "Open the example").isVisible());
-    window.setExample("/example");
+    window.start().setExample("/example");
     QSignalSpy chosen(&window, &MainWindow::folderChosen);
     test::named<QAbstractButton>(window, "Open the example").click();
     QCOMPARE(chosen.value(0).value(0).toString(), QString("/example"));
@@ -174,9 +172,10 @@ void TestMainWindow::theStartOffersWaysToOpen() {
 
 void TestMainWindow::recentFoldersAreOffered() {
     MainWindow window;
-    window.setStartShown(true);
-    QSignalSpy chosen(&window, &MainWindow::folderChosen), forget(&window, &MainWindow::forgetFoldersRequested);
-    QSignalSpy remember(&window, &MainWindow::rememberFoldersChosen);
+    window.start().show();
+    const RecentMenu* recent = window.menuActions().recent;
+    QSignalSpy chosen(&window, &MainWindow::folderChosen), forget(recent, &RecentMenu::forgetRequested);
+    QSignalSpy remember(recent, &RecentMenu::rememberChosen);
     QVERIFY(!actionCalled(window, "Remember folders")->isChecked());
     QVERIFY(!actionCalled(window, "Forget these folders")->isEnabled());
     window.setRecentFolders({"/a/newest", "/a/older"}, true);
@@ -193,27 +192,29 @@ void TestMainWindow::recentFoldersAreOffered() {
 }
 
 void TestMainWindow::withoutAVolumeNothingActsOnIt() {
-    MainWindow window;
+    test::WholeWindow whole;
+    MainWindow& window = whole.window;
     activate(window);
-    window.setVolumeAvailable(false);
-    QSignalSpy view(&window, &MainWindow::viewChosen), pause(&window, &MainWindow::pauseChosen);
+    QSignalSpy view(window.menuActions().views[0], &QAction::triggered);
+    QSignalSpy pause(window.menuActions().pause, &QAction::triggered);
     QTest::keyClick(&window.viewport(), Qt::Key_1);
     QTest::keyClick(&window.viewport(), Qt::Key_Space);
-    QVERIFY(view.isEmpty() && pause.isEmpty() && !window.look().isEnabled());
-    window.setVolumeAvailable(true);
+    QVERIFY(view.isEmpty() && pause.isEmpty() && !test::the<LookPanel>(window).isEnabled());
+    whole.desktop.document().open(app::cube());
     QTest::keyClick(&window.viewport(), Qt::Key_1);
-    QVERIFY(view.count() == 1 && window.look().isEnabled());
+    QVERIFY(view.count() == 1 && test::the<LookPanel>(window).isEnabled());
 }
 
 /// The texts are in the upper left corner, where nothing else is written.
 void TestMainWindow::thePictureSaysWhoAndAloneHowGood() {
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     activate(window);
     dicom::ScanResult scan;
     scan.series.resize(1);
     scan.series[0].patient.name = "Family^Given";
-    window.series().setScan(scan);
-    window.series().setCurrent(0);
+    test::the<SeriesPanel>(window).setScan(scan);
+    test::the<SeriesPanel>(window).setCurrent(0);
     window.status().setText("Good for planning");
     QImage black(640, 480, QImage::Format_RGB32);
     black.fill(Qt::black);
@@ -228,31 +229,34 @@ void TestMainWindow::thePictureSaysWhoAndAloneHowGood() {
         return lit;
     };
     QCOMPARE(corner(), 0);
-    window.setPatient({"Family, Given", "born 1960-05-17"});
+    window.setPatient({"Family, Given", "born 1960-05-17"}, {"Patient 1 (name hidden)"});
     const int known = corner();
     QVERIFY(known > 50);
     QTest::keyClick(&window, Qt::Key_F11);
     const int named = corner();
     QVERIFY(named > known);
     QTest::keyClick(&window, Qt::Key_N);
-    QVERIFY(window.series().patient().contains("hidden") && !window.series().patient().contains("Family"));
+    QVERIFY(test::the<SeriesPanel>(window).patient().contains("hidden") &&
+            !test::the<SeriesPanel>(window).patient().contains("Family"));
     QVERIFY(corner() != named);
     QVERIFY(!window.patient().join(' ').contains("Family") && !window.patient().join(' ').contains("1960"));
     QTest::keyClick(&window, Qt::Key_N);
-    QCOMPARE(window.series().patient(), QString("Family, Given"));
+    QCOMPARE(test::the<SeriesPanel>(window).patient(), QString("Family, Given"));
 }
 
 void TestMainWindow::theKeyboardIsSeenOnThePicture() {
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     activate(window);
     QImage black(64, 48, QImage::Format_RGB32);
     black.fill(Qt::black);
     window.viewport().setPicture({black, Camera{}});
     const auto edge = [&] { return window.viewport().grab().toImage().pixelColor(0, 20).lightness(); };
-    window.series().setFocus();
+    test::the<SeriesPanel>(window).setFocus();
     window.viewport().setFocus(Qt::MouseFocusReason);
     QVERIFY(edge() < 50);
-    window.look().findChild<QAbstractButton*>()->setFocus();
+    test::the<LookPanel>(window).setEnabled(true);
+    test::the<LookPanel>(window).findChild<QAbstractButton*>()->setFocus();
     window.viewport().setFocus(Qt::TabFocusReason);
     QVERIFY(edge() > 200);
 }
@@ -333,15 +337,14 @@ void TestMainWindow::itHasAnIconWithoutAPluginForSvg() {
 
 void TestMainWindow::settersAreSilent() {
     MainWindow window;
-    QSignalSpy pause(&window, &MainWindow::pauseChosen), undo(&window, &MainWindow::undoRequested);
-    QSignalSpy folder(&window, &MainWindow::folderChosen);
-    window.setPaused(true);
-    window.setPaused(false);
-    window.setUndoAvailable(true, true);
+    QSignalSpy folder(&window, &MainWindow::folderChosen), theme(&window, &MainWindow::themeChosen);
+    QSignalSpy language(&window, &MainWindow::languageChosen), keys(&window, &MainWindow::keysChosen);
     window.setSubject("x");
     window.setLastFolder("/");
-    window.setPictureAvailable(true);
-    QCOMPARE(pause.count() + undo.count() + folder.count(), 0);
+    window.setTheme(ThemeChoice::light);
+    window.setLanguage("de");
+    window.setKeys({{"open", "Ctrl+P"}});
+    QCOMPARE(folder.count() + theme.count() + language.count() + keys.count(), 0);
 }
 
 }  // namespace pdr::ui

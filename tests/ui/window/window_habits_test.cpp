@@ -9,6 +9,11 @@
 #include <QWheelEvent>
 
 #include "tests/support/desktop/named_widget.h"
+#include "tests/support/desktop/the.h"
+#include "tests/support/desktop/whole_window.h"
+#include "ui/looks/look_panel.h"
+#include "ui/looks/visible_row.h"
+#include "ui/manual/manual_window.h"
 #include "ui/text/language.h"
 #include "ui/window/main_window.h"
 
@@ -72,13 +77,14 @@ void TestWindowHabits::noTwoThingsHaveTheSameMnemonic_data() {
 void TestWindowHabits::noTwoThingsHaveTheSameMnemonic() {
     QFETCH(QString, language);
     speak(*qApp, language);
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     window.resize(1800, 1400);
     activate(window);
-    window.setStartShown(true);
+    window.start().show();
     QTest::keyClick(&window, Qt::Key_F4);
     QCOMPARE(collisions(window).join("; "), QString());
-    window.setStartShown(false);
+    window.start().hide();
     for (const Qt::Key editor : {Qt::Key_F5, Qt::Key_F7, Qt::Key_F8, Qt::Key_F9}) {
         QTest::keyClick(&window, editor);
         QCOMPARE(collisions(window).join("; "), QString());
@@ -106,10 +112,11 @@ static void wheelOver(QWidget& widget) {
 }
 
 void TestWindowHabits::aWheelInPassingChangesNothing() {
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     window.resize(1400, 900);
     activate(window);
-    window.setVolumeAvailable(true);
+    test::the<LookPanel>(window).setEnabled(true);
     auto& peel = test::named<QDoubleSpinBox>(window, "Thickness removed");
     auto& brightness = test::named<QSlider>(window, "Brightness");
     peel.setValue(5);
@@ -124,15 +131,16 @@ void TestWindowHabits::aWheelInPassingChangesNothing() {
 }
 
 void TestWindowHabits::whatIsSaidOfALookMovesNoControl() {
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     window.resize(1400, 900);
     activate(window);
     const auto& brightness = test::named<QSlider>(window, "Brightness");
     const auto& part = test::named<QComboBox>(window, "Part that is shown");
     const auto places = [&] { return std::pair(brightness.mapTo(&window, QPoint()), part.mapTo(&window, QPoint())); };
     const auto before = places();
-    window.look().setDoesNotShow("Thin bone has false holes.");
-    window.visible().setNotShown("Only bones are shown, as far as they hold dense bone.");
+    test::the<LookPanel>(window).setDoesNotShow("Thin bone has false holes.");
+    test::the<VisibleRow>(window).setNotShown("Only bones are shown, as far as they hold dense bone.");
     QCoreApplication::processEvents();
     QVERIFY(places() == before);
 }
@@ -197,11 +205,13 @@ void TestWindowHabits::theRightButtonOffersWhatOneDoesMost() {
 }
 
 void TestWindowHabits::keysOfOtherProgramsWorkHere() {
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     activate(window);
-    window.setVolumeAvailable(true);
-    window.setUndoAvailable(true, true);
-    QSignalSpy redo(&window, &MainWindow::redoRequested), reset(&window, &MainWindow::resetRequested);
+    const WindowActions& actions = window.menuActions();
+    for (QAction* action : {actions.redo, actions.firstView})
+        action->setEnabled(true);
+    QSignalSpy redo(actions.redo, &QAction::triggered), reset(actions.firstView, &QAction::triggered);
     QTest::keyClick(&window, Qt::Key_Y, Qt::ControlModifier);
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     QCOMPARE(redo.count(), 2);
@@ -213,7 +223,7 @@ void TestWindowHabits::keysOfOtherProgramsWorkHere() {
     QCOMPARE(reset.count(), 1);
     window.viewport().setFocus();
     QTest::keyClick(&window, Qt::Key_F1);
-    QVERIFY(window.findChild<KeysOverlay*>()->isVisible());
+    QVERIFY(window.findChild<ManualWindow*>()->isVisible());
 }
 
 void TestWindowHabits::moreThanOneFolderIsSaid() {

@@ -4,6 +4,14 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "tests/support/desktop/the.h"
+#include "tests/support/desktop/whole_window.h"
+#include "ui/accuracy/accuracy_panel.h"
+#include "ui/accuracy/effect_ledger.h"
+#include "ui/looks/look_panel.h"
+#include "ui/nodes/nodes_panel.h"
+#include "ui/rendering/render_panel.h"
+#include "ui/series/series_panel.h"
 #include "ui/window/main_window.h"
 
 namespace pdr::ui {
@@ -33,9 +41,12 @@ static void activate(MainWindow& window) {
 }
 
 void TestWindowRoom::oneOfThePanelsBelowMakesRoomForTheOther() {
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     activate(window);
-    const auto shown = [&] { return std::pair(window.nodes().isVisible(), window.effects().isVisible()); };
+    const auto shown = [&] {
+        return std::pair(test::the<NodesPanel>(window).isVisible(), test::the<EffectLedger>(window).isVisible());
+    };
     window.resize(1200, 800);
     QTest::keyClick(&window, Qt::Key_F12);
     QCOMPARE(shown(), std::pair(true, false));
@@ -48,16 +59,17 @@ void TestWindowRoom::oneOfThePanelsBelowMakesRoomForTheOther() {
 
 /// The panel takes no room from the image, and covers nothing in its corners.
 void TestWindowRoom::theAccuracyFloatsOverThePicture() {
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     window.resize(1366, 768);
     activate(window);
     const QSize before = window.viewport().size();
     QTest::keyClick(&window, Qt::Key_E, Qt::ShiftModifier);
-    QVERIFY(window.accuracy().isVisible());
+    QVERIFY(test::the<AccuracyPanel>(window).isVisible());
     window.message().showNotice("a message");
     QCoreApplication::processEvents();
     QCOMPARE(window.viewport().size(), before);
-    const QWidget* panel = window.accuracy().parentWidget();
+    const QWidget* panel = test::the<AccuracyPanel>(window).parentWidget();
     QVERIFY(window.viewport().rect().contains(panel->geometry()));
     QVERIFY(panel->x() > 30 && panel->geometry().right() < before.width() - 30);
     QVERIFY(panel->geometry().bottom() < before.height() - 90);
@@ -74,17 +86,18 @@ void TestWindowRoom::noPanelIsSqueezed_data() {
 /// Buttons keep the height that their words need, whatever else is open, and the looks stay.
 void TestWindowRoom::noPanelIsSqueezed() {
     QFETCH(QSize, size);
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     activate(window);
     window.foot().setRemarks({"a remark"});
     window.resize(size);
     for (const int key : {int(Qt::Key_F8), int(Qt::Key_F12), int(Qt::Key_F5), int(Qt::Key_F7), int(Qt::Key_F9)}) {
         QTest::keyClick(&window, Qt::Key(key));
         QCoreApplication::processEvents();
-        QVERIFY(window.look().isVisible());
-        for (const QPushButton* button : window.look().findChildren<QPushButton*>())
+        QVERIFY(test::the<LookPanel>(window).isVisible());
+        for (const QPushButton* button : test::the<LookPanel>(window).findChildren<QPushButton*>())
             QVERIFY2(button->height() >= button->minimumSizeHint().height(), qPrintable(button->text()));
-        QVERIFY(window.look().gallery().parentWidget()->height() >= LookGallery::kPicture);
+        QVERIFY(test::the<LookPanel>(window).gallery().parentWidget()->height() >= LookGallery::kPicture);
     }
 }
 
@@ -104,12 +117,15 @@ void TestWindowRoom::anEditorLeavesThePictureMostOfTheWindow() {
     QFETCH(QString, name);
     QFETCH(int, key);
     QFETCH(QSize, size);
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     activate(window);
     window.foot().setRemarks({"a remark"});
     window.resize(size);
     QCoreApplication::processEvents();
-    const auto shown = [&] { return std::pair(window.series().isVisible(), window.rendering().isVisible()); };
+    const auto shown = [&] {
+        return std::pair(test::the<SeriesPanel>(window).isVisible(), test::the<RenderPanel>(window).isVisible());
+    };
     const auto before = shown();
     const auto picture = [&] { return double(window.viewport().width()) * window.viewport().height(); };
     const auto editor = [&] { return window.findChild<QDockWidget*>(name)->isVisible(); };
@@ -117,7 +133,7 @@ void TestWindowRoom::anEditorLeavesThePictureMostOfTheWindow() {
     QTRY_VERIFY(editor());
     QTRY_VERIFY2(picture() >= 0.6 * size.width() * size.height(),
                  qPrintable(QString::number(picture() / (size.width() * size.height()))));
-    QVERIFY(window.look().isVisible() || size.height() < 900);  // there is no room for both
+    QVERIFY(test::the<LookPanel>(window).isVisible() || size.height() < 900);  // there is no room for both
     for (QToolButton* fold : window.findChildren<QToolButton*>())
         if (fold->accessibleName() == QString("Close %1").arg(name))
             fold->click();
@@ -127,7 +143,8 @@ void TestWindowRoom::anEditorLeavesThePictureMostOfTheWindow() {
 
 /// The right-hand column has one editor at a time.
 void TestWindowRoom::editorsGiveWayToEachOther() {
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     activate(window);
     const auto shown = [&] {
         QString names;
@@ -139,13 +156,13 @@ void TestWindowRoom::editorsGiveWayToEachOther() {
     QCOMPARE(shown(), QString());
     window.resize(1600, 1000);
     QTest::keyClick(&window, Qt::Key_F4);
-    QVERIFY(window.rendering().isVisible());
+    QVERIFY(test::the<RenderPanel>(window).isVisible());
     for (const auto& [key, name] : {std::pair(Qt::Key_F5, "Tissue"), std::pair(Qt::Key_F7, "Camera"),
                                     std::pair(Qt::Key_F8, "Light"), std::pair(Qt::Key_F8, "")}) {
         QTest::keyClick(&window, key);
         QTRY_COMPARE(shown(), QString(name));
     }
-    QVERIFY(window.rendering().isVisible());  // what gave way to the first
+    QVERIFY(test::the<RenderPanel>(window).isVisible());  // what gave way to the first
 }
 
 void TestWindowRoom::thePictureIsTheLargestThing_data() {
@@ -160,7 +177,8 @@ void TestWindowRoom::thePictureIsTheLargestThing_data() {
 void TestWindowRoom::thePictureIsTheLargestThing() {
     QFETCH(QSize, size);
     QFETCH(double, share);
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     activate(window);
     window.foot().setRemarks({"a remark"});
     for (const int key : {0, int(Qt::Key_F5), int(Qt::Key_F8), int(Qt::Key_F7), int(Qt::Key_F9), int(Qt::Key_F4)}) {
@@ -181,41 +199,44 @@ void TestWindowRoom::thePictureIsTheLargestThing() {
 }
 
 void TestWindowRoom::whatGaveWayComesBackWithTheRoom() {
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     activate(window);
     const auto shown = [&](QSize size) {
         window.resize(size);
         QCoreApplication::processEvents();
-        return window.series().isVisible();
+        return test::the<SeriesPanel>(window).isVisible();
     };
     QVERIFY(shown({1600, 1000}));
     QVERIFY(!shown({800, 600}));
     const QByteArray kept = window.wantedState();
-    QVERIFY(!window.series().isVisible());
+    QVERIFY(!test::the<SeriesPanel>(window).isVisible());
     QVERIFY(shown({1600, 1000}));
-    MainWindow other;
+    const test::WholeWindow another;
+    MainWindow& other = another.window;
     activate(other);
     other.resize(1600, 1000);
     other.restoreState(kept);
-    QVERIFY(other.series().isVisible());
+    QVERIFY(test::the<SeriesPanel>(other).isVisible());
 }
 
 /// A panel opened by the user stays while the window is resized; one that the user closed stays closed.
 void TestWindowRoom::whatIsOpenedByHandStays() {
-    MainWindow window;
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
     activate(window);
     window.resize(800, 600);
     QCoreApplication::processEvents();
-    QVERIFY(!window.series().isVisible());
+    QVERIFY(!test::the<SeriesPanel>(window).isVisible());
     QTest::keyClick(&window, Qt::Key_F2);
-    QVERIFY(window.series().isVisible());
+    QVERIFY(test::the<SeriesPanel>(window).isVisible());
     window.resize(820, 600);
     QCoreApplication::processEvents();
-    QVERIFY(window.series().isVisible());
+    QVERIFY(test::the<SeriesPanel>(window).isVisible());
     QTest::keyClick(&window, Qt::Key_F2);
     window.resize(1600, 1000);
     QCoreApplication::processEvents();
-    QVERIFY(!window.series().isVisible());
+    QVERIFY(!test::the<SeriesPanel>(window).isVisible());
 }
 
 }  // namespace pdr::ui

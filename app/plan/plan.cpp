@@ -1,0 +1,141 @@
+#include "app/plan/plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pdr::app {
+namespace {
+
+/// The names of a step in the Edit menu.
+struct StepName {
+    Text undo, redo;
+};
+
+/// A part of a plan.
+struct Part {
+    Changes change;
+    bool (*differs)(const Plan& a, const Plan& b);
+    StepName name;  ///< name of a step that changes this part alone; empty: it depends on the values, see nameOf()
+};
+
+/// Returns whether two looks agree in all but tissue, light and visible part.
+bool agreeOtherwise(Look a, const Look& b) {
+    a.transferFunction = b.transferFunction;
+    a.rig = b.rig;
+    a.environment = b.environment;
+    a.visible = b.visible;
+    return a == b;
+}
+
+/// The parts of a plan. A new member of Plan gets its row here.
+const std::vector<Part>& parts() {
+    static const std::vector<Part> all{
+        {Changes::lookName,
+         [](const Plan& a, const Plan& b) { return a.picture.lookName != b.picture.lookName; },
+         {phrase("Undo choosing a look"), phrase("Redo choosing a look")}},
+        {Changes::tissue,
+         [](const Plan& a, const Plan& b) {
+             return a.picture.look.transferFunction != b.picture.look.transferFunction;
+         },
+         {phrase("Undo editing the tissue"), phrase("Redo editing the tissue")}},
+        {Changes::light,
+         [](const Plan& a, const Plan& b) {
+             return a.picture.look.rig != b.picture.look.rig ||
+                    a.picture.look.environment != b.picture.look.environment;
+         },
+         {phrase("Undo changing the light"), phrase("Redo changing the light")}},
+        {Changes::visible,
+         [](const Plan& a, const Plan& b) { return a.picture.look.visible != b.picture.look.visible; },
+         {phrase("Undo choosing the visible part"), phrase("Redo choosing the visible part")}},
+        {Changes::otherLook,
+         [](const Plan& a, const Plan& b) { return !agreeOtherwise(a.picture.look, b.picture.look); },
+         {}},
+        {Changes::brightness,
+         [](const Plan& a, const Plan& b) { return a.picture.stops != b.picture.stops; },
+         {phrase("Undo changing the brightness"), phrase("Redo changing the brightness")}},
+        {Changes::camera, [](const Plan& a, const Plan& b) { return a.picture.camera != b.picture.camera; }, {}},
+        {Changes::background,
+         [](const Plan& a, const Plan& b) { return a.picture.background != b.picture.background; },
+         {phrase("Undo changing the background"), phrase("Redo changing the background")}},
+        {Changes::table, [](const Plan& a, const Plan& b) { return a.picture.table != b.picture.table; }, {}},
+        {Changes::clip,
+         [](const Plan& a, const Plan& b) { return a.picture.clip != b.picture.clip; },
+         {phrase("Undo cutting"), phrase("Redo cutting")}},
+        {Changes::model,
+         [](const Plan& a, const Plan& b) { return a.picture.model != b.picture.model; },
+         {phrase("Undo choosing an optical model"), phrase("Redo choosing an optical model")}},
+        {Changes::rendering,
+         [](const Plan& a, const Plan& b) {
+             return a.picture.estimator != b.picture.estimator || a.picture.schedule != b.picture.schedule;
+         },
+         {phrase("Undo changing the rendering"), phrase("Redo changing the rendering")}},
+    };
+    return all;
+}
+
+bool sameWay(dvec3 a, dvec3 b) {
+    constexpr double kSame = 1e-9;  // radians: less than any gesture
+    return glm::length(a - b) < kSame;
+}
+
+double distanceOf(const Camera& camera) {
+    return glm::length(camera.targetMm - camera.eyeMm);
+}
+
+StepName nameOf(const Camera& before, const Camera& after) {
+    if (!sameWay(before.forward(), after.forward()) || !sameWay(before.imageUp(), after.imageUp()))
+        return {phrase("Undo turning the view"), phrase("Redo turning the view")};
+    constexpr double kSame = 1e-9;
+    const bool sameSize = before.fovDegrees == after.fovDegrees && before.heightMm == after.heightMm;
+    if (!sameSize || std::abs(distanceOf(before) / distanceOf(after) - 1) > kSame)
+        return {phrase("Undo zooming"), phrase("Redo zooming")};
+    if (before.apertureMm != after.apertureMm || before.focusMm != after.focusMm || before.type != after.type)
+        return {phrase("Undo changing the lens"), phrase("Redo changing the lens")};
+    return {phrase("Undo moving the view"), phrase("Redo moving the view")};
+}
+
+/// Returns the parts that a step is named after. A look that was chosen stands for all that it brings, and so does one
+/// that differs in several parts.
+Changes namedParts(Changes changes) {
+    const Changes look = changes & Changes::look;
+    if (has(look, Changes::lookName))
+        return (changes & ~(Changes::look | Changes::brightness)) | Changes::lookName;
+    const bool onePart = look == Changes::tissue || look == Changes::light || look == Changes::visible;
+    return look == Changes::none || onePart ? changes : (changes & ~Changes::look) | Changes::lookName;
+}
+
+StepName nameOf(const Plan& before, const Plan& after) {
+    const Changes changes = namedParts(changesBetween(before, after));
+    if (changes == Changes::none)
+        return {phrase("Undo"), phrase("Redo")};
+    if (changes == Changes::camera)
+        return nameOf(before.picture.camera, after.picture.camera);
+    if (changes == Changes::table && after.picture.table == Table::shown)
+        return {phrase("Undo showing the table"), phrase("Redo showing the table")};
+    if (changes == Changes::table)
+        return {phrase("Undo hiding the table"), phrase("Redo hiding the table")};
+    const auto part = std::ranges::find(parts(), changes, &Part::change);
+    return part == parts().end() ? StepName{phrase("Undo several changes"), phrase("Redo several changes")}
+                                 : part->name;
+}
+
+}  // namespace
+
+Changes changesBetween(const Plan& before, const Plan& after) {
+    Changes changes = Changes::none;
+    for (const Part& part : parts())
+        if (part.differs(before, after))
+            changes |= part.change;
+    return changes;
+}
+
+Text undoText(const Plan& before, const Plan& after) {
+    return nameOf(before, after).undo;
+}
+
+Text redoText(const Plan& before, const Plan& after) {
+    return nameOf(before, after).redo;
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,67 @@
+#pragma once
+/// The plan: everything that a user sets and can undo. A document holds one, with a history of earlier ones.
+
+#include "render/base/text.h"
+#include "render/scene/picture_setup.h"
+
+namespace pdr::app {
+
+struct Plan {
+    PictureSetup picture;  ///< how the volume is shown and rendered
+    bool operator==(const Plan&) const = default;
+};
+
+/// Sets of changes, as flags: what an operation has changed, and what a gesture of the user edits.
+enum class Changes : unsigned {
+    none = 0,
+    // Parts of a plan
+    camera = 1 << 0,
+    lookName = 1 << 1,
+    tissue = 1 << 2,
+    light = 1 << 3,
+    visible = 1 << 4,
+    otherLook = 1 << 5,  ///< what else a look sets, e.g. its phase function
+    brightness = 1 << 6,
+    background = 1 << 7,
+    table = 1 << 8,
+    clip = 1 << 9,
+    model = 1 << 10,
+    rendering = 1 << 11,  ///< estimator and schedule
+    // What a document holds beside its plan
+    series = 1 << 16,   ///< a volume has been opened or closed
+    looks = 1 << 17,    ///< the list of looks
+    mask = 1 << 18,     ///< the mask of the visible part has arrived
+    display = 1 << 19,  ///< whether the image is shown denoised
+    // Groups
+    look = lookName | tissue | light | visible | otherLook,
+    all = ~0u,
+};
+
+constexpr Changes operator|(Changes a, Changes b) {
+    return Changes(unsigned(a) | unsigned(b));
+}
+constexpr Changes operator&(Changes a, Changes b) {
+    return Changes(unsigned(a) & unsigned(b));
+}
+constexpr Changes operator~(Changes a) {
+    return Changes(~unsigned(a));
+}
+constexpr Changes& operator|=(Changes& a, Changes b) {
+    return a = a | b;
+}
+/// Returns whether `changes` has any of `those`.
+constexpr bool has(Changes changes, Changes those) {
+    return (changes & those) != Changes::none;
+}
+
+/// Returns the parts in which two plans differ. Whether a look counts as changed since it was chosen is no part of its
+/// own: it follows from the look.
+Changes changesBetween(const Plan& before, const Plan& after);
+
+/// Returns a whole phrase for a menu on the step that turned `before` into `after`: "Undo turning the view". Choosing a
+/// look includes its brightness. "Undo" alone if the plans are equal.
+Text undoText(const Plan& before, const Plan& after);
+/// Returns a whole phrase for a menu on the step that turned `before` into `after`: "Redo turning the view".
+Text redoText(const Plan& before, const Plan& after);
+
+}  // namespace pdr::app

@@ -1,0 +1,28 @@
+#pragma once
+/// The camera panel: viewpoint, lens, focus and background.
+
+#include "app/jobs/tissue_study.h"
+#include "app/presenters/presenter.h"
+#include "ui/camera/camera_panel.h"
+
+namespace pdr::app {
+
+class CameraPresenter : public Presenter {
+    Q_OBJECT
+
+  public:
+    explicit CameraPresenter(const Workspace& workspace);
+
+    void showDocument(Changes changes) override;
+    void releaseVolume() override { study_.setVolume(nullptr); }
+
+  private:
+    void connectFocus();
+    void setBackground(const std::optional<QColor>& colour);
+    std::optional<QColor> background() const;
+
+    ui::CameraPanel* panel_;
+    TissueStudy study_;  ///< measures the depth of what is to be in focus
+};
+
+}  // namespace pdr::app

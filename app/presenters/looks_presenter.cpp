@@ -1,0 +1,177 @@
+#include "app/presenters/looks_presenter.h"
+
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/looks/look_files.h"
+#include "app/presenters/look_cards.h"
+#include "app/presenters/look_text.h"
+#include "render/scene/sky_picture.h"
+
+namespace pdr::app {
+namespace {
+
+/// Returns a widget with one panel above another; the upper one takes the extra height.
+QWidget* stacked(QWidget* above, QWidget* below) {
+    auto* both = new QWidget;
+    auto* column = new QVBoxLayout(both);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(above, 1);
+    column->addWidget(below);
+    return both;
+}
+
+/// Returns the look that is shown, with its brightness, under `name`.
+NamedLook shownLook(const Document& document, const std::string& name) {
+    const PictureSetup& setup = document.setup();
+    NamedLook named;
+    if (const NamedLook* begun = document.looks().beginningOf(setup)) {
+        named.doesNotShow = begun->doesNotShow;
+        named.bloodHu = begun->bloodHu;
+        named.cut = begun->cut;
+    }
+    named.name = name;
+    named.model = setup.model;
+    named.look = setup.look;
+    named.look.display.exposure = displayOf(setup).exposure;
+    named.look.environment = withoutPicture(named.look.environment);  // look files contain no environment images
+    return named;
+}
+
+/// Returns the looks that are bundled with the program.
+std::vector<NamedLook> bundledLooksOf(const Document& document) {
+    std::vector<NamedLook> looks = document.looks().drawn();
+    std::erase_if(looks, [](const NamedLook& look) { return look.group == LookGroup::own; });
+    return looks;
+}
+
+Result<void> checkFree(const Document& document, const std::string& name) {
+    for (const NamedLook& look : bundledLooksOf(document))
+        if (look.name == name || nameText(look).toStdString() == name)
+            return Error{phrase("a built-in look has this name"), name, phrase("Choose another one.")};
+    return {};
+}
+
+}  // namespace
+
+LooksPresenter::LooksPresenter(const Workspace& workspace, const QString& ownLooks)
+    : Presenter(workspace),
+      panel_(new ui::LookPanel),
+      visible_(new ui::VisibleRow),
+      own_(ownLooks.isEmpty() ? OwnLooks::usualFolder() : ownLooks) {
+    window().addPanel(stacked(panel_, visible_),
+                      {"Look", ui::WindowDocks::tr("Appearance"), Qt::Key_F3, ui::PanelPlace::looks});
+    pictures_.setImageStands(false);
+    connectPanel();
+    connectMenu();
+    offerOwnLooks();
+}
+
+void LooksPresenter::connectPanel() {
+    connect(panel_, &ui::LookPanel::lookChosen, &document(), &Document::chooseLook);
+    connect(panel_, &ui::LookPanel::brightnessChosen, &document(), &Document::setBrightness);
+    QAction* pause = window().menuActions().pause;
+    connect(panel_, &ui::LookPanel::pauseChosen, pause, &QAction::trigger);
+    connect(pause, &QAction::toggled, panel_, &ui::LookPanel::setPaused);
+    const auto opens = [this](auto wanted, const char* panel) {
+        connect(panel_, wanted, this, [this, panel] { window().panelToggle(panel)->trigger(); });
+    };
+    opens(&ui::LookPanel::tissueWanted, "Tissue");
+    opens(&ui::LookPanel::lightWanted, "Light");
+    opens(&ui::LookPanel::cameraWanted, "Camera");
+    connect(&document(), &Document::sceneChanged, this, [this](const Scene&, bool moving) { requestPictures(moving); });
+    connect(&pictures_, &LookPictures::made, this, [this](int look, const QImage& picture, double stops) {
+        panel_->gallery().setPicture(look, picture);
+        document().suggestBrightness(look, stops);
+    });
+}
+
+void LooksPresenter::connectMenu() {
+    const ui::LookMenu& menu = panel_->menu();
+    connect(&menu, &ui::LookMenu::saveWanted, this, &LooksPresenter::save);
+    connect(&menu, &ui::LookMenu::renameWanted, this, &LooksPresenter::rename);
+    connect(&menu, &ui::LookMenu::deleteWanted, this,
+            [this](const QString& name) { showChange(own_.remove(name.toStdString()), ""); });
+    connect(&menu, &ui::LookMenu::importWanted, this, &LooksPresenter::importFrom);
+    connect(&menu, &ui::LookMenu::exportWanted, this, &LooksPresenter::exportTo);
+}
+
+void LooksPresenter::showDocument(Changes changes) {
+    if (has(changes, Changes::series)) {
+        panel_->setEnabled(document().hasVolume());
+        if (!document().hasVolume())
+            pictures_.setImageStands(false);
+    }
+    if (has(changes, Changes::looks))
+        panel_->gallery().setLooks(lookCards(document()));
+    panel_->setLook(document().look());
+    panel_->setDoesNotShow(doesNotShowText(document().looks(), document().setup()));
+    panel_->setBrightness(document().setup().stops);
+}
+
+void LooksPresenter::showFrame(const std::shared_ptr<const Frame>&) {
+    pictures_.setImageStands(true);
+}
+
+void LooksPresenter::requestPictures(bool moving) {
+    if (moving)
+        pictures_.cancel();
+    else if (document().hasVolume())
+        pictures_.make(document().seen(), document().parts(), document().bodyBox(), lookTasks(document()));
+}
+
+/// Offers the user's own looks after the bundled ones.
+void LooksPresenter::offerOwnLooks() {
+    std::vector<NamedLook> looks = bundledLooksOf(document());
+    OwnLooks::Read own = own_.read();
+    for (const Error& problem : own.problems)
+        showError(problem);
+    for (NamedLook& look : own.looks)
+        looks.push_back(std::move(look));
+    document().setLooks(std::move(looks));
+    requestPictures(false);
+}
+
+/// Shows the looks after a change, or its error, and chooses the look `name` if it exists.
+void LooksPresenter::showChange(const Result<void>& changed, const std::string& name) {
+    if (!changed)
+        return showError(changed.error());
+    offerOwnLooks();
+    const auto& looks = document().looks().fitted();
+    if (const auto look = std::ranges::find(looks, name, &NamedLook::name); look != looks.end())
+        document().chooseLook(int(look - looks.begin()));
+}
+
+void LooksPresenter::keep(const NamedLook& look) {
+    const Result<void> free = checkFree(document(), look.name);
+    showChange(free ? own_.save(look) : free, look.name);
+}
+
+void LooksPresenter::save(const QString& name) {
+    const bool sky = document().setup().look.environment.image != nullptr;
+    keep(shownLook(document(), name.toStdString()));
+    if (sky)
+        window().message().showNotice(
+            ui::MainWindow::tr("Looks cannot hold an environment image: this one has uniform ambient light."));
+}
+
+void LooksPresenter::rename(const QString& from, const QString& to) {
+    const Result<void> free = checkFree(document(), to.toStdString());
+    showChange(free ? own_.rename(from.toStdString(), to.toStdString()) : free, to.toStdString());
+}
+
+void LooksPresenter::importFrom(const QString& file) {
+    const auto look = readLookFile(file, document().looks()[0]);
+    if (!look)
+        return showError(look.error());
+    keep(*look);
+}
+
+void LooksPresenter::exportTo(const QString& file) {
+    if (auto written = writeLookFile(shownLook(document(), lookTitle(document().setup())), file); !written)
+        return showError(written.error());
+    window().status().showForAWhile(ui::MainWindow::tr("Saved as %1").arg(file));
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,42 @@
+#pragma once
+/// Images that leave the window: saved as they are on the screen, rendered anew for a file, or copied to the clipboard.
+
+#include "app/jobs/picture_job.h"
+#include "app/presenters/presenter.h"
+#include "ui/output/picture_order.h"
+
+namespace pdr::app {
+
+class SavingPresenter : public Presenter {
+    Q_OBJECT
+
+  public:
+    explicit SavingPresenter(const Workspace& workspace);
+
+    void showFrame(const std::shared_ptr<const Frame>& frame) override;
+    void clearImage() override;
+    void releaseVolume() override;
+    bool cancelJob() override { return cancel(job_); }
+    /// Renders an image for a file.
+    void render(const ui::PictureOrder& order);
+    /// Saves the image on the screen as it is.
+    void save(const QString& file, ui::Annotate annotate);
+    PictureJob& job() { return job_; }
+
+  private:
+    void connectJob();
+    void ask();
+    void copy();
+    ui::Annotate usualAnnotate() const;
+    void showSaved(const QString& file);
+    void showWhoCanBeKnown();
+    void setImageAvailable(bool available);
+
+    PictureJob job_;
+    QString folder_;                       ///< where the last image was saved; kept while the program runs
+    QString name_;                         ///< proposed file name of the image on the screen
+    std::optional<ui::PictureCost> cost_;  ///< cost of an image like the one on the screen; none: unknown
+    bool saidSkin_ = false;                ///< the notice on skin has been shown for this series
+};
+
+}  // namespace pdr::app

@@ -1,0 +1,61 @@
+#include "app/rendering/device_choice.h"
+
+#include <utility>
+
+#include "render/tiles/reference_tiles.h"
+
+namespace pdr::app {
+
+bool DeviceChoice::setPool(std::shared_ptr<WorkerPool> pool) {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(pool_, pool) != pool;
+}
+
+Result<std::unique_ptr<Device>> DeviceChoice::open(const std::string& name) {
+    Result<std::unique_ptr<Device>> opened = openDevice(name, threads_);
+    if (!opened)
+        return opened;
+    return shared(*std::move(opened));
+}
+
+/// Returns `device`, shared with the workers if there are any.
+Result<std::unique_ptr<Device>> DeviceChoice::shared(std::unique_ptr<Device> device) {
+    std::shared_ptr<WorkerPool> pool;
+    {
+        const std::lock_guard lock(mutex_);
+        pool = pool_;
+    }
+    if (!pool)
+        return device;
+    Result<std::vector<std::byte>> bits = referenceTiles(*device);
+    if (!bits)
+        return bits.error();
+    {
+        const std::lock_guard lock(mutex_);
+        bits_ = *bits;
+    }
+    QMetaObject::invokeMethod(this, [this, bits = *std::move(bits)] { emit sharedWith(bits); });
+    return shareDevice(std::move(device), std::move(pool));
+}
+
+DeviceOpener DeviceChoice::cpuAlone() const {
+    return [threads = threads_]() -> Result<std::unique_ptr<Device>> { return makeCpuDevice(threads); };
+}
+
+DeviceOpener DeviceChoice::forFinalRender(std::string name) const {
+    const std::lock_guard lock(mutex_);
+    return
+        [name = std::move(name), threads = threads_, pool = pool_, bits = bits_]() -> Result<std::unique_ptr<Device>> {
+            Result<std::unique_ptr<Device>> device = openDevice(name, threads);
+            if (!device)
+                device = makeCpuDevice(threads);
+            if (!pool)
+                return device;
+            const Result<std::vector<std::byte>> own = referenceTiles(**device);
+            if (!own || *own != bits)
+                return device;
+            return shareDevice(*std::move(device), pool, Purpose::finalRender);
+        };
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,211 @@
+#include "app/rendering/render_bridge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/output/picture_writing.h"
+#include "render/scene/scene.h"
+#include "ui/text/room_text.h"
+
+namespace pdr::app {
+namespace {
+
+/// Returns the errors of the pixel at `place` and of a square of 1 mm around it in the plane of focus.
+LevelErrorsAt errorsAt(const FilmView& view, QPointF place, float exposure) {
+    const ivec2 size = view.film.size();
+    const ivec2 pixel(int(place.x() * size.x), int(place.y() * size.y));
+    const int side = int(std::lround(size.y / view.scene.camera.heightInFocusMm()));
+    LevelErrorsAt errors =
+        levelErrorsAt(view.film, glm::clamp(pixel, ivec2(0), size - 1), std::max(side, 1), double(exposure));
+    errors.side = side;
+    return errors;
+}
+
+}  // namespace
+
+RenderBridge::RenderBridge(std::unique_ptr<Device> device, int threads)
+    : devices_(threads),
+      firstDevice_(device->info()),
+      device_(QString::fromStdString(firstDevice_.name)),
+      session_(
+          std::move(device), [this](std::shared_ptr<const Frame> frame) { take(std::move(frame)); },
+          [this] { return devices_.openCpu(); }) {}
+
+/// While the user drags, an image that is a little behind is better than none; at rest only the newest scene counts.
+void RenderBridge::submit(const Scene& scene, bool moving) {
+    newest_ = scene.revision;
+    if (!moving)
+        oldestShown_ = newest_;
+    if (moving && movingUnseen_) {
+        next_ = scene;
+        return;
+    }
+    next_.reset();
+    movingUnseen_ = moving;
+    submitted_ = scene.revision;
+    session_.submit(scene, moving);
+}
+
+void RenderBridge::setDisplay(const Display& display) {
+    display_ = display;
+    session_.setDisplay(display);
+}
+
+void RenderBridge::setErrorMap(bool wanted) {
+    session_.setErrorMap(wanted);
+}
+
+void RenderBridge::setRegion(const std::optional<QRectF>& box) {
+    session_.setRegion(box ? std::optional(Region{{box->left(), box->top()}, {box->right(), box->bottom()}})
+                           : std::nullopt);
+}
+
+void RenderBridge::askErrorAt(QPointF place) {
+    if (!lastFrame_ || lastFrame_->coarse)
+        return;
+    session_.requestSnapshot(
+        lastFrame_->revision, [this, place, exposure = display_.exposure](const Result<FilmView>& view) {
+            if (!view)
+                return;
+            const LevelErrorsAt errors = errorsAt(*view, place, exposure);
+            QMetaObject::invokeMethod(this, [this, place, errors] { emit errorFound(place, errors); });
+        });
+}
+
+void RenderBridge::setPace(const FrameBudget& pace) {
+    session_.setPace(pace);
+}
+
+void RenderBridge::setDevice(const QString& name) {
+    chosen_ = name;
+    openAndGoOn(name);
+}
+
+/// Opens the same device again, since a film in progress cannot become shared or unshared.
+void RenderBridge::setPool(std::shared_ptr<WorkerPool> pool) {
+    if (devices_.setPool(std::move(pool)))
+        openAndGoOn(chosen_.value_or(device_));
+}
+
+void RenderBridge::openAndGoOn(const QString& device) {
+    session_.setDevice([this, name = device.toStdString()] { return devices_.open(name); });
+}
+
+void RenderBridge::setStop(const StopRule& rule) {
+    stop_ = rule;
+    session_.setStop(rule);
+    emit stopChanged(rule);
+}
+
+void RenderBridge::setTarget(double levels) {
+    StopRule rule = stop_;
+    rule.levels = levels;
+    setStop(rule);
+}
+
+void RenderBridge::setPaused(bool paused) {
+    paused_ = paused;
+    session_.setPaused(paused_ || unseen_);
+    if (!paused && std::exchange(reached_, false))
+        session_.goOn();
+    emit pausedChanged(paused);
+}
+
+void RenderBridge::setUnseen(bool unseen) {
+    unseen_ = unseen;
+    session_.setPaused(paused_ || unseen_);
+}
+
+void RenderBridge::clear() {
+    session_.clear();
+    oldestShown_ = newest_ + 1;
+    next_.reset();
+    movingUnseen_ = false;
+    lastFrame_.reset();
+}
+
+void RenderBridge::watchEffects(bool watch) {
+    watching_ = watch;
+    takeLedger(nullptr);
+    if (!watch)
+        return session_.watchEffects({});
+    session_.watchEffects({devices_.cpuAlone(), [this](std::shared_ptr<const EffectLedger> ledger) {
+                               QMetaObject::invokeMethod(this, [this, ledger = std::move(ledger)]() mutable {
+                                   takeLedger(std::move(ledger));
+                               });
+                           }});
+}
+
+/// Takes a new cost table. One that arrives after watching has ended is dropped.
+void RenderBridge::takeLedger(std::shared_ptr<const EffectLedger> ledger) {
+    if (!watching_)
+        ledger = nullptr;
+    if (std::exchange(lastLedger_, ledger) != ledger)
+        emit ledgerChanged();
+}
+
+void RenderBridge::save(const QString& file, const std::optional<ui::Annotations>& annotations) {
+    if (auto named = checkPictureName(file); !named) {
+        emit saveFailed(named.error());
+        return;
+    }
+    if (!lastFrame_) {
+        emit saveFailed(notSaved(file, {phrase("there is no image"), "", phrase("Wait until there is one.")}));
+        return;
+    }
+    session_.requestSnapshot(
+        lastFrame_->revision, [this, file, annotations, display = display_](const Result<FilmView>& view) {
+            const Result<void> written =
+                view ? writePicture(*view, display, annotations, file) : notSaved(file, view.error());
+            QMetaObject::invokeMethod(this, [this, file, written] {
+                if (written)
+                    emit saved(file);
+                else
+                    emit saveFailed(written.error());
+            });
+        });
+}
+
+/// Passes a frame on to the window's thread, in place of one that still waits. Called on the render thread.
+void RenderBridge::take(std::shared_ptr<const Frame> frame) {
+    if (!frame->notice.empty()) {
+        QMetaObject::invokeMethod(this, [this, notice = ui::inWords(frame->notice)] {
+            chosen_.reset();
+            emit noticed(notice);
+            emit deviceChanged(device_);
+        });
+        return;
+    }
+    const std::lock_guard lock(mutex_);
+    if (!waiting_)  // else deliver() is queued already; queued before waiting_ is set, since queueing may throw
+        QMetaObject::invokeMethod(this, &RenderBridge::deliver, Qt::QueuedConnection);
+    waiting_ = std::move(frame);
+}
+
+/// Delivers the newest frame. Called on the window's thread.
+void RenderBridge::deliver() {
+    std::shared_ptr<const Frame> frame;
+    {
+        const std::lock_guard lock(mutex_);
+        frame = std::exchange(waiting_, nullptr);
+    }
+    if (frame->revision < oldestShown_)
+        return;
+    oldestShown_ = frame->revision;
+    lastFrame_ = frame->error.empty() ? frame : nullptr;
+    reached_ = frame->reached;
+    if (frame->revision == submitted_)
+        movingUnseen_ = false;
+    if (next_ && !movingUnseen_)
+        submit(*std::exchange(next_, std::nullopt), true);
+    if (const QString device = QString::fromStdString(frame->device); !device.isEmpty() && device != device_) {
+        device_ = device;
+        emit deviceChanged(device_);
+    }
+    if (chosen_ == device_)
+        chosen_.reset();
+    emit frameReady(frame);
+}
+
+}  // namespace pdr::app
