@@ -66,7 +66,7 @@ struct TextureAxis {
 };
 
 /// Returns the value at `position` (index space) in [-1, 1], computed as a texture unit does. It is slow and kept out
-/// of line: on the CPU only an emulated GPU (device/cpu/host_gpu.h) calls it.
+/// of line: on the CPU only an emulated GPU (device/emulated/host_gpu.h) calls it.
 [[gnu::noinline, gnu::cold]] inline float textureValue(const FlatVolume& volume, vec3 position) {
     const TextureAxis x(position.x, volume.size.x), y(position.y, volume.size.y), z(position.z, volume.size.z);
     std::int64_t sum = 0;  // exact
