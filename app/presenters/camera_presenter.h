@@ -15,6 +15,7 @@ class CameraPresenter : public Presenter {
 
     void showDocument(Changes changes) override;
     void releaseVolume() override { study_.setVolume(nullptr); }
+    TissueStudy& study() { return study_; }
 
   private:
     void connectFocus();

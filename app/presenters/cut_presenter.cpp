@@ -7,7 +7,6 @@ CutPresenter::CutPresenter(const Workspace& workspace)
     const QAction* toggle =
         window().addPanel(&tools_->panel(), {"Cut", ui::WindowDocks::tr("Cut"), Qt::Key_F9, ui::PanelPlace::editor});
     window().addMenu(ui::MainWindow::tr("&Cut"), [this](QMenu& menu) { tools_->fillMenu(menu); });
-    window().addToEscape([this] { return tools_->giveUp(); });
     connect(&window(), &ui::MainWindow::cancelRequested, tools_, &ui::CutTools::hideHandles);
     connect(toggle, &QAction::triggered, tools_, [this](bool shown) {
         if (shown)
@@ -25,10 +24,6 @@ CutPresenter::CutPresenter(const Workspace& workspace)
 void CutPresenter::showDocument(Changes changes) {
     if (has(changes, Changes::clip | Changes::table | Changes::series))
         tools_->setCuts(document().setup().clip, document().uncut());
-}
-
-void CutPresenter::showFrame(const std::shared_ptr<const Frame>& frame) {
-    tools_->setPicture(frame->camera, {frame->size.x, frame->size.y});
 }
 
 }  // namespace pdr::app

@@ -14,7 +14,6 @@ class CutPresenter : public Presenter {
     explicit CutPresenter(const Workspace& workspace);
 
     void showDocument(Changes changes) override;
-    void showFrame(const std::shared_ptr<const Frame>& frame) override;
     ui::CutTools& tools() { return *tools_; }
 
   private:

@@ -7,7 +7,6 @@ RegionPresenter::RegionPresenter(const Workspace& workspace)
     connect(action_, &QAction::triggered, this, &RegionPresenter::drawOrForget);
     connect(box_, &ui::RegionBox::drawn, this, &RegionPresenter::choose);
     connect(box_, &ui::RegionBox::notDrawn, action_, [this] { action_->setChecked(false); });
-    window().addToEscape([this] { return stopDrawing(); });
 }
 
 void RegionPresenter::showDocument(Changes changes) {
@@ -15,10 +14,6 @@ void RegionPresenter::showDocument(Changes changes) {
         return;
     choose(std::nullopt);
     action_->setEnabled(document().hasVolume());
-}
-
-void RegionPresenter::showFrame(const std::shared_ptr<const Frame>& frame) {
-    box_->setPicture({frame->size.x, frame->size.y});
 }
 
 void RegionPresenter::choose(const std::optional<QRectF>& region) {
@@ -34,14 +29,6 @@ void RegionPresenter::drawOrForget(bool draw) {
         box_->startDrawing();
     else
         choose(std::nullopt);
-}
-
-bool RegionPresenter::stopDrawing() {
-    if (!box_->isDrawing())
-        return false;
-    box_->stopDrawing();
-    action_->setChecked(false);
-    return true;
 }
 
 }  // namespace pdr::app

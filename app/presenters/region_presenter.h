@@ -13,12 +13,10 @@ class RegionPresenter : public Presenter {
     explicit RegionPresenter(const Workspace& workspace);
 
     void showDocument(Changes changes) override;
-    void showFrame(const std::shared_ptr<const Frame>& frame) override;
 
   private:
     void choose(const std::optional<QRectF>& region);
     void drawOrForget(bool draw);
-    bool stopDrawing();
 
     ui::RegionBox* box_;
     QAction* action_;

@@ -1,32 +1,38 @@
 #pragma once
-/// A layer over the image that shows the box and planes of the cut with handles for the mouse. Presses beside a handle
-/// reach the image. Setters emit no signals.
+/// The tool that shows the box and planes of the cut, with handles for the mouse. Presses beside a handle reach the
+/// tools behind it. Setters emit no signals that edit.
 
 #include <optional>
 
 #include "ui/cut/cut_marks.h"
-#include "ui/view/picture_layer.h"
-
-class QMouseEvent;
+#include "ui/view/view_tool.h"
 
 namespace pdr::ui {
 
-class CutLayer : public PictureLayer {
+class CutLayer : public ViewTool {
     Q_OBJECT
 
   public:
-    explicit CutLayer(QWidget* picture) : PictureLayer(picture) {}
+    using ViewTool::ViewTool;
 
     /// Sets the cuts. `uncut`: the box that can be cut; none: nothing is shown. Cuts that differ from the user's last
     /// edit end the gesture.
     void setCuts(const Clip& clip, const std::optional<Uncut>& uncut);
-    /// Sets the camera and the size [pixels] of the image on the screen.
-    void setPicture(const Camera& camera, QSize size);
     void setHandlesShown(bool shown);
     bool handlesShown() const { return shown_; }
-    /// Cancels the gesture in progress; returns false if there is none.
-    bool giveUp();
     const CutMarks& marks() const { return marks_; }
+
+    /// Returns whether a press is on a handle: of the left button without modifiers, or the second of a double click.
+    bool takes(const ViewPointer& pointer) const override;
+    void press(const ViewPointer& pointer) override;
+    void move(const ViewPointer& pointer) override;
+    void release(const ViewPointer& pointer) override;
+    bool hover(const ViewPointer& pointer) override;
+    void leave() override { light(std::nullopt); }
+    bool cancel() override;
+    std::optional<Qt::CursorShape> cursor() const override;
+    void setImage(const ImagePlace& image) override;
+    void paint(QPainter& painter, const ImagePlace& image) const override;
 
   signals:
     /// Reports edited cuts. `moving`: the gesture goes on; the last edit of a gesture comes with false.
@@ -34,26 +40,15 @@ class CutLayer : public PictureLayer {
     /// Requests to restore the cut from before the gesture.
     void gestureGivenUp();
 
-  protected:
-    bool eventFilter(QObject* picture, QEvent* event) override;
-    void paintEvent(QPaintEvent* event) override;
-
   private:
-    bool press(const QMouseEvent& event);
-    bool move(const QMouseEvent& event);
-    bool release(const QMouseEvent& event);
-    bool bringBack(const QMouseEvent& event);
+    void bringBack(CutHandle handle);
     void edit(const Clip& clip, bool moving);
     void light(const std::optional<CutHandle>& handle);
     void mark();
-    QRectF area() const;
-    dvec2 placeOf(QPointF point) const;
-    void paintText(QPainter& painter, QPointF place, const QString& text) const;
 
     Clip clip_;
     std::optional<Uncut> uncut_;
-    std::optional<Camera> camera_;
-    QSize size_;
+    ImagePlace image_;
     CutMarks marks_;
     bool shown_ = false;
     std::optional<CutHandle> lit_;  ///< handle under the pointer

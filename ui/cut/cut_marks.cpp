@@ -3,7 +3,7 @@
 #include <QLineF>
 #include <algorithm>
 
-#include "ui/view/picture_layer.h"
+#include "ui/view/mark.h"
 
 namespace pdr::ui {
 namespace {

@@ -2,15 +2,17 @@
 
 namespace pdr::ui {
 
-CutTools::CutTools(QWidget* picture)
-    : QObject(picture),
-      layer_(new CutLayer(picture)),
-      pen_(new FreehandPen(picture)),
+CutTools::CutTools(Viewport* view)
+    : QObject(view),
+      layer_(new CutLayer(this)),
+      pen_(new FreehandPen(view, this)),
       panel_(new CutPanel),
       handles_(new QAction(tr("Cut with &handles"), this)),
       plane_(new QAction(tr("Add a &plane that faces you"), this)),
       freehand_(new QAction(tr("Freehan&d cut"), this)),
       uncut_(new QAction(tr("Remove all c&uts"), this)) {
+    view->tools().add(*layer_);
+    view->tools().add(*pen_);
     nameActions();
     for (QAction* action : {handles_, freehand_})
         action->setCheckable(true);
@@ -53,25 +55,12 @@ void CutTools::setCuts(const Clip& clip, const std::optional<Uncut>& uncut) {
     uncut_->setEnabled(!clip.empty());
 }
 
-void CutTools::setPicture(const Camera& camera, QSize size) {
-    layer_->setPicture(camera, size);
-    pen_->setPicture(camera, size);
-}
-
 void CutTools::showHandles() {
     handles_->setChecked(true);
 }
 
 void CutTools::hideHandles() {
     handles_->setChecked(false);
-}
-
-bool CutTools::giveUp() {
-    if (layer_->giveUp())
-        return true;
-    const bool drawing = pen_->isDrawing();
-    freehand_->setChecked(false);
-    return drawing;
 }
 
 /// Requests a plane and shows the handles.

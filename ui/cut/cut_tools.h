@@ -6,6 +6,7 @@
 #include "ui/cut/cut_layer.h"
 #include "ui/cut/cut_panel.h"
 #include "ui/cut/freehand_pen.h"
+#include "ui/view/viewport.h"
 
 namespace pdr::ui {
 
@@ -13,8 +14,8 @@ class CutTools : public QObject {
     Q_OBJECT
 
   public:
-    /// Creates the layers over the widget `picture`. The caller places the panel.
-    explicit CutTools(QWidget* picture);
+    /// Adds handles and pen to the view's tools. The caller places the panel.
+    explicit CutTools(Viewport* view);
 
     CutLayer& layer() { return *layer_; }
     FreehandPen& pen() { return *pen_; }
@@ -23,10 +24,7 @@ class CutTools : public QObject {
     void fillMenu(QMenu& menu);
 
     void setCuts(const Clip& clip, const std::optional<Uncut>& uncut);
-    void setPicture(const Camera& camera, QSize size);
     void showHandles();
-    /// Handles Esc: cancels a gesture or a line. Returns false if there is none.
-    bool giveUp();
     void hideHandles();
 
   signals:

@@ -1,13 +1,11 @@
 #include "ui/cut/freehand_pen.h"
 
 #include <QHBoxLayout>
-#include <QMouseEvent>
-#include <QPainter>
 #include <algorithm>
 #include <utility>
 
 #include "render/scene/edit/drawn_outline.h"
-#include "ui/view/shown_picture.h"
+#include "ui/view/mark.h"
 
 namespace pdr::ui {
 namespace {
@@ -18,99 +16,118 @@ constexpr double kTolerancePx = 0.7;  ///< error allowed by leaving out a corner
 
 }  // namespace
 
-FreehandPen::FreehandPen(QWidget* picture)
-    : PictureLayer(picture), answers_(this), remove_(tr("Remove inside")), keep_(tr("Keep inside")) {
-    remove_.setToolTip(tr("Remove the tissue inside the outline (Del)"));
-    keep_.setToolTip(tr("Keep only the tissue inside the outline (K)"));
-    remove_.setShortcut(Qt::Key_Delete);
-    keep_.setShortcut(Qt::Key_K);
-    auto* row = new QHBoxLayout(&answers_);
+FreehandPen::FreehandPen(QWidget* view, QObject* parent)
+    : ViewTool(parent),
+      answers_(new QWidget(view)),
+      remove_(new QPushButton(tr("Remove inside"))),
+      keep_(new QPushButton(tr("Keep inside"))) {
+    remove_->setToolTip(tr("Remove the tissue inside the outline (Del)"));
+    keep_->setToolTip(tr("Keep only the tissue inside the outline (K)"));
+    remove_->setShortcut(Qt::Key_Delete);
+    keep_->setShortcut(Qt::Key_K);
+    auto* row = new QHBoxLayout(answers_);
     row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(&remove_);
-    row->addWidget(&keep_);
-    for (QPushButton* button : {&remove_, &keep_})
+    row->addWidget(remove_);
+    row->addWidget(keep_);
+    for (QPushButton* button : {remove_, keep_})
         button->setCursor(Qt::ArrowCursor);
-    answers_.hide();
-    connect(&remove_, &QPushButton::clicked, this, [this] { answer(false); });
-    connect(&keep_, &QPushButton::clicked, this, [this] { answer(true); });
+    answers_->hide();
+    connect(remove_, &QPushButton::clicked, this, [this] { answer(false); });
+    connect(keep_, &QPushButton::clicked, this, [this] { answer(true); });
 }
 
-void FreehandPen::setPicture(const Camera& camera, QSize size) {
-    if (camera != camera_) {
-        line_.clear();
-        answers_.hide();
-        update();
-    }
-    camera_ = camera;
-    size_ = size;
+void FreehandPen::setImage(const ImagePlace& image) {
+    if (image.camera != image_.camera)
+        discardLine();
+    image_ = image;
+}
+
+void FreehandPen::startDrawing() {
+    drawing_ = true;
+    emit activated();
 }
 
 void FreehandPen::stopDrawing() {
-    pressed_ = false;
+    drawing_ = pressed_ = false;
+    discardLine();
+}
+
+void FreehandPen::discardLine() {
     line_.clear();
-    answers_.hide();
-    leaveMouse();
+    answers_->hide();
+    emit changed();
+}
+
+bool FreehandPen::cancel() {
+    if (!drawing_)
+        return false;
+    stopDrawing();
+    emit ended();
+    return true;
+}
+
+std::optional<Qt::CursorShape> FreehandPen::cursor() const {
+    return drawing_ ? std::optional(Qt::CrossCursor) : std::nullopt;
 }
 
 /// Begins a line; it replaces an earlier one.
-void FreehandPen::mousePressEvent(QMouseEvent* event) {
-    if (!camera_ || event->button() != Qt::LeftButton)
+void FreehandPen::press(const ViewPointer& pointer) {
+    if (!image_.camera || pointer.button != Qt::LeftButton)
         return;
-    answers_.hide();
+    answers_->hide();
     pressed_ = true;
-    line_ = {event->position()};
+    line_ = {pointer.at};
 }
 
-void FreehandPen::mouseMoveEvent(QMouseEvent* event) {
-    if (!pressed_ || line_.isEmpty() || (event->position() - line_.last()).manhattanLength() < kStep)
+void FreehandPen::move(const ViewPointer& pointer) {
+    if (!pressed_ || line_.isEmpty() || (pointer.at - line_.last()).manhattanLength() < kStep)
         return;
-    line_ << event->position();
-    update();
+    line_ << pointer.at;
+    emit changed();
 }
 
-void FreehandPen::mouseReleaseEvent(QMouseEvent* event) {
+void FreehandPen::release(const ViewPointer& pointer) {
     if (!std::exchange(pressed_, false))
         return;
     const QRectF around = line_.boundingRect();
     if (std::min(around.width(), around.height()) >= kLeastSide && !outline().empty())
-        return ask(event->position().toPoint());
+        return ask(pointer.at.toPoint());
     stopDrawing();
     emit ended();
 }
 
 void FreehandPen::ask(QPoint place) {
-    answers_.adjustSize();
-    const QSize size = answers_.size();
-    answers_.move(std::clamp(place.x() + 8, 0, std::max(width() - size.width(), 0)),
-                  std::clamp(place.y() + 8, 0, std::max(height() - size.height(), 0)));
-    answers_.show();
-    remove_.setFocus();
-    update();
+    answers_->adjustSize();
+    const QSize size = answers_->size(), view = image_.view;
+    answers_->move(std::clamp(place.x() + 8, 0, std::max(view.width() - size.width(), 0)),
+                   std::clamp(place.y() + 8, 0, std::max(view.height() - size.height(), 0)));
+    answers_->raise();
+    answers_->show();
+    remove_->setFocus();
+    emit changed();
 }
 
 void FreehandPen::answer(bool keepInside) {
-    const FreehandCut cut{*camera_, outline(), keepInside};
+    const FreehandCut cut{*image_.camera, outline(), keepInside};
     stopDrawing();
-    parentWidget()->setFocus();
+    answers_->parentWidget()->setFocus();
     emit ended();
     emit drawn(cut);
 }
 
 /// Returns the line's corners, from the image's middle, in fractions of its height.
 std::vector<PicturePoint> FreehandPen::outline() const {
-    const QRectF area = pictureArea(size_, {size(), devicePixelRatioF()});
     std::vector<PicturePoint> points;
     for (const QPointF& place : line_) {
-        const QPointF away = (place - area.center()) / area.height();
+        const QPointF away = (place - image_.area.center()) / image_.area.height();
         points.push_back({away.x(), away.y()});
     }
-    return simplified(points, kTolerancePx / area.height());
+    return simplified(points, kTolerancePx / image_.area.height());
 }
 
-void FreehandPen::paintEvent(QPaintEvent*) {
+void FreehandPen::paint(QPainter& painter, const ImagePlace&) const {
     if (line_.size() < 2)
         return;
-    QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     QColor inside(kMarkColour);
     inside.setAlpha(30);

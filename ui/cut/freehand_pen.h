@@ -1,51 +1,56 @@
 #pragma once
-/// A layer over the image in which the user draws a closed line and chooses what it cuts. It takes the mouse only while
-/// it is drawing. Setters emit no signals.
+/// The tool with which the user draws a closed line on the image and chooses what it cuts. It takes the mouse only
+/// while it is drawing. Setters emit no signals that edit.
 
 #include <QPolygonF>
 #include <QPushButton>
 #include <optional>
 
 #include "render/scene/clip.h"
-#include "ui/view/picture_layer.h"
+#include "ui/view/view_tool.h"
 
 namespace pdr::ui {
 
-class FreehandPen : public PictureLayer {
+class FreehandPen : public ViewTool {
     Q_OBJECT
 
   public:
-    explicit FreehandPen(QWidget* picture);
+    /// Creates the pen and its buttons, which lie in the widget `view`.
+    FreehandPen(QWidget* view, QObject* parent);
 
-    /// Sets the camera and the size [pixels] of the image on the screen. Another camera discards the line.
-    void setPicture(const Camera& camera, QSize size);
     /// Makes the next drag draw a line. Until the user has chosen what it cuts, the mouse does nothing else.
-    void startDrawing() { takeMouse(); }
+    void startDrawing();
     void stopDrawing();
-    bool isDrawing() const { return takesMouse(); }
+    bool isDrawing() const { return drawing_; }
+
+    bool takes(const ViewPointer&) const override { return drawing_; }
+    void press(const ViewPointer& pointer) override;
+    void move(const ViewPointer& pointer) override;
+    void release(const ViewPointer& pointer) override;
+    bool hover(const ViewPointer&) override { return drawing_; }
+    bool cancel() override;
+    std::optional<Qt::CursorShape> cursor() const override;
+    /// Sets the image. Another camera discards the line.
+    void setImage(const ImagePlace& image) override;
+    void paint(QPainter& painter, const ImagePlace& image) const override;
 
   signals:
     void drawn(const pdr::FreehandCut& cut);
-    /// Reports the end of drawing: a line was completed, or was none (a click, or a line around nothing).
+    /// Reports the end of drawing: a line was completed, was none (a click, or a line around nothing), or was canceled.
     void ended();
 
-  protected:
-    void paintEvent(QPaintEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-
   private:
+    void discardLine();
     void ask(QPoint place);
     void answer(bool keepInside);
     std::vector<PicturePoint> outline() const;
 
-    std::optional<Camera> camera_;
-    QSize size_;
+    ImagePlace image_;
+    bool drawing_ = false;
     bool pressed_ = false;
-    QPolygonF line_;   ///< [px]
-    QWidget answers_;  ///< shown where the mouse was released
-    QPushButton remove_, keep_;
+    QPolygonF line_;               ///< [px]
+    QWidget* answers_;             ///< shown where the mouse was released
+    QPushButton *remove_, *keep_;  ///< on answers_
 };
 
 }  // namespace pdr::ui

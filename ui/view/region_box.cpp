@@ -1,9 +1,7 @@
 #include "ui/view/region_box.h"
 
-#include <QMouseEvent>
-#include <QPainter>
-
-#include "ui/view/shown_picture.h"
+#include "ui/view/mark.h"
+#include "ui/view/viewport.h"
 
 namespace pdr::ui {
 namespace {
@@ -12,70 +10,69 @@ constexpr double kLeastSide = 6;  ///< least side of a box [px]; a smaller one c
 
 }  // namespace
 
-void RegionBox::setBox(const std::optional<QRectF>& box) {
-    box_ = box;
-    update();
+RegionBox::RegionBox(Viewport* view) : ViewTool(view) {
+    view->tools().add(*this);
 }
 
-void RegionBox::setPicture(QSize size) {
-    size_ = size;
-    update();
+void RegionBox::setBox(const std::optional<QRectF>& box) {
+    box_ = box;
+    emit changed();
+}
+
+void RegionBox::startDrawing() {
+    drawing_ = true;
+    emit activated();
 }
 
 void RegionBox::stopDrawing() {
+    drawing_ = false;
     from_.reset();
-    leaveMouse();
+    emit changed();
 }
 
-void RegionBox::mousePressEvent(QMouseEvent* event) {
-    from_ = to_ = event->position();
+void RegionBox::press(const ViewPointer& pointer) {
+    from_ = to_ = pointer.at;
 }
 
-void RegionBox::mouseMoveEvent(QMouseEvent* event) {
-    to_ = event->position();
-    update();
+void RegionBox::move(const ViewPointer& pointer) {
+    to_ = pointer.at;
+    emit changed();
 }
 
-void RegionBox::mouseReleaseEvent(QMouseEvent* event) {
+void RegionBox::release(const ViewPointer& pointer) {
     if (!from_)
         return;
-    to_ = event->position();
-    const QRectF box = dragged();
+    to_ = pointer.at;
+    const QRectF box = dragged(pointer.image);
     stopDrawing();
     if (box.width() < kLeastSide || box.height() < kLeastSide)
         emit notDrawn();
     else
-        emit drawn(inParts(box));
+        emit drawn(pointer.image.inFractions(box));
+}
+
+bool RegionBox::cancel() {
+    if (!drawing_)
+        return false;
+    stopDrawing();
+    emit notDrawn();
+    return true;
+}
+
+std::optional<Qt::CursorShape> RegionBox::cursor() const {
+    return drawing_ ? std::optional(Qt::CrossCursor) : std::nullopt;
 }
 
 /// Returns the box that the drag has drawn so far, clipped to the image [px].
-QRectF RegionBox::dragged() const {
-    return QRectF(*from_, to_).normalized() & QRectF(rect()) & area();
+QRectF RegionBox::dragged(const ImagePlace& image) const {
+    return QRectF(*from_, to_).normalized() & QRectF({}, QSizeF(image.view)) & image.area;
 }
 
-/// Returns the part of the view that the image takes [px].
-QRectF RegionBox::area() const {
-    return size_.isEmpty() ? QRectF(rect()) : pictureArea(size_, {size(), devicePixelRatioF()});
-}
-
-QRectF RegionBox::inParts(const QRectF& box) const {
-    const QRectF whole = area();
-    return {(box.x() - whole.x()) / whole.width(), (box.y() - whole.y()) / whole.height(), box.width() / whole.width(),
-            box.height() / whole.height()};
-}
-
-QRectF RegionBox::inPixels(const QRectF& box) const {
-    const QRectF whole = area();
-    return {whole.x() + box.x() * whole.width(), whole.y() + box.y() * whole.height(), box.width() * whole.width(),
-            box.height() * whole.height()};
-}
-
-void RegionBox::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
+void RegionBox::paint(QPainter& painter, const ImagePlace& image) const {
     if (from_)
-        drawMark(painter, dragged(), 1);
+        drawMark(painter, dragged(image), 1);
     else if (box_)
-        drawMark(painter, inPixels(*box_), 1);
+        drawMark(painter, image.inPixels(*box_), 1);
 }
 
 }  // namespace pdr::ui

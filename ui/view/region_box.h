@@ -1,53 +1,52 @@
 #pragma once
-/// A layer in which the user draws the box whose pixels get their samples first; it also shows that box. Setters emit
-/// no signals.
+/// The tool that draws the box whose pixels get their samples first; it also shows that box. Setters emit no signals.
 
 #include <QRectF>
 #include <optional>
 
-#include "ui/view/picture_layer.h"
+#include "ui/view/view_tool.h"
 
 namespace pdr::ui {
 
-class RegionBox : public PictureLayer {
+class Viewport;
+
+class RegionBox : public ViewTool {
     Q_OBJECT
 
   public:
-    explicit RegionBox(QWidget* picture) : PictureLayer(picture) {}
+    /// Adds the tool to the view's tools.
+    explicit RegionBox(Viewport* view);
 
     /// Sets the box in fractions of the image's width and height. None: there is no box.
     void setBox(const std::optional<QRectF>& box);
-    /// Sets the size of the image [pixels], which lies in the view as pictureArea() places it. Initially it fills the
-    /// view.
-    void setPicture(QSize size);
     /// Makes the next drag draw a box; until then the mouse does nothing else.
-    void startDrawing() { takeMouse(); }
+    void startDrawing();
     void stopDrawing();
-    bool isDrawing() const { return takesMouse(); }
+    bool isDrawing() const { return drawing_; }
+
+    bool takes(const ViewPointer&) const override { return drawing_; }
+    void press(const ViewPointer& pointer) override;
+    void move(const ViewPointer& pointer) override;
+    void release(const ViewPointer& pointer) override;
+    bool hover(const ViewPointer&) override { return drawing_; }
+    bool cancel() override;
+    std::optional<Qt::CursorShape> cursor() const override;
+    void paint(QPainter& painter, const ImagePlace& image) const override;
 
   signals:
     /// Reports a drawn box in fractions of the image's width and height, clipped to the image. A drag too short for a
     /// box counts as a click.
     void drawn(QRectF box);
-    /// Reports that a click ended drawing without a box.
+    /// Reports that a click or Esc ended drawing without a box.
     void notDrawn();
 
-  protected:
-    void paintEvent(QPaintEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-
   private:
-    QRectF dragged() const;
-    QRectF area() const;
-    QRectF inParts(const QRectF& box) const;
-    QRectF inPixels(const QRectF& box) const;
+    QRectF dragged(const ImagePlace& image) const;
 
-    QSize size_;  ///< size of the image [pixels]; empty: the view's
+    bool drawing_ = false;
     std::optional<QRectF> box_;
     std::optional<QPointF> from_;  ///< where the drag began [px]; none: no drag
-    QPointF to_;
+    QPointF to_;                   ///< [px]
 };
 
 }  // namespace pdr::ui

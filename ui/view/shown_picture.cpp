@@ -6,7 +6,6 @@
 
 #include "ui/annotation/annotations.h"
 #include "ui/view/error_legend.h"
-#include "ui/view/picture_layer.h"
 #include "ui/view/upsampled.h"
 
 namespace pdr::ui {

@@ -8,24 +8,24 @@
 #include <QToolTip>
 #include <QWheelEvent>
 #include <chrono>
-#include <cmath>
-#include <utility>
 
 #include "render/scene/orbit.h"
 
 namespace pdr::ui {
 namespace {
 
-constexpr double kKeyStep = 1.0 / 24;  // of the view's height: 7.5 degrees
-constexpr double kZoomPerWheelClick = 1.15;
-constexpr double kZoomPerHeight = 8;  // magnification of a drag over the whole height
-constexpr double kTremble = 3;        // pointer movement that still counts as a click [px]
-constexpr auto kRestAfter = std::chrono::milliseconds(250);
 constexpr auto kSettledAfter = std::chrono::milliseconds(200);
 
 }  // namespace
 
-Viewport::Viewport(QWidget* parent) : QWidget(parent) {
+Viewport::Viewport(QWidget* parent)
+    : QWidget(parent),
+      orbit_(camera_, orbited),
+      pan_(camera_, panned),
+      zoom_(camera_, zoomedByDrag),
+      steps_(camera_),
+      tissue_(kTremble),
+      light_(0) {
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setCursor(Qt::ArrowCursor);
@@ -33,32 +33,63 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Image"));
     setAccessibleDescription(
         tr("The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom."));
-    restTimer_.setSingleShot(true);
-    restTimer_.setInterval(kRestAfter);
-    connect(&restTimer_, &QTimer::timeout, this, &Viewport::rest);
     settleTimer_.setSingleShot(true);
     settleTimer_.setInterval(kSettledAfter);
     connect(&settleTimer_, &QTimer::timeout, this, [this] { emit sizeInPixelsChanged(sizeInPixels()); });
+    bindTools();
+    forwardTools();
+}
+
+/// Sets which gesture a button and modifiers begin. The first match counts.
+void Viewport::bindTools() {
+    for (ViewTool* tool : std::initializer_list<ViewTool*>{&steps_, &tissuePick_, &focusPick_})
+        tools_.add(*tool);
+    tools_.bind(Qt::LeftButton, Qt::ControlModifier, tissue_);
+    tools_.bind(Qt::LeftButton, Qt::ShiftModifier, pan_);
+    tools_.bind(Qt::LeftButton, Qt::NoModifier, orbit_);
+    tools_.bind(Qt::MiddleButton, Qt::NoModifier, pan_);
+    tools_.bind(Qt::RightButton, Qt::ShiftModifier, light_);
+    tools_.bind(Qt::RightButton, Qt::NoModifier, zoom_);
+}
+
+/// Reports what the tools do as signals of the view.
+void Viewport::forwardTools() {
+    connect(&tools_, &ViewTools::changed, this, &Viewport::followTools);
+    connect(&camera_, &EditedCamera::edited, this, &Viewport::cameraEdited);
+    connect(&zoom_, &CameraDrag::clicked, this, [this](QPointF place) { emit menuRequested(place.toPoint()); });
+    connect(&tissue_, &DragTool::dragged, this, [this](QPointF total, QPointF, bool moving) {
+        if (camera_.get())
+            emit tissueDragged(total, moving);
+    });
+    connect(&light_, &DragTool::dragged, this, [this](QPointF, QPointF step, bool moving) {
+        if (camera_.get())
+            emit lightDragged(step, moving);
+    });
+    connect(&tissue_, &DragTool::clicked, this, &Viewport::tissuePicked);
+    connect(&tissuePick_, &PickTool::picked, this, &Viewport::tissuePicked);
+    connect(&focusPick_, &PickTool::picked, this, &Viewport::focusPicked);
+}
+
+void Viewport::followTools() {
+    if (cursor().shape() != tools_.cursor())
+        setCursor(tools_.cursor());
+    update();
 }
 
 void Viewport::setPicture(const ShownPicture& picture) {
     picture_ = picture;
+    tools_.setImage(place());
     update();
 }
 
 void Viewport::clearPicture() {
     picture_.reset();
+    tools_.setImage(place());
     update();
 }
 
 EdgeLetters Viewport::letters() const {
     return picture_ ? edgeLetters(picture_->camera) : EdgeLetters{};
-}
-
-void Viewport::setCamera(const std::optional<Camera>& camera) {
-    camera_ = camera;
-    if (!camera_)
-        moved_ = false;
 }
 
 void Viewport::setCaptionShown(bool shown) {
@@ -80,42 +111,22 @@ void Viewport::showTip(QPointF place, const QString& text) {
         QToolTip::showText(restingAt_, text, this, QRect(mapFromGlobal(restingAt_), QSize(1, 1)));
 }
 
-/// Returns a point of the view in fractions of the image's width and height.
-QPointF Viewport::placeOf(QPointF point) const {
-    const QRectF area = pictureArea(picture_->image.size(), view());
-    const QPointF place = point - area.topLeft();
-    return {place.x() / area.width(), place.y() / area.height()};
+ImagePlace Viewport::place() const {
+    if (!picture_ || picture_->image.isNull())
+        return {size(), rect(), std::nullopt};
+    return {size(), pictureArea(picture_->image.size(), {size(), devicePixelRatioF()}), picture_->camera};
 }
 
 void Viewport::setPicking(Picking picking) {
-    picking_ = picking;
-    setCursor(picking != Picking::nothing ? Qt::CrossCursor : Qt::ArrowCursor);
+    tissuePick_.setActive(picking == Picking::tissue);
+    focusPick_.setActive(picking == Picking::focus);
     emit pickingChanged(picking);
 }
 
-void Viewport::dragTissue(QPointF point) {
-    tissueMoved_ = tissueMoved_ || QLineF(pressed_, point).length() > kTremble;
-    const dvec2 drag = inHeights(point - pressed_);
-    if (tissueMoved_ && picking_ == Picking::nothing)
-        emit tissueDragged({drag.x, drag.y}, true);
-}
-
-void Viewport::endTissue(QPointF point) {
-    const dvec2 drag = inHeights(point - pressed_);
-    if (std::exchange(tissueMoved_, false) && picking_ == Picking::nothing)
-        return emit tissueDragged({drag.x, drag.y}, false);
-    if (!picture_)
-        return;
-    if (picking_ == Picking::focus)
-        emit focusPicked(placeOf(point));
-    else
-        emit tissuePicked(placeOf(point));
-}
-
 void Viewport::tellPlace(const QHelpEvent& event) {
-    if (!picture_ || gesture_ != Gesture::none)
+    if (!picture_ || tools_.inGesture())
         return;
-    resting_ = placeOf(event.pos());
+    resting_ = place().fractionsAt(event.pos());
     restingAt_ = event.globalPos();
     if (QRectF(0, 0, 1, 1).contains(*resting_))
         emit rested(*resting_);
@@ -127,8 +138,10 @@ bool Viewport::event(QEvent* event) {
         tellPlace(*static_cast<QHelpEvent*>(event));
         return true;
     }
-    if (event->type() == QEvent::Leave)
+    if (event->type() == QEvent::Leave) {
         resting_.reset();
+        tools_.leave();
+    }
     if (event->type() == QEvent::ScreenChangeInternal)
         changeSize();
     return QWidget::event(event);
@@ -152,68 +165,42 @@ void Viewport::resizeEvent(QResizeEvent*) {
 /// Reports the new size. While an image is shown, waits until the size has settled: the sizes in between, e.g. while
 /// the window is resized or panels open, are not worth rendering.
 void Viewport::changeSize() {
+    tools_.setImage(place());
     if (picture_)
         settleTimer_.start();
     else
         emit sizeInPixelsChanged(sizeInPixels());
 }
 
-Viewport::Gesture Viewport::gestureOf(const QMouseEvent& event) {
-    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
-    switch (event.button()) {
-        case Qt::LeftButton:
-            if (event.modifiers().testFlag(Qt::ControlModifier))
-                return Gesture::tissue;
-            return shift ? Gesture::pan : Gesture::orbit;
-        case Qt::MiddleButton:
-            return Gesture::pan;
-        case Qt::RightButton:
-            return shift ? Gesture::light : Gesture::zoom;
-        default:
-            return Gesture::none;
-    }
+ViewPointer Viewport::pointer(const QSinglePointEvent& event) const {
+    return {event.position(), event.button(), event.buttons(), event.modifiers(), false, place()};
+}
+
+void Viewport::press(const QMouseEvent& event, bool twice) {
+    ViewPointer pressed = pointer(event);
+    pressed.twice = twice;
+    tools_.press(pressed);
+    if (tools_.inGesture())
+        camera_.hold();
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
-    if (gesture_ != Gesture::none)
-        return;
-    gesture_ = picking_ != Picking::nothing && event->button() == Qt::LeftButton ? Gesture::tissue : gestureOf(*event);
-    last_ = pressed_ = event->position();
+    press(*event, false);
+}
+
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
+    press(*event, true);
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
     resting_.reset();
-    if (!camera_ || gesture_ == Gesture::none)
-        return;
-    const dvec2 drag = inHeights(event->position() - last_);
-    last_ = event->position();
-    switch (gesture_) {
-        case Gesture::orbit:
-            return edit(orbited(*camera_, drag));
-        case Gesture::pan:
-            return edit(panned(*camera_, drag));
-        case Gesture::zoom:
-            return edit(zoomed(*camera_, std::pow(kZoomPerHeight, -drag.y)));
-        case Gesture::tissue:
-            return dragTissue(event->position());
-        case Gesture::light:
-            return emit lightDragged({drag.x, drag.y}, true);
-        case Gesture::none:
-            return;
-    }
+    tools_.move(pointer(*event));
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->buttons() != Qt::NoButton)
-        return;
-    const Gesture ended = std::exchange(gesture_, Gesture::none);
-    if (ended == Gesture::zoom && QLineF(pressed_, event->position()).length() <= kTremble)
-        emit menuRequested(event->position().toPoint());
-    if (ended == Gesture::tissue)
-        endTissue(event->position());
-    if (ended == Gesture::light)
-        emit lightDragged({0, 0}, false);
-    rest();
+    tools_.release(pointer(*event));
+    if (!tools_.inGesture())
+        camera_.letGo();
 }
 
 /// Opens the menu by its key only. The mouse's context menu event comes with the press, which may begin a drag.
@@ -222,64 +209,16 @@ void Viewport::contextMenuEvent(QContextMenuEvent* event) {
         emit menuRequested(rect().center());
 }
 
-/// Zooms so that the point under the pointer stays under it.
 void Viewport::wheelEvent(QWheelEvent* event) {
-    if (!camera_)
-        return;
-    const double factor = std::pow(kZoomPerWheelClick, event->angleDelta().y() / 120.0);
-    const dvec2 cursor = inHeights(event->position() - QRectF(rect()).center());
-    editInSteps(panned(zoomed(*camera_, factor), cursor * (1 - factor)));
+    constexpr double kPerClick = 120;
+    tools_.wheel(pointer(*event), event->angleDelta().y() / kPerClick);
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event) {
-    if (!camera_)
-        return QWidget::keyPressEvent(event);
-    const auto turnOrMove = [&](dvec2 drag) {
-        const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
-        editInSteps(shift ? panned(*camera_, drag) : orbited(*camera_, drag));
-    };
-    switch (event->key()) {
-        case Qt::Key_Left:
-            return turnOrMove({-kKeyStep, 0});
-        case Qt::Key_Right:
-            return turnOrMove({kKeyStep, 0});
-        case Qt::Key_Up:
-            return turnOrMove({0, -kKeyStep});
-        case Qt::Key_Down:
-            return turnOrMove({0, kKeyStep});
-        case Qt::Key_Home:
-            return emit resetRequested();
-        case Qt::Key_Plus:
-        case Qt::Key_Equal:
-            return editInSteps(zoomed(*camera_, kZoomPerWheelClick));
-        case Qt::Key_Minus:
-            return editInSteps(zoomed(*camera_, 1 / kZoomPerWheelClick));
-        default:
-            QWidget::keyPressEvent(event);
-    }
-}
-
-void Viewport::edit(const Camera& camera) {
-    camera_ = camera;
-    moved_ = true;
-    emit cameraEdited(camera, true);
-}
-
-void Viewport::editInSteps(const Camera& camera) {
-    edit(camera);
-    restTimer_.start();
-}
-
-void Viewport::rest() {
-    if (gesture_ != Gesture::none || !moved_)
-        return;
-    restTimer_.stop();
-    moved_ = false;
-    emit cameraEdited(*camera_, false);
-}
-
-dvec2 Viewport::inHeights(QPointF distance) const {
-    return dvec2(distance.x(), distance.y()) / double(std::max(height(), 1));
+    if (camera_.get() && event->key() == Qt::Key_Home)
+        return emit resetRequested();
+    if (!tools_.key(*event))
+        QWidget::keyPressEvent(event);
 }
 
 /// Paints the focus ring, which is visible on the black ground and on bright tissue.
@@ -294,16 +233,20 @@ void Viewport::paintRing(QPainter& painter) const {
 void Viewport::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), Qt::black);
-    if (!picture_)
-        return paintMessage(painter);
-    painter.setFont(font());
-    paintShownPicture(painter, *picture_, view());
-    if (reachedByKey_)
-        paintRing(painter);
+    painter.save();
+    if (picture_)
+        paintImage(painter);
+    else
+        paintMessage(painter);
+    painter.restore();
+    tools_.paint(painter);
 }
 
-PictureView Viewport::view() const {
-    return {size(), devicePixelRatioF(), captionShown_, overlay_()};
+void Viewport::paintImage(QPainter& painter) const {
+    painter.setFont(font());
+    paintShownPicture(painter, *picture_, {size(), devicePixelRatioF(), captionShown_, overlay_()});
+    if (reachedByKey_)
+        paintRing(painter);
 }
 
 void Viewport::paintMessage(QPainter& painter) const {

@@ -1,5 +1,6 @@
 #pragma once
-/// The widget that shows the image and turns drags, wheel and keys into camera edits. Setters emit no signals.
+/// The widget that shows the image and passes pointer, wheel and keys to its tools: those of the camera, and those that
+/// others add. Setters emit no signals.
 
 #include <QPoint>
 #include <QTimer>
@@ -7,9 +8,14 @@
 #include <functional>
 #include <optional>
 
-#include "render/scene/camera.h"
 #include "ui/annotation/orientation_letters.h"
+#include "ui/view/camera_drag.h"
+#include "ui/view/camera_steps.h"
+#include "ui/view/drag_tool.h"
+#include "ui/view/edited_camera.h"
+#include "ui/view/pick_tool.h"
 #include "ui/view/shown_picture.h"
+#include "ui/view/view_tools.h"
 
 class QHelpEvent;
 
@@ -23,12 +29,14 @@ class Viewport : public QWidget {
 
     void setPicture(const ShownPicture& picture);
     void clearPicture();
+    /// Returns the view's tools, to which others can be added.
+    ViewTools& tools() { return tools_; }
     /// Returns the orientation letters at the edges of the image; empty without an image.
     EdgeLetters letters() const;
     /// Shows a tool tip if the pointer still rests at `place`, which rested() reported. Empty: no tool tip.
     void showTip(QPointF place, const QString& text);
     /// Sets the camera that the next edit starts from, which may be ahead of the image's. None: edits are ignored.
-    void setCamera(const std::optional<Camera>& camera);
+    void setCamera(const std::optional<Camera>& camera) { camera_.set(camera); }
     /// Sets the function that returns the lines in the image's upper left corner; it is called at each painting.
     void setOverlay(std::function<QStringList()> lines) { overlay_ = std::move(lines); }
     void setCaptionShown(bool shown);
@@ -83,26 +91,22 @@ class Viewport : public QWidget {
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    enum class Gesture { none, orbit, pan, zoom, tissue, light };
-    static Gesture gestureOf(const QMouseEvent& event);
-
-    void edit(const Camera& camera);
-    void rest();
+    void bindTools();
+    void forwardTools();
+    void followTools();
+    void press(const QMouseEvent& event, bool twice);
+    ViewPointer pointer(const QSinglePointEvent& event) const;
+    ImagePlace place() const;
     void changeSize();
-    void editInSteps(const Camera& camera);
-    /// Converts widget coordinates [px] to fractions of the view's height.
-    dvec2 inHeights(QPointF distance) const;
-    PictureView view() const;
-    QPointF placeOf(QPointF point) const;
-    void dragTissue(QPointF point);
-    void endTissue(QPointF point);
     void tellPlace(const QHelpEvent& event);
     void paintMessage(QPainter& painter) const;
+    void paintImage(QPainter& painter) const;
     void paintRing(QPainter& painter) const;
 
     std::optional<ShownPicture> picture_;
@@ -110,17 +114,15 @@ class Viewport : public QWidget {
     std::function<QStringList()> overlay_ = [] { return QStringList(); };
     bool reachedByKey_ = false;  ///< the focus came here by Tab
     bool captionShown_ = false;
-    std::optional<Camera> camera_;
-    Gesture gesture_ = Gesture::none;
-    bool moved_ = false;  ///< the gesture has edited the camera
-    QPointF last_;
-    QPointF pressed_;
-    bool tissueMoved_ = false;  ///< the drag is longer than the tremble of a click
-    Picking picking_ = Picking::nothing;
+    EditedCamera camera_;
+    CameraDrag orbit_, pan_, zoom_;
+    CameraSteps steps_;
+    DragTool tissue_, light_;
+    PickTool tissuePick_, focusPick_;
+    ViewTools tools_;
     std::optional<QPointF> resting_;  ///< place reported last by rested(); none: the pointer has moved on
     QPoint restingAt_;                ///< resting_ in screen coordinates
     QTimer settleTimer_;              ///< the size has settled when this runs out
-    QTimer restTimer_;                ///< ends gestures of wheel and keys, which have no release
 };
 
 }  // namespace pdr::ui

@@ -105,10 +105,6 @@ void MainWindow::addMenu(const QString& title, const std::function<void(QMenu&)>
     menu->setToolTipsVisible(true);
 }
 
-void MainWindow::addToEscape(std::function<bool()> cancel) {
-    escapes_.push_back(std::move(cancel));
-}
-
 /// Returns the keys of all actions. Their defaults are those that they have when this is first called, at the latest
 /// when the user's keys are restored.
 KeyBindings& MainWindow::bindings() {
@@ -215,9 +211,8 @@ QStringList MainWindow::linesOverImage() const {
 void MainWindow::escape() {
     if (keys_->isVisible())
         return keys_->hide();
-    for (const auto& cancel : escapes_)
-        if (cancel())
-            return;
+    if (viewport_->tools().cancel())
+        return;
     viewport_->setPicking(Viewport::Picking::nothing);
     actions_.alone->setChecked(false);
     message_->clear();

@@ -7,7 +7,6 @@
 #include <QMainWindow>
 #include <functional>
 #include <optional>
-#include <vector>
 
 #include "ui/accuracy/foot.h"
 #include "ui/keys/key_bindings.h"
@@ -46,9 +45,6 @@ class MainWindow : public QMainWindow {
     QAction* panelToggle(const QString& name) const { return docks_->toggle(name); }
     /// Adds a menu to the left of Help; `fill` fills it.
     void addMenu(const QString& title, const std::function<void(QMenu&)>& fill);
-    /// Adds something that Esc cancels. Esc asks `cancel` of each, in the order in which they were added, until one
-    /// returns true: it had something to cancel. If none had, Esc ends everything else; see cancelRequested().
-    void addToEscape(std::function<bool()> cancel);
 
     /// Sets the title bar's description of the open series, and the one shown while names are hidden. Empty: nothing is
     /// open. Neither may contain the patient's name.
@@ -89,7 +85,8 @@ class MainWindow : public QMainWindow {
     void themeChosen(pdr::ui::ThemeChoice choice);
     /// Reports whether the names of patients are hidden from now on.
     void namesHiddenChanged(bool hidden);
-    /// Requests to end whatever waits or runs: emitted on Esc, unless something nearer was cancelled by it.
+    /// Requests to end whatever waits or runs: emitted on Esc, unless Esc has cancelled what a tool of the view was
+    /// doing.
     void cancelRequested();
     /// Reports whether the window is minimised or hidden, so that nobody can see it.
     void unseenChanged(bool unseen);
@@ -124,7 +121,6 @@ class MainWindow : public QMainWindow {
     WindowDocks* docks_;
     WindowActions actions_;
     std::optional<KeyBindings> bindings_;  ///< made when all actions are in the menus; see bindings()
-    std::vector<std::function<bool()>> escapes_;
     QString lastFolder_;
     QStringList patient_, patientWhileHidden_;
     QString subject_, subjectWhileHidden_;

@@ -5,7 +5,6 @@
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "ui/text/to_qt.h"
-#include "ui/view/region_box.h"
 
 namespace pdr::app {
 
@@ -26,11 +25,10 @@ class TestBoxFirst : public QObject {
 static void drawBox(Trial& trial) {
     ui::MainWindow& window = trial.desktop.window();
     QTest::keyClick(&window, Qt::Key_B);
-    auto* layer = window.findChild<ui::RegionBox*>();
-    QVERIFY(layer->isDrawing());
-    const QPoint from = layer->rect().center() - QPoint(40, 40), to = layer->rect().center() + QPoint(40, 40);
-    QTest::mousePress(layer, Qt::LeftButton, {}, from);
-    QTest::mouseRelease(layer, Qt::LeftButton, {}, to);
+    QVERIFY(window.region().isDrawing());
+    const QPoint middle = window.viewport().rect().center();
+    QTest::mousePress(&window.viewport(), Qt::LeftButton, {}, middle - QPoint(40, 40));
+    QTest::mouseRelease(&window.viewport(), Qt::LeftButton, {}, middle + QPoint(40, 40));
 }
 
 static QAction* boxFirst(Trial& trial) {
@@ -54,11 +52,11 @@ void TestBoxFirst::aBoxIsDrawnHasItsOwnSentenceAndIsForgotten() {
     const auto last = [&] { return trial.frames.back(); };
     QTRY_VERIFY_WITH_TIMEOUT(last()->region && !last()->region->reached, test::kPatience);
     QVERIFY(boxFirst(trial)->isChecked());
-    const auto* layer = trial.desktop.window().findChild<ui::RegionBox*>();
+    const QSize view = trial.desktop.window().viewport().size();
     const dvec2 middle = (last()->region->region.from + last()->region->region.to) / 2.0;
     const dvec2 sides = last()->region->region.to - last()->region->region.from;
     QVERIFY(glm::length(middle - 0.5) < 0.01);
-    QVERIFY(std::abs(sides.x * layer->width() - 80) < 2 && std::abs(sides.y * layer->height() - 80) < 2);
+    QVERIFY(std::abs(sides.x * view.width() - 80) < 2 && std::abs(sides.y * view.height() - 80) < 2);
     QTRY_VERIFY_WITH_TIMEOUT(trial.said().startsWith("In the region: "), test::kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(std::isfinite(last()->region->status.displayError), test::kPatience);
     QVERIFY(trial.said().contains("for the region"));
@@ -80,7 +78,7 @@ void TestBoxFirst::escapeDrawsNone() {
     QTest::keyClick(&trial.desktop.window(), Qt::Key_B);
     QVERIFY(boxFirst(trial)->isChecked());
     QTest::keyClick(&trial.desktop.window(), Qt::Key_Escape);
-    QVERIFY(!boxFirst(trial)->isChecked() && !trial.desktop.window().findChild<ui::RegionBox*>()->isDrawing());
+    QVERIFY(!boxFirst(trial)->isChecked() && !trial.desktop.window().region().isDrawing());
 }
 
 void TestBoxFirst::anotherSeriesHasNone() {

@@ -4,9 +4,9 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "app/presenters/camera_presenter.h"
 #include "app/presenters/light_presenter.h"
 #include "app/presenters/series_presenter.h"
-#include "app/presenters/tissue_presenter.h"
 #include "render/scene/edit/camera_edits.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/desktop/hand_on_window.h"
@@ -55,7 +55,7 @@ class TestCameraInWindow : public QObject {
 void TestCameraInWindow::whatIsClickedBecomesSharp() {
     CameraTrial trial(series());
     ui::Viewport& viewport = trial.window.viewport();
-    QSignalSpy found(&trial.desktop.presenter<TissuePresenter>().study(), &TissueStudy::depthFound);
+    QSignalSpy found(&trial.desktop.presenter<CameraPresenter>().study(), &TissueStudy::depthFound);
     emit test::the<ui::CameraPanel>(trial.window).pickingChosen(true);
     QTest::mouseClick(&viewport, Qt::LeftButton, {}, viewport.rect().center());
     QTRY_COMPARE_WITH_TIMEOUT(found.count(), 1, test::kPatience);

@@ -112,12 +112,12 @@ class TestCutInWindow : public QObject {
         const Film before = rendered(document);
         QTest::keyClick(&window, Qt::Key_X);
         QVERIFY(pen.isDrawing());
-        drawAround(pen);
+        drawAround(window.viewport());
         QTest::keyClick(&window, Qt::Key_Escape);
         QVERIFY(!pen.isDrawing() && !document.canUndo());
         QTest::keyClick(&window, Qt::Key_X);
-        drawAround(pen);
-        for (auto* button : pen.findChildren<QPushButton*>())
+        drawAround(window.viewport());
+        for (auto* button : window.viewport().findChildren<QPushButton*>())
             if (button->text() == "Remove inside")
                 button->click();
         QCOMPARE(document.setup().clip.freehand.size(), std::size_t(1));
@@ -149,12 +149,12 @@ class TestCutInWindow : public QObject {
 
   private:
     /// A triangle in the middle of the picture.
-    static void drawAround(QWidget& pen) {
-        const QPoint middle = pen.rect().center(), corners[] = {{-40, -40}, {50, 0}, {-40, 40}};
-        QTest::mousePress(&pen, Qt::LeftButton, {}, middle + corners[0]);
+    static void drawAround(QWidget& view) {
+        const QPoint middle = view.rect().center(), corners[] = {{-40, -40}, {50, 0}, {-40, 40}};
+        QTest::mousePress(&view, Qt::LeftButton, {}, middle + corners[0]);
         for (const QPoint corner : corners)
-            test::dragOn(pen, middle + corner);
-        QTest::mouseRelease(&pen, Qt::LeftButton, {}, middle + corners[2]);
+            test::dragOn(view, middle + corner);
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, middle + corners[2]);
     }
     static QPoint handle(ui::MainWindow& window, CutHandle handle) {
         return test::the<ui::CutTools>(window).layer().marks().placeOf(handle).value_or(QPointF(-99, -99)).toPoint();

@@ -1,4 +1,4 @@
-/// The handles of the cut over the image: they follow the mouse, and presses beside them reach the image.
+/// The handles of the cut over the image: they follow the mouse, and presses beside them reach other tools.
 
 #include "ui/cut/cut_layer.h"
 
@@ -6,6 +6,8 @@
 #include <QTest>
 
 #include "tests/support/desktop/mouse.h"
+#include "tests/support/desktop/press_counter.h"
+#include "ui/view/viewport.h"
 
 namespace pdr::ui {
 
@@ -13,13 +15,14 @@ using Kind = CutHandle::Kind;
 
 static const Uncut kBody{{-100, -80, -120}, {100, 80, 120}};
 
-/// An image of 300 x 200 pixels that counts the clicks on it, below its layer; the body is seen from the right front.
-class CutPicture : public QWidget {
+/// An image of 300 x 200 pixels that counts the clicks beside the handles; the body is seen from the right front.
+class CutPicture : public Viewport {
   public:
     CutPicture() {
         resize(300, 200);
-        setMouseTracking(true);
-        layer->setPicture(camera, {300, 200});
+        setPicture({QImage(300, 200, QImage::Format_RGB32), camera});
+        tools().add(behind);
+        tools().add(*layer);
         layer->setCuts({}, kBody);
         layer->setHandlesShown(true);
         QObject::connect(layer, &CutLayer::clipEdited, [this](const Clip& clip, bool moving) {
@@ -35,15 +38,18 @@ class CutPicture : public QWidget {
         move(to);
     }
     void move(QPoint to) { test::dragOn(*this, to); }
+    void doubleClick(QPoint at) {
+        QTest::mouseDClick(this, Qt::LeftButton, {}, at);
+        QTest::mouseRelease(this, Qt::LeftButton, {}, at);
+    }
+    /// Moves the mouse without a button.
+    void hover(QPoint to) { test::dragOn(*this, to, Qt::NoButton); }
 
     Camera camera{.eyeMm = {-500, -600, 100}, .targetMm = {0, 0, 0}, .fovDegrees = 30};
-    int clicks = 0, doubleClicks = 0, ended = 0;
+    int ended = 0;
+    test::PressCounter behind;
     Clip edited;
     CutLayer* layer = new CutLayer(this);
-
-  protected:
-    void mousePressEvent(QMouseEvent*) override { ++clicks; }
-    void mouseDoubleClickEvent(QMouseEvent*) override { ++doubleClicks; }
 };
 
 class TestCutLayer : public QObject {
@@ -59,7 +65,7 @@ class TestCutLayer : public QObject {
         QVERIFY((picture.at(head) - QPoint(0, 0)).y() > 0);
         QTest::mouseRelease(&picture, Qt::LeftButton, {}, picture.at(head));
         QCOMPARE(picture.ended, 1);
-        QCOMPARE(picture.clicks, 0);
+        QCOMPARE(picture.behind.clicks, 0);
         for (int face = 0; face < 5; ++face)
             QCOMPARE(cutOffMm(picture.edited, kBody, face), 0.0);
     }
@@ -75,26 +81,38 @@ class TestCutLayer : public QObject {
     void besideAHandleTheHandReachesThePicture() {
         CutPicture picture;
         QTest::mouseClick(&picture, Qt::LeftButton, {}, {5, 5});
-        QTest::mouseDClick(&picture, Qt::LeftButton, {}, {5, 5});
-        QCOMPARE(picture.clicks, 1);
-        QCOMPARE(picture.doubleClicks, 1);
+        picture.doubleClick({5, 5});
+        QCOMPARE(picture.behind.clicks, 1);
+        QCOMPARE(picture.behind.doubleClicks, 1);
         const QPoint head = picture.at({Kind::face, 5});
         QTest::mouseClick(&picture, Qt::LeftButton, Qt::ShiftModifier, head);
         QTest::mouseClick(&picture, Qt::RightButton, {}, head);
-        QCOMPARE(picture.clicks, 3);
+        QCOMPARE(picture.behind.clicks, 3);
         picture.layer->setHandlesShown(false);
         QTest::mouseClick(&picture, Qt::LeftButton, {}, head);
-        QCOMPARE(picture.clicks, 4);
+        QCOMPARE(picture.behind.clicks, 4);
         QVERIFY(picture.edited == Clip());
+    }
+
+    void theHandleUnderTheMouseHasItsCursor() {
+        CutPicture picture;
+        picture.hover(picture.at({Kind::face, 5}));
+        QCOMPARE(picture.cursor().shape(), Qt::SizeAllCursor);
+        picture.hover({5, 5});
+        QCOMPARE(picture.cursor().shape(), Qt::ArrowCursor);
+        picture.hover(picture.at({Kind::face, 5}));
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(&picture, &leave);
+        QCOMPARE(picture.cursor().shape(), Qt::ArrowCursor);
     }
 
     void givenUpItIsAsBefore() {
         CutPicture picture;
         QSignalSpy givenUp(picture.layer, &CutLayer::gestureGivenUp);
         const QPoint head = picture.at({Kind::face, 5});
-        QVERIFY(!picture.layer->giveUp());
+        QVERIFY(!picture.layer->cancel());
         picture.drag(head, head + QPoint(0, 20));
-        QVERIFY(picture.layer->giveUp());
+        QVERIFY(picture.layer->cancel());
         QCOMPARE(givenUp.size(), 1);
         QCOMPARE(picture.at({Kind::face, 5}), head);
         picture.edited = {};
@@ -108,13 +126,13 @@ class TestCutLayer : public QObject {
         Clip clip = withCutOff(withCutOff({}, kBody, 5, 50), kBody, 0, 30);
         clip.planes = {{{0, 20, 0}, {0.3, -1, 0}}};
         picture.layer->setCuts(clip, kBody);
-        QTest::mouseDClick(&picture, Qt::LeftButton, {}, picture.at({Kind::face, 5}));
+        picture.doubleClick(picture.at({Kind::face, 5}));
         QCOMPARE(cutOffMm(picture.edited, kBody, 5), 0.0);
         QCOMPARE(cutOffMm(picture.edited, kBody, 0), 30.0);
-        QTest::mouseDClick(&picture, Qt::LeftButton, {}, picture.at({Kind::offset, 0}));
+        picture.doubleClick(picture.at({Kind::offset, 0}));
         QVERIFY(picture.edited.planes.empty() && picture.edited.box);
         QCOMPARE(picture.ended, 2);
-        QCOMPARE(picture.doubleClicks, 0);
+        QCOMPARE(picture.behind.doubleClicks, 0);
     }
 
     void planesAreMovedAndTilted() {
@@ -154,7 +172,9 @@ class TestCutLayer : public QObject {
             QImage image(picture.size(), QImage::Format_RGB32);
             image.fill(Qt::black);
             const QImage empty = image;
-            picture.layer->render(&image, {}, {}, {});
+            QPainter painter(&image);
+            picture.layer->paint(painter, {picture.size(), picture.rect(), picture.camera});
+            painter.end();
             return image != empty;
         };
         QVERIFY(isDrawn());

@@ -1,41 +1,50 @@
 /// A line drawn on the image becomes a cut when the user has chosen what it cuts.
 
 #include "ui/cut/freehand_pen.h"
-#include "tests/support/desktop/mouse.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
 #include "render/scene/edit/drawn_outline.h"
 #include "tests/support/desktop/mouse.h"
+#include "tests/support/desktop/press_counter.h"
+#include "ui/view/viewport.h"
 
 namespace pdr::ui {
 
-/// An image of 300 x 200 pixels below a pen.
-class PenPicture : public QWidget {
+/// An image of 300 x 200 pixels with a pen; it counts the clicks that the pen does not take.
+class PenPicture : public Viewport {
   public:
     PenPicture() {
         resize(300, 200);
-        pen->setPicture({}, {300, 200});
+        showImage({300, 200}, {});
+        tools().add(behind);
+        tools().add(*pen);
         QObject::connect(pen, &FreehandPen::drawn, [this](const FreehandCut& cut) { cuts.push_back(cut); });
         show();
+    }
+    void showImage(QSize size, const Camera& camera) { setPicture({QImage(size, QImage::Format_RGB32), camera}); }
+    int clicksBehind() {
+        QTest::mouseClick(this, Qt::LeftButton, {}, {150, 100});
+        return behind.clicks;
     }
     /// A square of 100 pixels around the middle.
     void drawSquare() {
         const QPoint corners[] = {{100, 50}, {200, 50}, {200, 150}, {100, 150}};
-        QTest::mousePress(pen, Qt::LeftButton, {}, corners[0]);
+        QTest::mousePress(this, Qt::LeftButton, {}, corners[0]);
         for (const QPoint to : corners)
-            test::dragOn(*pen, to);
-        QTest::mouseRelease(pen, Qt::LeftButton, {}, corners[3]);
+            test::dragOn(*this, to);
+        QTest::mouseRelease(this, Qt::LeftButton, {}, corners[3]);
     }
     QPushButton* button(const QString& text) {
-        for (auto* one : pen->findChildren<QPushButton*>())
+        for (auto* one : findChildren<QPushButton*>())
             if (one->text() == text)
                 return one;
         return nullptr;
     }
 
-    FreehandPen* pen = new FreehandPen(this);
+    test::PressCounter behind;
+    FreehandPen* pen = new FreehandPen(this, this);
     std::vector<FreehandCut> cuts;
 };
 
@@ -53,7 +62,7 @@ class TestFreehandPen : public QObject {
         QFETCH(QString, answer);
         QFETCH(bool, keeps);
         PenPicture picture;
-        QVERIFY(picture.childAt(150, 100) == nullptr);  // it blocks nothing
+        QCOMPARE(picture.clicksBehind(), 1);  // it blocks nothing
         picture.pen->startDrawing();
         picture.drawSquare();
         QVERIFY(picture.cuts.empty());
@@ -80,12 +89,12 @@ class TestFreehandPen : public QObject {
         PenPicture picture;
         QSignalSpy ended(picture.pen, &FreehandPen::ended);
         picture.pen->startDrawing();
-        QTest::mouseClick(picture.pen, Qt::LeftButton, {}, {50, 50});
+        QTest::mouseClick(&picture, Qt::LeftButton, {}, {50, 50});
         QCOMPARE(ended.size(), 1);
         picture.pen->startDrawing();
-        QTest::mousePress(picture.pen, Qt::LeftButton, {}, {50, 50});
-        test::dragOn(*picture.pen, {150, 51});
-        QTest::mouseRelease(picture.pen, Qt::LeftButton, {}, {150, 51});
+        QTest::mousePress(&picture, Qt::LeftButton, {}, {50, 50});
+        test::dragOn(picture, {150, 51});
+        QTest::mouseRelease(&picture, Qt::LeftButton, {}, {150, 51});
         QCOMPARE(ended.size(), 2);
         QVERIFY(picture.cuts.empty() && !picture.pen->isDrawing());
     }
@@ -96,7 +105,18 @@ class TestFreehandPen : public QObject {
         picture.drawSquare();
         picture.pen->stopDrawing();
         QVERIFY(!picture.button("Keep inside")->isVisible());
-        QVERIFY(picture.cuts.empty() && picture.childAt(150, 100) == nullptr);
+        QVERIFY(picture.cuts.empty() && picture.clicksBehind() == 1);
+    }
+
+    void cancelledItEnds() {
+        PenPicture picture;
+        QSignalSpy ended(picture.pen, &FreehandPen::ended);
+        QVERIFY(!picture.tools().cancel());
+        picture.pen->startDrawing();
+        QCOMPARE(picture.cursor().shape(), Qt::CrossCursor);
+        QVERIFY(picture.tools().cancel());
+        QVERIFY(ended.size() == 1 && !picture.pen->isDrawing());
+        QCOMPARE(picture.cursor().shape(), Qt::ArrowCursor);
     }
 
     /// A line belongs to the view that it was drawn on.
@@ -104,9 +124,9 @@ class TestFreehandPen : public QObject {
         PenPicture picture;
         picture.pen->startDrawing();
         picture.drawSquare();
-        picture.pen->setPicture({}, {150, 100});  // a finer picture of the same view
+        picture.showImage({150, 100}, {});  // a finer picture of the same view
         QVERIFY(picture.button("Keep inside")->isVisible());
-        picture.pen->setPicture({.eyeMm = {1, 2, 3}}, {300, 200});
+        picture.showImage({300, 200}, {.eyeMm = {1, 2, 3}});
         QVERIFY(!picture.button("Keep inside")->isVisible());
         QVERIFY(picture.pen->isDrawing());
     }

@@ -67,6 +67,10 @@ class TestViewport : public QObject {
     void aRightClickAsksForTheMenuAndADragDoesNot();
     void theWheelKeepsThePointUnderTheCursor();
     void theWheelRestsByItself();
+    void theWheelInADragRestsWithTheDrag();
+    void aDragWithControlIsTheTissuesAndAClickPicks();
+    void aPickHasTheLeftButtonOnly();
+    void aPickThatIsNoLongerWantedPicksNothing();
     void arrowKeysTurnAndMove();
     void settersAreSilent();
     void withoutCameraTheHandDoesNothing();
@@ -177,6 +181,60 @@ void TestViewport::theWheelRestsByItself() {
     QCOMPARE(hand.edits, 2);
     QCOMPARE(hand.rests, 0);
     QTRY_COMPARE_WITH_TIMEOUT(hand.rests, 1, test::kPatience);
+}
+
+void TestViewport::theWheelInADragRestsWithTheDrag() {
+    Hand hand;
+    hand.wheel({200, 100}, 120);
+    hand.drag(Qt::LeftButton, {250, 100});
+    QTest::qWait(300);
+    QCOMPARE(hand.rests, 0);
+    QTest::mouseRelease(&hand.viewport, Qt::LeftButton, {}, {250, 100});
+    QCOMPARE(hand.rests, 1);
+}
+
+void TestViewport::aDragWithControlIsTheTissuesAndAClickPicks() {
+    Hand hand;
+    QSignalSpy dragged(&hand.viewport, &Viewport::tissueDragged), picked(&hand.viewport, &Viewport::tissuePicked);
+    hand.drag(Qt::LeftButton, {250, 60}, Qt::ControlModifier);
+    QTest::mouseRelease(&hand.viewport, Qt::LeftButton, {}, {250, 60});
+    QCOMPARE(dragged.size(), 3);
+    QCOMPARE(dragged[1], QVariantList({QPointF(0.25, -0.2), true}));
+    QCOMPARE(dragged[2], QVariantList({QPointF(0.25, -0.2), false}));
+    QTest::mouseClick(&hand.viewport, Qt::LeftButton, Qt::ControlModifier, {100, 50});
+    QCOMPARE(picked.size(), 0);  // no picture
+    hand.viewport.setPicture(shownOf({400, 200}));
+    QTest::mouseClick(&hand.viewport, Qt::LeftButton, Qt::ControlModifier, {100, 50});
+    QCOMPARE(picked.takeLast()[0].toPointF(), QPointF(0.25, 0.25));
+    QCOMPARE(hand.edits + hand.rests, 0);
+}
+
+void TestViewport::aPickHasTheLeftButtonOnly() {
+    Hand hand;
+    hand.viewport.setPicture(shownOf({400, 200}));
+    QSignalSpy picked(&hand.viewport, &Viewport::focusPicked);
+    hand.viewport.setPicking(Viewport::Picking::focus);
+    QCOMPARE(hand.viewport.cursor().shape(), Qt::CrossCursor);
+    hand.drag(Qt::LeftButton, {100, 50}, Qt::ShiftModifier);
+    QTest::mouseRelease(&hand.viewport, Qt::LeftButton, {}, {100, 50});
+    QCOMPARE(hand.edits, 0);
+    QCOMPARE(picked.takeLast()[0].toPointF(), QPointF(0.25, 0.25));
+    hand.drag(Qt::MiddleButton, {100, 50});
+    QTest::mouseRelease(&hand.viewport, Qt::MiddleButton, {}, {100, 50});
+    QVERIFY(picked.isEmpty() && hand.edits > 0);
+    hand.viewport.setPicking(Viewport::Picking::nothing);
+    QCOMPARE(hand.viewport.cursor().shape(), Qt::ArrowCursor);
+}
+
+void TestViewport::aPickThatIsNoLongerWantedPicksNothing() {
+    Hand hand;
+    hand.viewport.setPicture(shownOf({400, 200}));
+    QSignalSpy focus(&hand.viewport, &Viewport::focusPicked), tissue(&hand.viewport, &Viewport::tissuePicked);
+    hand.viewport.setPicking(Viewport::Picking::focus);
+    QTest::mousePress(&hand.viewport, Qt::LeftButton, {}, {100, 50});
+    hand.viewport.setPicking(Viewport::Picking::nothing);
+    QTest::mouseRelease(&hand.viewport, Qt::LeftButton, {}, {100, 50});
+    QVERIFY(focus.isEmpty() && tissue.isEmpty());
 }
 
 void TestViewport::arrowKeysTurnAndMove() {

@@ -1,0 +1,31 @@
+#include "ui/view/camera_drag.h"
+
+#include <QLineF>
+#include <cmath>
+
+#include "render/scene/orbit.h"
+
+namespace pdr::ui {
+
+Camera zoomedByDrag(const Camera& camera, dvec2 drag) {
+    constexpr double kPerHeight = 8;  // magnification of a drag over the whole height
+    return zoomed(camera, std::pow(kPerHeight, -drag.y));
+}
+
+void CameraDrag::press(const ViewPointer& pointer) {
+    pressed_ = last_ = pointer.at;
+}
+
+void CameraDrag::move(const ViewPointer& pointer) {
+    const dvec2 drag = pointer.image.inHeights(pointer.at - last_);
+    last_ = pointer.at;
+    if (camera_.get())
+        camera_.edit(edit_(*camera_.get(), drag));
+}
+
+void CameraDrag::release(const ViewPointer& pointer) {
+    if (QLineF(pressed_, pointer.at).length() <= kTremble)
+        emit clicked(pointer.at);
+}
+
+}  // namespace pdr::ui

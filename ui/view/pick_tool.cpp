@@ -1,0 +1,22 @@
+#include "ui/view/pick_tool.h"
+
+namespace pdr::ui {
+
+void PickTool::setActive(bool active) {
+    if (active == active_)
+        return;
+    active_ = active;
+    emit changed();
+}
+
+/// Picks where the button is released, so that the place can be corrected until then.
+void PickTool::release(const ViewPointer& pointer) {
+    if (active_ && pointer.image.camera)
+        emit picked(pointer.fractions());
+}
+
+std::optional<Qt::CursorShape> PickTool::cursor() const {
+    return active_ ? std::optional(Qt::CrossCursor) : std::nullopt;
+}
+
+}  // namespace pdr::ui

@@ -1,0 +1,106 @@
+#include "ui/view/view_tools.h"
+
+#include <algorithm>
+#include <ranges>
+#include <utility>
+
+namespace pdr::ui {
+
+void ViewTools::add(ViewTool& tool) {
+    tools_.insert(tools_.begin(), &tool);
+    tool.setImage(image_);
+    connect(&tool, &ViewTool::changed, this, &ViewTools::changed);
+    connect(&tool, &ViewTool::activated, this, [this, &tool] { toFront(tool); });
+}
+
+void ViewTools::bind(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, ViewTool& tool) {
+    bindings_.push_back({button, modifiers, &tool});
+    if (std::ranges::find(tools_, &tool) == tools_.end())
+        add(tool);
+}
+
+void ViewTools::toFront(ViewTool& tool) {
+    const auto place = std::ranges::find(tools_, &tool);
+    std::rotate(tools_.begin(), place, place + 1);
+    emit changed();
+}
+
+/// Returns the tool whose gesture a press begins; null if there is none.
+ViewTool* ViewTools::toolFor(const ViewPointer& pointer) const {
+    for (ViewTool* tool : tools_)
+        if (tool->takes(pointer))
+            return tool;
+    for (const Binding& binding : bindings_)
+        if (binding.button == pointer.button && (pointer.modifiers & binding.modifiers) == binding.modifiers)
+            return binding.tool;
+    return nullptr;
+}
+
+void ViewTools::press(const ViewPointer& pointer) {
+    if (owner_)
+        return;
+    owner_ = toolFor(pointer);
+    leaveAllBut(owner_);
+    if (owner_)
+        owner_->press(pointer);
+}
+
+void ViewTools::move(const ViewPointer& pointer) {
+    if (owner_)
+        return owner_->move(pointer);
+    const auto isUnder = [&](ViewTool* tool) { return pointer.held == Qt::NoButton && tool->hover(pointer); };
+    const auto found = std::ranges::find_if(tools_, isUnder);
+    leaveAllBut(found == tools_.end() ? nullptr : *found);
+}
+
+void ViewTools::release(const ViewPointer& pointer) {
+    if (pointer.held != Qt::NoButton)
+        return;
+    if (ViewTool* ended = std::exchange(owner_, nullptr))
+        ended->release(pointer);
+}
+
+void ViewTools::leave() {
+    leaveAllBut(nullptr);
+}
+
+void ViewTools::leaveAllBut(const ViewTool* kept) {
+    for (ViewTool* tool : tools_)
+        if (tool != kept)
+            tool->leave();
+}
+
+bool ViewTools::wheel(const ViewPointer& pointer, double clicks) {
+    return std::ranges::any_of(tools_, [&](ViewTool* tool) { return tool->wheel(pointer, clicks); });
+}
+
+bool ViewTools::key(const QKeyEvent& event) {
+    return std::ranges::any_of(tools_, [&](ViewTool* tool) { return tool->key(event); });
+}
+
+bool ViewTools::cancel() {
+    return std::ranges::any_of(tools_, [](ViewTool* tool) { return tool->cancel(); });
+}
+
+Qt::CursorShape ViewTools::cursor() const {
+    for (const ViewTool* tool : tools_)
+        if (const auto shape = tool->cursor())
+            return *shape;
+    return Qt::ArrowCursor;
+}
+
+void ViewTools::setImage(const ImagePlace& image) {
+    image_ = image;
+    for (ViewTool* tool : tools_)
+        tool->setImage(image);
+}
+
+void ViewTools::paint(QPainter& painter) const {
+    for (const ViewTool* tool : tools_ | std::views::reverse) {
+        painter.save();
+        tool->paint(painter, image_);
+        painter.restore();
+    }
+}
+
+}  // namespace pdr::ui
