@@ -64,7 +64,7 @@ RenderCommands::LoopState Session::Loop::state() {
             .revision = place_.hasScene() ? place_.revision() : 0,
             .owed = film && (first_ || coarse() || sweep_.isHalfMade()),
             .lingers = film && (brightens_ || (moving_ && coarse() && !first_)),
-            .progress = film ? progress() : RenderCommands::Progress(),
+            .progress = film ? progress() : ImageProgress(),
             .unshown = film && sweep_.samples().least > 0 && (done_ > 0 || !waiting_.empty() || fresh_),
             .unjudged = canSnapshot() && canJudge() && smoothedView_.isStale(partSamples()),
             .canSnapshot = canSnapshot(),

@@ -92,7 +92,7 @@ class Session::Loop {
     Result<void> beginFrame(const FrameBudget& pace);
     bool late() const;
     Result<void> lookAtRegion(const Display& display);
-    RenderCommands::Progress progress() const;
+    ImageProgress progress() const;
     double secondsAhead() const;
     std::vector<QualityStep> steps(ErrorOf of) const;
     bool smooths(const Display& asked) const { return asked.smoothed && canBeSmoothed(scene_); }

@@ -123,7 +123,7 @@ Result<void> Session::Loop::lookAtRegion(const Display& display) {
     return looked;
 }
 
-RenderCommands::Progress Session::Loop::progress() const {
+ImageProgress Session::Loop::progress() const {
     const double inRegion = region_.region() ? region_.error() : 0;
     return {shownError_ ? std::optional(std::max(*shownError_, inRegion)) : std::nullopt, seconds_,
             sweep_.samples().least};

@@ -111,8 +111,8 @@ double Session::Loop::piecePixels() const {
 /// is an image around it; else the whole image.
 Tile Session::Loop::nextPart() {
     const bool inParts = !first_ && !coarse() && scene_.schedule.kind == Schedule::Kind::pd;
-    return inParts && region_.isFirst(commands.stop().levels) ? *region_.tile(place_.size())
-                                                              : wholeImage(place_.size());
+    return inParts && region_.isFirst(commands.stopRequest().rule.levels) ? *region_.tile(place_.size())
+                                                                          : wholeImage(place_.size());
 }
 
 /// Begins a frame, whose passes all sample the same part. If its display is to be timed, sends all images in flight
@@ -155,7 +155,7 @@ Result<void> Session::Loop::takeSnapshots() {
                             seconds_ + frameSeconds_,
                             place_.info().name,
                             knownBias(commands.display().exposure),
-                            commands.stop(),
+                            commands.stopRequest().rule,
                             canJudge() ? &smoothedView_ : nullptr};
         const std::uint64_t judged = smoothedView_.judgedSamples();
         for (const RenderCommands::SnapshotRequest& order : commands.takeSnapshotRequests(place_.revision()))

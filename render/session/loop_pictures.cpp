@@ -177,8 +177,9 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     frame->estimator = scene_.estimator;
     // State the progress
     frame->coarse = coarse();
-    frame->stop = commands.stop();
-    frame->reached = commands.holdsAt(progress());
+    const StopRequest stop = commands.stopRequest();
+    frame->stop = stop.rule;
+    frame->reached = stop.isMet(progress());
     // Add the image and its quality
     frame->size = picture.size;
     frame->display = picture.display;
@@ -197,7 +198,7 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     if (!coarse()) {
         const ErrorOf of = shown(frame->status, frame->smoothed, frame->display.exposure).of;
         frame->steps = steps(of);
-        frame->region = region_.status(commands.stop().levels);
+        frame->region = region_.status(frame->stop.levels);
         frame->history = history_.points(of);
     }
     frame->errorMap = errorMap_.map();

@@ -26,7 +26,7 @@ void RenderCommands::submit(Scene scene, bool moving) {
     const std::lock_guard lock(mutex_);
     if (newest_ != scene.revision) {
         breakOff();
-        beyond_ = false;
+        stop_.isSuspended = false;
     }
     newest_ = scene.revision;
     scene_ = SceneOrder{std::move(scene), moving};
@@ -86,34 +86,29 @@ void RenderCommands::setDevice(DeviceOpener open) {
 
 void RenderCommands::setPaused(bool paused) {
     const std::lock_guard lock(mutex_);
-    paused_ = paused;
+    stop_.isPaused = paused;
     changed_.notify_one();
 }
 
 void RenderCommands::setStop(const StopRule& rule) {
     const std::lock_guard lock(mutex_);
-    if (rule == stop_)
+    if (rule == stop_.rule)
         return;
-    stop_ = rule;
-    beyond_ = false;
+    stop_.rule = rule;
+    stop_.isSuspended = false;
     displayChanged_ = true;
     changed_.notify_one();
 }
 
 void RenderCommands::goOn() {
     const std::lock_guard lock(mutex_);
-    beyond_ = true;
+    stop_.isSuspended = true;
     changed_.notify_one();
 }
 
-StopRule RenderCommands::stop() {
+StopRequest RenderCommands::stopRequest() {
     const std::lock_guard lock(mutex_);
     return stop_;
-}
-
-bool RenderCommands::holdsAt(const Progress& progress) {
-    const std::lock_guard lock(mutex_);
-    return isReached(progress);
 }
 
 void RenderCommands::clear() {
@@ -155,13 +150,8 @@ bool RenderCommands::asked(const LoopState& state) const {
     return clear_ || scene_ || device_ || displayChanged_ || look;
 }
 
-bool RenderCommands::isReached(const Progress& progress) const {
-    return progress.displayError && !beyond_ && stop_.isMet(*progress.displayError, progress.seconds, progress.samples);
-}
-
 bool RenderCommands::renders(const LoopState& state) const {
-    const bool holds = paused_ || isReached(state.progress);
-    return !holds || state.owed;
+    return !stop_.stopsAt(state.progress) || state.owed;
 }
 
 std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& state, std::stop_token stop) {

@@ -10,6 +10,7 @@
 
 #include "render/scene/scene.h"
 #include "render/session/session.h"
+#include "render/session/stop_request.h"
 
 namespace pdr {
 
@@ -25,13 +26,6 @@ class RenderCommands {
         SnapshotObserver look;
     };
 
-    /// Progress of the full image that was shown last.
-    struct Progress {
-        std::optional<double> displayError;  ///< the larger of its error and its region's [levels]; none: no such image
-        double seconds = 0;
-        std::uint64_t samples = 0;  ///< samples of every pixel
-    };
-
     /// State of the render thread.
     struct LoopState {
         bool scene = false;          ///< the thread has a scene
@@ -42,7 +36,7 @@ class RenderCommands {
         /// The next work may be wasted or in the way, because a user who has just moved soon moves on: wait kStill
         /// first.
         bool lingers = false;
-        Progress progress;
+        ImageProgress progress;
         bool unshown = false;      ///< the film holds samples that have not been shown
         bool unjudged = false;     ///< its denoised image was judged with fewer samples
         bool canSnapshot = false;  ///< a snapshot can be taken
@@ -80,9 +74,7 @@ class RenderCommands {
     void clear();
     void requestSnapshot(std::uint64_t revision, SnapshotObserver look);
     void watchEffects(EffectsWatch watch);
-    StopRule stop();
-    /// Returns whether rendering stops at that progress.
-    bool holdsAt(const Progress& progress);
+    StopRequest stopRequest();
     /// Returns whether an error map is requested.
     bool errorMap();
     std::optional<Region> region();
@@ -103,7 +95,6 @@ class RenderCommands {
     static constexpr auto kStill = std::chrono::milliseconds(100);
 
     bool asked(const LoopState& state) const;
-    bool isReached(const Progress& progress) const;
     bool renders(const LoopState& state) const;
     std::vector<SnapshotRequest> takeUnanswerable(const LoopState& state, const Iteration& step);
     void breakOff();
@@ -119,9 +110,7 @@ class RenderCommands {
     bool errorMap_ = false;
     std::optional<Region> region_;
     FrameBudget pace_;
-    bool paused_ = false;
-    StopRule stop_;
-    bool beyond_ = false;  ///< the stop rule does not count for this scene
+    StopRequest stop_;
     bool clear_ = false;
     std::vector<SnapshotRequest> looks_;
     std::stop_source running_, detour_;  ///< see Iteration
