@@ -139,7 +139,7 @@ Scene Session::Loop::dividedScene() const {
 
 void Session::Loop::switchTo(const DeviceOpener& open) {
     const Text old = deviceLabel(place_.info());
-    std::shared_ptr<const Film> from = checkpoint_;
+    std::shared_ptr<const Film> from = checkpoint_.film();
     std::optional<Error> lost;  // set if the old device does not return its film
     if (place_.film() != nullptr && sweep_.samples().least > 0) {
         if (const auto film = place_.film()->film())
@@ -186,13 +186,10 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     guided_ = nullptr;
     frameSeconds_ = 0;
     smoothedView_.clear();
-    biasMeasurements_.reset();
-    biasExposure_ = 0;
+    bias_.clear();
     errorMap_.clear();
     meter_.clear();
-    checkpoint_ = std::move(film);
-    checkpointAt_ = clock_();
-    checkpointSeconds_ = 0;
+    checkpoint_.reset(std::move(film));
 }
 
 void Session::Loop::failedOnDevice(const Error& error) {
@@ -206,11 +203,11 @@ void Session::Loop::recover(const Text& reason) {
     if (onFallback_ || !fallback_)
         return fail(what);
     Result<std::unique_ptr<Device>> device = fallback_();
-    const Result<void> moved = device ? place_.moveTo(*std::move(device), checkpoint_.get()) : device.error();
+    const Result<void> moved = device ? place_.moveTo(*std::move(device), checkpoint_.film().get()) : device.error();
     if (!moved)
         return fail(joined(what, phrase("Rendering cannot continue elsewhere: %1", moved.error().text())));
     onFallback_ = true;
-    goOnFrom(std::exchange(checkpoint_, nullptr));
+    goOnFrom(checkpoint_.film());
     notify(joined(what, goesOnOn(deviceLabel(place_.info()))));
 }
 

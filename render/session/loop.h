@@ -10,7 +10,8 @@
 #include "render/accuracy/shown_history.h"
 #include "render/film/display/smoothed_view.h"
 #include "render/film/error/error_map_view.h"
-#include "render/session/bias_measurements.h"
+#include "render/session/bias_tracker.h"
+#include "render/session/checkpoint.h"
 #include "render/session/film_on_device.h"
 #include "render/session/live_ledger.h"
 #include "render/session/render_commands.h"
@@ -59,10 +60,6 @@ class Session::Loop {
     Result<void> measureDisplay(const Display& display, std::uint32_t n, double frameSeconds);
     Result<void> mapErrors(const Display& display, const std::stop_token& stop);
     Result<void> judgeSmoothing(const RenderCommands::Iteration& step);
-    Result<void> measureBias(const RenderCommands::Iteration& step);
-    BiasLattice* nextLattice();
-    MeasuredBiases knownBias(float exposure);
-    Result<void> keepCheckpoint();
     Result<void> takeSnapshots();
     void send(std::vector<DisplayedPicture> pictures, std::uint32_t n);
     std::shared_ptr<Frame> frameOf(DisplayedPicture picture, std::uint32_t n);
@@ -154,11 +151,7 @@ class Session::Loop {
     double judgeSeconds_ = 0, judgedAt_ = 0;  ///< duration of the last judgement of smoothedView_; seconds_ at its end
     double mapSeconds_ = 0;                   ///< part of seconds_ spent on errorMap_
     SmoothedView smoothedView_;
-    std::optional<BiasMeasurements> biasMeasurements_;  ///< bias of the same image; none if not requested yet
-    double biasAt_ = 0;                                 ///< clock time at the end of the last round
-    double biasSeconds_ = 0;                            ///< duration of that round
-    MeasuredBiases bias_;  ///< measured biases at biasExposure_, which is 0 if they are outdated
-    float biasExposure_ = 0;
+    BiasTracker bias_{clock_};
     ErrorMapView errorMap_;
     RegionView region_;
     double aheadSeconds_ = 0;  ///< time spent on the region alone
@@ -169,10 +162,7 @@ class Session::Loop {
     bool measuring_ = false;  ///< the current frame is timed, with no other work in flight
     double measuredAt_ = 0;   ///< clock time of the last timed frame
 
-    std::shared_ptr<const Film> checkpoint_;  ///< film to continue from if the device is lost; null if none
-    double checkpointAt_ = 0;
-    double checkpointSeconds_ = 0;  ///< duration of taking the last one
-
+    Checkpoint checkpoint_{clock_};
     ResolutionLadder ladder_;
     LiveLedger ledger_{clock_};
 

@@ -12,9 +12,7 @@ namespace {
 /// Longest duration of a launch, so that a change of brightness or device, a pause or a snapshot need not wait for a
 /// long frame; and of a piece of a launch, if it can be split. On a busy machine both take several times as long.
 constexpr double kLaunchSeconds = 0.06, kPieceSeconds = 0.015;
-constexpr double kCheckpointSeconds = 2;      ///< least time between two checkpoints
-constexpr double kCheckpointFraction = 0.01;  ///< largest fraction of the time that checkpoints may take
-constexpr double kMeasureSeconds = 2;         ///< between two frames whose display is timed alone
+constexpr double kMeasureSeconds = 2;  ///< between two frames whose display is timed alone
 
 }  // namespace
 
@@ -58,10 +56,11 @@ void Session::Loop::finish(const RenderCommands::Iteration& step, Result<void> d
         return;  // its image was interrupted
     if (done && canSnapshot())
         done = takeSnapshots();
-    if (done && sweep_.samples().least > 0 && !sweep_.isHalfMade() && !coarse() && !place_.info().hostMemory)
-        done = keepCheckpoint();
-    if (done && canSnapshot() && step.render)
-        done = measureBias(step);
+    const bool isLosable = sweep_.samples().least > 0 && !sweep_.isHalfMade() && !coarse() && !place_.info().hostMemory;
+    if (done && isLosable && checkpoint_.isDue())
+        done = checkpoint_.take(*place_.film());
+    if (done && canSnapshot() && step.render && bias_.isDue() && !step.detour.stop_requested())
+        done = bias_.measure(place_, scene_, sweep_.samples().least, commands.display().exposure, step.detour);
     if (!done)
         failedOnDevice(done.error());
 }
@@ -154,7 +153,7 @@ Result<void> Session::Loop::takeSnapshots() {
                             scene_,
                             seconds_ + frameSeconds_,
                             place_.info().name,
-                            knownBias(commands.display().exposure),
+                            bias_.known(commands.display().exposure),
                             commands.stopRequest().rule,
                             canJudge() ? &smoothedView_ : nullptr};
         const std::uint64_t judged = smoothedView_.judgedSamples();
@@ -162,19 +161,6 @@ Result<void> Session::Loop::takeSnapshots() {
             order.look(view);
         fresh_ = fresh_ || smoothedView_.judgedSamples() != judged;  // the screen must show the new judgement
     });
-}
-
-Result<void> Session::Loop::keepCheckpoint() {
-    if (secondsSince(checkpointAt_) < std::max(kCheckpointSeconds, checkpointSeconds_ / kCheckpointFraction))
-        return {};
-    const double start = clock_();
-    Result<std::shared_ptr<const Film>> film = place_.film()->film();
-    if (!film)
-        return film.error();
-    checkpoint_ = *std::move(film);
-    checkpointAt_ = clock_();
-    checkpointSeconds_ = secondsSince(start);
-    return {};
 }
 
 }  // namespace pdr

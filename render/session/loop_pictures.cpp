@@ -191,7 +191,7 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
         frame->lostLines = smoothedView_.lostLines();
     }
     frame->bias = biasFacts(scene_, frame->status, place_.info().name);
-    frame->bias.measured = knownBias(frame->display.exposure);
+    frame->bias.measured = bias_.known(frame->display.exposure);
     frame->bias.isSmoothed = frame->smoothed;
     // Add times and forecasts
     frame->seconds = seconds_;
