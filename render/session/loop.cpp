@@ -62,10 +62,10 @@ RenderCommands::LoopState Session::Loop::state() {
     return {.scene = place_.hasScene(),
             .film = film,
             .revision = place_.hasScene() ? place_.revision() : 0,
-            .owed = film && (first_ || coarse() || sweep_.isHalfMade()),
-            .lingers = film && (brightens_ || (moving_ && coarse() && !first_)),
+            .owed = film && (display_.awaitsFirst() || coarse() || sweep_.isHalfMade()),
+            .lingers = film && (brightens_ || (moving_ && coarse() && !display_.awaitsFirst())),
             .progress = film ? progress() : ImageProgress(),
-            .unshown = film && sweep_.samples().least > 0 && (done_ > 0 || !waiting_.empty() || fresh_),
+            .unshown = film && sweep_.samples().least > 0 && (done_ > 0 || display_.hasWaiting() || display_.isFresh()),
             .unjudged = canSnapshot() && canJudge() && smoothedView_.isStale(partSamples()),
             .canSnapshot = canSnapshot(),
             .unmeasured = canSnapshot() && ledger_.hasWork()};
@@ -73,7 +73,7 @@ RenderCommands::LoopState Session::Loop::state() {
 
 void Session::Loop::clear() {
     goOnFrom(nullptr);
-    coarser_.reset();
+    display_.dropCoarser();
     ledger_.forget();
     scene_ = {};
     place_.close();
@@ -101,7 +101,7 @@ void Session::Loop::begin(const RenderCommands::SceneOrder& order) {
     }
     scene_ = order.scene;
     ledger_.follow(scene_, commands.display());
-    coarser_.reset();
+    display_.dropCoarser();
     passing_ = moving_;
     beginFilm(ladder_.first(scene_.film));
 }
@@ -122,8 +122,7 @@ void Session::Loop::beginFiner() {
     Result<std::shared_ptr<const Film>> film = place_.film()->film();
     if (!film)
         return failedOnDevice(film.error());
-    coarser_ = *std::move(film);
-    coarserGuided_ = guided_;
+    display_.keepCoarser(*std::move(film));
     passing_ = false;
     beginFilm(ResolutionLadder::next(divider_));
 }
@@ -169,7 +168,7 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     sweep_ = film                ? Sweep(film->progress())
              : place_.hasScene() ? Sweep(TileProgress(wholeImage(place_.size())))
                                  : Sweep();
-    first_ = first_ || sweep_.samples().least == 0;
+    display_.reset(sweep_.samples().least == 0);
     wholeFrame_ = true;
     aheadSeconds_ = aheadSamples_ = 0;
     region_.clear();
@@ -178,12 +177,6 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     judgeSeconds_ = judgedAt_ = mapSeconds_ = 0;
     history_.clear();
     done_ = 0;
-    waiting_.clear();
-    fresh_ = true;
-    broken_ = false;
-    guide_ = nullptr;
-    guideSought_ = false;
-    guided_ = nullptr;
     frameSeconds_ = 0;
     smoothedView_.clear();
     bias_.clear();
@@ -227,7 +220,7 @@ void Session::Loop::threw() noexcept {
 
 void Session::Loop::fail(const Text& sentence) {
     place_.dropFilm();
-    coarser_.reset();
+    display_.dropCoarser();
     auto frame = std::make_shared<Frame>();
     frame->revision = revision_;
     frame->error = sentence;

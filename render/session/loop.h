@@ -1,7 +1,6 @@
 #pragma once
 /// The render thread of a session: takes commands, renders, and sends frames.
 
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +11,7 @@
 #include "render/film/error/error_map_view.h"
 #include "render/session/bias_tracker.h"
 #include "render/session/checkpoint.h"
+#include "render/session/display_pipeline.h"
 #include "render/session/film_on_device.h"
 #include "render/session/live_ledger.h"
 #include "render/session/render_commands.h"
@@ -29,12 +29,6 @@ class Session::Loop {
     RenderCommands commands;
 
   private:
-    struct DisplayedPicture {
-        Picture picture;
-        Display display;
-        ivec2 size;
-    };
-
     void run(std::stop_token stop);
     void take(const RenderCommands::Iteration& step);
     RenderCommands::LoopState state();
@@ -52,16 +46,11 @@ class Session::Loop {
     Result<void> accumulate(const RenderCommands::Iteration& step);
     Result<void> show(const RenderCommands::Iteration& step, bool adds);
     Result<void> showCoarser(const RenderCommands::Iteration& step);
-    Result<std::vector<DisplayedPicture>> made(const Display& asked, const Display& display, bool atOnce,
-                                               const std::stop_token& stop);
-    Result<std::vector<DisplayedPicture>> madeOnGuide(const Display& asked, bool adds);
-    Result<std::vector<DisplayedPicture>> takeAllBut(std::size_t left);
-    bool findGuide(const std::stop_token& stop);
     Result<void> measureDisplay(const Display& display, std::uint32_t n, double frameSeconds);
     Result<void> mapErrors(const Display& display, const std::stop_token& stop);
     Result<void> judgeSmoothing(const RenderCommands::Iteration& step);
     Result<void> takeSnapshots();
-    void send(std::vector<DisplayedPicture> pictures, std::uint32_t n);
+    void send(DisplayPipeline::Pictures pictures, std::uint32_t n);
     std::shared_ptr<Frame> frameOf(DisplayedPicture picture, std::uint32_t n);
     bool isSurveyDue(const Display& asked) const;
     void remember(DisplayedPicture& picture);
@@ -107,11 +96,11 @@ class Session::Loop {
     bool coarse() const { return divider_ > 1 || passing_; }
     /// Returns whether an image in progress is postponed for another display, because an older image can be shown
     /// on that at once.
-    bool givesWay() const { return !first_ || (coarser_ && !coarse()); }
+    bool givesWay() const { return !display_.awaitsFirst() || (display_.hasCoarser() && !coarse()); }
     /// Returns whether there is a denoised image whose error can be judged.
     bool canJudge() { return !coarse() && !moving_ && smooths(commands.display()); }
     bool canSnapshot() const {
-        return place_.film() != nullptr && !moving_ && !coarse() && !first_ && !sweep_.isHalfMade();
+        return place_.film() != nullptr && !moving_ && !coarse() && !display_.awaitsFirst() && !sweep_.isHalfMade();
     }
 
     double secondsSince(double moment) const { return clock_() - moment; }
@@ -124,23 +113,14 @@ class Session::Loop {
     Scene scene_;                 ///< scene as submitted
     std::uint64_t revision_ = 0;  ///< revision of the scene submitted last, even if it failed
     bool moving_ = false;
-    int divider_ = 1;                      ///< divider of the film; see ResolutionLadder
-    bool passing_ = false;                 ///< the film was begun during a drag, with random numbers of its own
-    std::shared_ptr<const Film> coarser_;  ///< coarser film, shown until the film's image is no worse; null if none
-    std::shared_ptr<const GuidedFilm> coarserGuided_;  ///< coarser_ drawn on its guide; null if it has none
-    Development coarserPictures_;
+    int divider_ = 1;       ///< divider of the film; see ResolutionLadder
+    bool passing_ = false;  ///< the film was begun during a drag, with random numbers of its own
+    DisplayPipeline display_;
 
     // State of the current film:
-    Sweep sweep_;                  ///< its progress
-    std::uint32_t done_ = 0;       ///< iterations since it was last shown
-    bool wholeFrame_ = true;       ///< the current frame's iterations cover all pixels equally
-    std::deque<Display> waiting_;  ///< displays of the images that were requested and not yet read back
-    bool first_ = false;           ///< its first image is still to come
-    bool fresh_ = false;           ///< its first image from this device is to come, or a new judgement is to be shown
-    bool broken_ = false;          ///< its first image was interrupted, and is made before more samples
-    std::shared_ptr<const denoise::Guide> guide_;  ///< guide that its images are drawn on; null: none, or not yet
-    bool guideSought_ = false;                     ///< the guide has been requested from the device
-    std::shared_ptr<const GuidedFilm> guided_;     ///< the film drawn on the guide, as last shown; null if not shown so
+    Sweep sweep_;                             ///< its progress
+    std::uint32_t done_ = 0;                  ///< iterations since it was last shown
+    bool wholeFrame_ = true;                  ///< the current frame's iterations cover all pixels equally
     std::optional<double> shownError_;        ///< error of its full image shown last [levels]; none if there is none
     ErrorOf shownOf_ = ErrorOf::film;         ///< image that shownError_ describes
     ShownHistory history_;                    ///< errors of its full images

@@ -18,30 +18,32 @@ constexpr double kMeasureSeconds = 2;  ///< between two frames whose display is 
 
 void Session::Loop::work(const RenderCommands::Iteration& step) {
     // Show the existing image on another display
-    brightens_ = step.redisplay && !first_ && !coarse() && smooths(commands.display());
-    if (step.redisplay && (!first_ || coarser_))
-        return finish(step, first_ ? showCoarser(step) : show(step, false));
+    brightens_ = step.redisplay && !display_.awaitsFirst() && !coarse() && smooths(commands.display());
+    if (step.redisplay && (!display_.awaitsFirst() || display_.hasCoarser()))
+        return finish(step, display_.awaitsFirst() ? showCoarser(step) : show(step, false));
     // Replace a coarse film by the next finer one
-    if (step.render && coarse() && !first_)
+    if (step.render && coarse() && !display_.awaitsFirst())
         beginFiner();
     if (place_.film() == nullptr)
         return;
     // Take samples
     Result<void> done;
-    if (step.render && !broken_)
+    if (step.render && !display_.isBroken())
         done = accumulate(step);
     if (done && step.render && step.stop.stop_requested()) {
         place_.tearFilm();  // a newer request is waiting
         return;
     }
-    if (done && !first_ && step.detour.stop_requested())
+    if (done && !display_.awaitsFirst() && step.detour.stop_requested())
         return finish(step, done);  // another display: the next step shows the existing image on it
     // Judge and show the image at the end of a frame
-    const bool frameEnds = !step.render || broken_ || (!sweep_.isHalfMade() && (done_ >= wanted(step.pace) || late()));
+    const bool frameEnds =
+        !step.render || display_.isBroken() || (!sweep_.isHalfMade() && (done_ >= wanted(step.pace) || late()));
     if (done && frameEnds)
         done = judgeSmoothing(step);
     if (done && givesWay() && step.detour.stop_requested()) {
-        broken_ = first_ && frameEnds;
+        if (frameEnds)
+            display_.breakOff();
         return finish(step, done);  // an interrupted judgement is repeated later
     }
     if (done && sweep_.samples().least > 0 && frameEnds)
@@ -79,18 +81,18 @@ void Session::Loop::measureEffects(const RenderCommands::Iteration& step) {
 std::uint32_t Session::Loop::wanted(const FrameBudget& pace) const {
     const double larger = pixels() / partPixels();
     const std::uint32_t usual = coarse() ? ResolutionLadder::kSamples : std::uint32_t(larger * meter_.iterations(pace));
-    return first_ && coarser_ ? std::max(usual, std::uint32_t(coarser_->samplesPerPixel())) : usual;
+    return std::max(usual, std::uint32_t(display_.coarserSamples().value_or(0)));
 }
 
 /// Returns whether the first image of an edit must be shown now, with fewer samples than planned.
 bool Session::Loop::late() const {
-    return coarse() && !coarser_ && frameSeconds_ >= ladder_.secondsForSamples(pixels());
+    return coarse() && !display_.hasCoarser() && frameSeconds_ >= ladder_.secondsForSamples(pixels());
 }
 
 /// Returns how many of `wanted` iterations to request at once. The first iteration of a first image shows how many are
 /// in time.
 std::uint32_t Session::Loop::launch(std::uint32_t wanted) const {
-    const bool hurries = coarse() && !coarser_;
+    const bool hurries = coarse() && !display_.hasCoarser();
     if (hurries && done_ == 0)
         return 1;
     const double seconds = hurries ? ladder_.secondsForSamples(pixels()) - frameSeconds_ : kLaunchSeconds;
@@ -109,7 +111,7 @@ double Session::Loop::piecePixels() const {
 /// Returns the part of the image that the next frame samples: the region while it is not within the target, once there
 /// is an image around it; else the whole image.
 Tile Session::Loop::nextPart() {
-    const bool inParts = !first_ && !coarse() && scene_.schedule.kind == Schedule::Kind::pd;
+    const bool inParts = !display_.awaitsFirst() && !coarse() && scene_.schedule.kind == Schedule::Kind::pd;
     return inParts && region_.isFirst(commands.stopRequest().rule.levels) ? *region_.tile(place_.size())
                                                                           : wholeImage(place_.size());
 }
@@ -119,11 +121,11 @@ Tile Session::Loop::nextPart() {
 Result<void> Session::Loop::beginFrame(const FrameBudget& pace) {
     sweep_.choose(nextPart());
     wholeFrame_ = isWhole(sweep_.part()) && isEven();
-    const bool due = fresh_ || !meter_.settled() || secondsSince(measuredAt_) > kMeasureSeconds;
+    const bool due = display_.isFresh() || !meter_.settled() || secondsSince(measuredAt_) > kMeasureSeconds;
     measuring_ = wholeFrame_ && place_.film()->maxInFlight() > 1 && !coarse() && due;
     if (!measuring_)
         return {};
-    Result<std::vector<DisplayedPicture>> before = takeAllBut(0);
+    Result<DisplayPipeline::Pictures> before = display_.takeAllBut(place_, 0);
     if (!before)
         return before.error();
     send(*std::move(before), wanted(pace));
@@ -159,7 +161,8 @@ Result<void> Session::Loop::takeSnapshots() {
         const std::uint64_t judged = smoothedView_.judgedSamples();
         for (const RenderCommands::SnapshotRequest& order : commands.takeSnapshotRequests(place_.revision()))
             order.look(view);
-        fresh_ = fresh_ || smoothedView_.judgedSamples() != judged;  // the screen must show the new judgement
+        if (smoothedView_.judgedSamples() != judged)
+            display_.refresh();
     });
 }
 

@@ -17,12 +17,12 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
     const Display display = smoothedView_.better({asked.exposure, smooths(asked), isSurveyDue(asked)});
     // Make the image
     const bool within = step.render && !adds;  // the current frame continues
-    const bool atOnce = fresh_ || coarse() || measuring_ || !adds;
+    const bool atOnce = display_.isFresh() || coarse() || measuring_ || !adds;
     const double start = clock_();
     const std::stop_token& stop = step.redisplay || !givesWay() ? step.stop : step.detour;
-    const bool guided = display.smoothed && findGuide(step.stop);
-    Result<std::vector<DisplayedPicture>> pictures =
-        guided ? madeOnGuide(asked, adds) : made(asked, display, atOnce, stop);
+    const bool guided = display.smoothed && display_.findGuide(place_, ResolutionLadder::finer(divider_), step.stop);
+    Result<DisplayPipeline::Pictures> pictures =
+        guided ? display_.makeOnGuide(place_, asked, adds) : display_.make(place_, asked, display, atOnce, stop);
     if (!pictures)
         return pictures.error();
     if (display.smoothed && step.stop.stop_requested()) {
@@ -32,12 +32,11 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
     const double displaySeconds = secondsSince(start);
     if (display.smoothed && stop.stop_requested()) {
         seconds_ += displaySeconds;
-        broken_ = first_;
+        display_.breakOff();
         return {};
     }
     // Account for the time
-    first_ = fresh_ = broken_ = false;
-    coarser_.reset();
+    display_.markShown();
     const std::uint32_t n = within ? 0 : std::exchange(done_, 0);
     const double frameSeconds = within ? 0 : std::exchange(frameSeconds_, 0);
     seconds_ += frameSeconds + displaySeconds;
@@ -56,47 +55,6 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
         return looked;
     send(*std::move(pictures), wanted(step.pace));
     return measuring_ && adds ? measureDisplay(display, n, frameSeconds + displaySeconds) : Result<void>();
-}
-
-/// Returns whether there is a guide for the film's images. The device makes it once for all of them; it is requested
-/// again only if making it was interrupted.
-bool Session::Loop::findGuide(const std::stop_token& stop) {
-    const int finer = ResolutionLadder::finer(divider_);
-    if (!guideSought_ && finer > 1) {
-        guide_ = place_.guide(finer, stop);
-        guideSought_ = guide_ || !stop.stop_requested();
-    }
-    return guide_ != nullptr;
-}
-
-/// Requests an image and returns the images that are due: all, or, if not `atOnce`, all except those that may stay in
-/// flight. An interrupted denoised image is not among them.
-Result<std::vector<Session::Loop::DisplayedPicture>> Session::Loop::made(const Display& asked, const Display& display,
-                                                                         bool atOnce, const std::stop_token& stop) {
-    Accumulator& film = *place_.film();
-    if (Result<void> ordered = film.resolve(display, stop); !ordered)
-        return ordered.error();
-    waiting_.push_back(asked);
-    const bool brokenOff = display.smoothed && stop.stop_requested();
-    Result<std::vector<DisplayedPicture>> due =
-        takeAllBut(atOnce || brokenOff ? 0 : std::size_t(film.maxInFlight() - 1));
-    if (brokenOff && due)
-        due->pop_back();
-    return due;
-}
-
-/// Draws the film on its guide and returns that image; a coarse film has no images in flight. `adds`: the film holds
-/// more samples than when it was last drawn.
-Result<std::vector<Session::Loop::DisplayedPicture>> Session::Loop::madeOnGuide(const Display& asked, bool adds) {
-    if (adds || !guided_) {
-        Result<std::shared_ptr<const Film>> film = place_.film()->film();
-        if (!film)
-            return film.error();
-        guided_ = std::make_shared<const GuidedFilm>(*std::move(film), *guide_);
-    }
-    std::vector<DisplayedPicture> pictures;
-    pictures.push_back({guided_->picture({asked.exposure, true}), asked, guided_->size()});
-    return pictures;
 }
 
 /// Records the times of a frame of n iterations. If work runs asynchronously, only the sum of both is meaningful.
@@ -118,29 +76,15 @@ void Session::Loop::addTimes(std::uint32_t n, double iterationSeconds, double di
 
 /// Shows the coarser film on another display.
 Result<void> Session::Loop::showCoarser(const RenderCommands::Iteration& step) {
-    const Display asked = commands.display(), display{asked.exposure, smooths(asked)};
-    const bool guided = display.smoothed && coarserGuided_;
-    Picture picture =
-        guided ? coarserGuided_->picture(display) : coarserPictures_.picture(*coarser_, display, step.stop);
-    if (step.stop.stop_requested())
+    const Display asked = commands.display();
+    std::optional<DisplayedPicture> picture =
+        display_.coarserPicture(asked, {asked.exposure, smooths(asked)}, step.stop);
+    if (!picture)
         return {};
-    const ivec2 size = guided ? coarserGuided_->size() : coarser_->size();
-    auto frame = frameOf({std::move(picture), asked, size}, ResolutionLadder::kSamples);
+    auto frame = frameOf(*std::move(picture), ResolutionLadder::kSamples);
     frame->coarse = true;
     sink_(std::move(frame));
     return {};
-}
-
-Result<std::vector<Session::Loop::DisplayedPicture>> Session::Loop::takeAllBut(std::size_t left) {
-    std::vector<DisplayedPicture> pictures;
-    while (waiting_.size() > left) {
-        Result<Picture> picture = place_.film()->readback();
-        if (!picture)
-            return picture.error();
-        pictures.push_back({*std::move(picture), waiting_.front(), place_.size()});
-        waiting_.pop_front();
-    }
-    return pictures;
 }
 
 /// Times the display of a frame alone. If work runs asynchronously, the duration of a call says nothing, so the frame
@@ -160,7 +104,7 @@ Result<void> Session::Loop::measureDisplay(const Display& display, std::uint32_t
     return {};
 }
 
-void Session::Loop::send(std::vector<DisplayedPicture> pictures, std::uint32_t n) {
+void Session::Loop::send(DisplayPipeline::Pictures pictures, std::uint32_t n) {
     for (DisplayedPicture& picture : pictures)
         sink_(frameOf(std::move(picture), n));
 }

@@ -1,0 +1,88 @@
+#pragma once
+/// The images of the current film on their way to the screen, and the coarser film that is shown until the first of
+/// them comes.
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "render/base/result.h"
+#include "render/film/display/guided_picture.h"
+#include "render/session/film_on_device.h"
+
+namespace pdr {
+
+struct DisplayedPicture {
+    Picture picture;
+    Display display;  ///< requested display that the image was made for
+    ivec2 size;       ///< pixels
+};
+
+class DisplayPipeline {
+  public:
+    using Pictures = std::vector<DisplayedPicture>;
+
+    /// Starts with another film, whose images so far are lost. `isEmpty`: the film has no samples, so that its first
+    /// image is still to come.
+    void reset(bool isEmpty);
+
+    /// Returns whether the film's first image is still to come.
+    bool awaitsFirst() const { return first_; }
+    /// Returns whether the film's first image from this device is still to come, or a new judgement is to be shown.
+    bool isFresh() const { return fresh_; }
+    /// Returns whether the first image was interrupted: it is to be made before more samples.
+    bool isBroken() const { return broken_; }
+    /// Returns whether images were requested and not yet read back.
+    bool hasWaiting() const { return !waiting_.empty(); }
+    /// Records that a new judgement of the image is to be shown.
+    void refresh() { fresh_ = true; }
+    /// Records that the making of an image was interrupted.
+    void breakOff() { broken_ = first_; }
+    /// Records that an image of the film was made. The coarser film is not needed any more.
+    void markShown();
+
+    // Images of the film. Errors: the device's.
+    /// Finds the guide to draw a coarse film on, with `finer` pixels along each of the film's; returns whether there is
+    /// one. The device makes it once for all images. It is requested again only if making it was interrupted.
+    bool findGuide(FilmOnDevice& place, int finer, const std::stop_token& stop);
+    /// Draws the film on its guide and returns that image; a coarse film has no images in flight. `adds`: the film
+    /// holds more samples than when it was last drawn.
+    Result<Pictures> makeOnGuide(FilmOnDevice& place, const Display& asked, bool adds);
+    /// Requests an image with `display`, in answer to `asked`, and returns the images that are due: all, or, if not
+    /// `atOnce`, all except those that may stay in flight. A denoised image that was interrupted is not among them.
+    Result<Pictures> make(FilmOnDevice& place, const Display& asked, const Display& display, bool atOnce,
+                          const std::stop_token& stop);
+    /// Reads back the images that were requested, oldest first, except for the last `left`.
+    Result<Pictures> takeAllBut(FilmOnDevice& place, std::size_t left);
+
+    // The coarser film of the same scene.
+    /// Shows `film`, the current film, until the next one has an image that is no worse.
+    void keepCoarser(std::shared_ptr<const Film> film);
+    void dropCoarser() { coarser_.reset(); }
+    bool hasCoarser() const { return coarser_.has_value(); }
+    /// Returns its samples per pixel; nothing without a coarser film.
+    std::optional<std::uint64_t> coarserSamples() const;
+    /// Returns its image with `display`, in answer to `asked`; nothing after a stop request. There must be a coarser
+    /// film.
+    std::optional<DisplayedPicture> coarserPicture(const Display& asked, const Display& display,
+                                                   const std::stop_token& stop);
+
+  private:
+    struct Coarser {
+        std::shared_ptr<const Film> film;
+        std::shared_ptr<const GuidedFilm> guided;  ///< the film drawn on its guide; null if it has none
+        Development pictures;
+    };
+
+    bool first_ = false, fresh_ = false, broken_ = false;  ///< see awaitsFirst(), isFresh() and isBroken()
+    std::deque<Display> waiting_;                          ///< displays of the images in flight, oldest first
+    std::shared_ptr<const denoise::Guide> guide_;          ///< null: none, or not yet
+    bool guideSought_ = false;                             ///< the guide has been requested from the device
+    std::shared_ptr<const GuidedFilm> guided_;  ///< the film on its guide, as last shown; null if not shown so
+    std::optional<Coarser> coarser_;
+};
+
+}  // namespace pdr
