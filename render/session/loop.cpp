@@ -43,7 +43,7 @@ void Session::Loop::take(const RenderCommands::Iteration& step) {
     if (step.clear)
         clear();
     answer(step);
-    region_.choose(commands.region());
+    quality_.chooseRegion(commands.region());
     if (step.device)
         switchTo(step.device);
     if (step.order) {
@@ -66,7 +66,7 @@ RenderCommands::LoopState Session::Loop::state() {
             .lingers = film && (brightens_ || (moving_ && coarse() && !display_.awaitsFirst())),
             .progress = film ? progress() : ImageProgress(),
             .unshown = film && sweep_.samples().least > 0 && (done_ > 0 || display_.hasWaiting() || display_.isFresh()),
-            .unjudged = canSnapshot() && canJudge() && smoothedView_.isStale(partSamples()),
+            .unjudged = canSnapshot() && canJudge() && quality_.denoised().isStale(partSamples()),
             .canSnapshot = canSnapshot(),
             .unmeasured = canSnapshot() && ledger_.hasWork()};
 }
@@ -109,7 +109,8 @@ void Session::Loop::begin(const RenderCommands::SceneOrder& order) {
 /// Starts an empty film of the scene with that divider.
 void Session::Loop::beginFilm(int divider) {
     divider_ = divider;
-    startOver();
+    goOnFrom(nullptr);
+    quality_.startOver(coarse());
     const double start = clock_();
     if (const Result<void> begun = place_.begin(dividedScene()); !begun)
         return failedOnDevice(begun.error());
@@ -157,12 +158,6 @@ void Session::Loop::switchTo(const DeviceOpener& open) {
     notify(joined(Text::sentence(phrase("the other device cannot be used: %1", moved.error().text())), goesOnOn(old)));
 }
 
-/// Resets the state for an empty film, of another scene or of the same one.
-void Session::Loop::startOver() {
-    goOnFrom(nullptr);
-    seconds_ = 0;
-}
-
 /// Resets the state for a new film, which already holds the samples of `film`; null: none.
 void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     sweep_ = film                ? Sweep(film->progress())
@@ -171,16 +166,10 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     display_.reset(sweep_.samples().least == 0);
     wholeFrame_ = true;
     aheadSeconds_ = aheadSamples_ = 0;
-    region_.clear();
-    shownError_.reset();
-    surveyed_ = {};
-    judgeSeconds_ = judgedAt_ = mapSeconds_ = 0;
-    history_.clear();
+    quality_.clear();
     done_ = 0;
     frameSeconds_ = 0;
-    smoothedView_.clear();
     bias_.clear();
-    errorMap_.clear();
     meter_.clear();
     checkpoint_.reset(std::move(film));
 }

@@ -6,14 +6,12 @@
 #include <string>
 #include <thread>
 
-#include "render/accuracy/shown_history.h"
-#include "render/film/display/smoothed_view.h"
-#include "render/film/error/error_map_view.h"
 #include "render/session/bias_tracker.h"
 #include "render/session/checkpoint.h"
 #include "render/session/display_pipeline.h"
 #include "render/session/film_on_device.h"
 #include "render/session/live_ledger.h"
+#include "render/session/quality_tracker.h"
 #include "render/session/render_commands.h"
 #include "render/session/resolution_ladder.h"
 #include "render/session/session.h"
@@ -47,20 +45,16 @@ class Session::Loop {
     Result<void> show(const RenderCommands::Iteration& step, bool adds);
     Result<void> showCoarser(const RenderCommands::Iteration& step);
     Result<void> measureDisplay(const Display& display, std::uint32_t n, double frameSeconds);
-    Result<void> mapErrors(const Display& display, const std::stop_token& stop);
-    Result<void> judgeSmoothing(const RenderCommands::Iteration& step);
+    Result<void> judge(const RenderCommands::Iteration& step);
+    Result<void> updateQuality(const Display& asked, const std::stop_token& stop);
     Result<void> takeSnapshots();
     void send(DisplayPipeline::Pictures pictures, std::uint32_t n);
     std::shared_ptr<Frame> frameOf(DisplayedPicture picture, std::uint32_t n);
-    bool isSurveyDue(const Display& asked) const;
-    void remember(DisplayedPicture& picture);
-    ShownStatus shown(const FilmStatus& film, bool denoised, float exposure);
     void addTimes(std::uint32_t n, double iterationSeconds, double displaySeconds);
 
     // Starting and continuing films.
     void beginFilm(int divider);
     void beginFiner();
-    void startOver();
     void goOnFrom(std::shared_ptr<const Film> film);
     Scene dividedScene() const;
 
@@ -77,10 +71,8 @@ class Session::Loop {
     Tile nextPart();
     Result<void> beginFrame(const FrameBudget& pace);
     bool late() const;
-    Result<void> lookAtRegion(const Display& display);
-    ImageProgress progress() const;
+    ImageProgress progress() const { return quality_.progress(sweep_.samples().least); }
     double secondsAhead() const;
-    std::vector<QualityStep> steps(ErrorOf of) const;
     bool smooths(const Display& asked) const { return asked.smoothed && canBeSmoothed(scene_); }
     double pixels() const { return double(place_.size().x) * place_.size().y; }
     /// Number of pixels in the part that is being sampled; partSamples(): samples that each of them has.
@@ -118,22 +110,12 @@ class Session::Loop {
     DisplayPipeline display_;
 
     // State of the current film:
-    Sweep sweep_;                             ///< its progress
-    std::uint32_t done_ = 0;                  ///< iterations since it was last shown
-    bool wholeFrame_ = true;                  ///< the current frame's iterations cover all pixels equally
-    std::optional<double> shownError_;        ///< error of its full image shown last [levels]; none if there is none
-    ErrorOf shownOf_ = ErrorOf::film;         ///< image that shownError_ describes
-    ShownHistory history_;                    ///< errors of its full images
-    float historyExposure_ = 0;               ///< exposure at which the errors in history_ were taken
-    double frameSeconds_ = 0;                 ///< time spent on the current frame
-    double seconds_ = 0;                      ///< time spent on the film, without the current frame
-    FilmStatus surveyed_;                     ///< status of the last image whose errors were counted
-    double judgeSeconds_ = 0, judgedAt_ = 0;  ///< duration of the last judgement of smoothedView_; seconds_ at its end
-    double mapSeconds_ = 0;                   ///< part of seconds_ spent on errorMap_
-    SmoothedView smoothedView_;
+    Sweep sweep_;              ///< its progress
+    std::uint32_t done_ = 0;   ///< iterations since it was last shown
+    bool wholeFrame_ = true;   ///< the current frame's iterations cover all pixels equally
+    double frameSeconds_ = 0;  ///< time spent on the current frame
+    QualityTracker quality_{clock_};
     BiasTracker bias_{clock_};
-    ErrorMapView errorMap_;
-    RegionView region_;
     double aheadSeconds_ = 0;  ///< time spent on the region alone
     double aheadSamples_ = 0;  ///< samples per pixel of the region in that time
     bool brightens_ = false;   ///< the display of a denoised image has just changed

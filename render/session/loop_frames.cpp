@@ -40,7 +40,7 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
     const bool frameEnds =
         !step.render || display_.isBroken() || (!sweep_.isHalfMade() && (done_ >= wanted(step.pace) || late()));
     if (done && frameEnds)
-        done = judgeSmoothing(step);
+        done = judge(step);
     if (done && givesWay() && step.detour.stop_requested()) {
         if (frameEnds)
             display_.breakOff();
@@ -112,8 +112,9 @@ double Session::Loop::piecePixels() const {
 /// is an image around it; else the whole image.
 Tile Session::Loop::nextPart() {
     const bool inParts = !display_.awaitsFirst() && !coarse() && scene_.schedule.kind == Schedule::Kind::pd;
-    return inParts && region_.isFirst(commands.stopRequest().rule.levels) ? *region_.tile(place_.size())
-                                                                          : wholeImage(place_.size());
+    return inParts && quality_.region().isFirst(commands.stopRequest().rule.levels)
+               ? *quality_.region().tile(place_.size())
+               : wholeImage(place_.size());
 }
 
 /// Begins a frame, whose passes all sample the same part. If its display is to be timed, sends all images in flight
@@ -153,15 +154,15 @@ Result<void> Session::Loop::takeSnapshots() {
     return place_.film()->look([&](const Film& film) {
         const FilmView view{film,
                             scene_,
-                            seconds_ + frameSeconds_,
+                            quality_.seconds() + frameSeconds_,
                             place_.info().name,
                             bias_.known(commands.display().exposure),
                             commands.stopRequest().rule,
-                            canJudge() ? &smoothedView_ : nullptr};
-        const std::uint64_t judged = smoothedView_.judgedSamples();
+                            canJudge() ? &quality_.denoised() : nullptr};
+        const std::uint64_t judged = quality_.denoised().judgedSamples();
         for (const RenderCommands::SnapshotRequest& order : commands.takeSnapshotRequests(place_.revision()))
             order.look(view);
-        if (smoothedView_.judgedSamples() != judged)
+        if (quality_.denoised().judgedSamples() != judged)
             display_.refresh();
     });
 }

@@ -14,7 +14,8 @@ namespace pdr {
 /// shows the previously denoised image on it.
 Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool adds) {
     const Display asked = commands.display();
-    const Display display = smoothedView_.better({asked.exposure, smooths(asked), isSurveyDue(asked)});
+    const Display display = quality_.denoised().better(
+        {asked.exposure, smooths(asked), quality_.isSurveyDue(sweep_.samples().mean, asked.exposure)});
     // Make the image
     const bool within = step.render && !adds;  // the current frame continues
     const bool atOnce = display_.isFresh() || coarse() || measuring_ || !adds;
@@ -31,7 +32,7 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
     }
     const double displaySeconds = secondsSince(start);
     if (display.smoothed && stop.stop_requested()) {
-        seconds_ += displaySeconds;
+        quality_.addSeconds(displaySeconds);
         display_.breakOff();
         return {};
     }
@@ -39,22 +40,46 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
     display_.markShown();
     const std::uint32_t n = within ? 0 : std::exchange(done_, 0);
     const double frameSeconds = within ? 0 : std::exchange(frameSeconds_, 0);
-    seconds_ += frameSeconds + displaySeconds;
+    quality_.addSeconds(frameSeconds + displaySeconds);
     if (adds)
         addTimes(n, frameSeconds, displaySeconds);
     if (adds && guided)
         ladder_.addGuidedDisplay(pixels(), displaySeconds);
     else if (adds && place_.film()->maxInFlight() == 1)
         ladder_.addDisplay(pixels(), displaySeconds);
-    // Update errors, error map and region, then send
-    for (DisplayedPicture& picture : *pictures)
-        remember(picture);
-    if (Result<void> mapped = mapErrors(asked, step.stop); !mapped)
-        return mapped;
-    if (Result<void> looked = lookAtRegion(asked); !looked)
-        return looked;
+    // State the quality, then send
+    for (DisplayedPicture& each : *pictures)
+        quality_.record(each.picture, each.display.exposure, secondsAhead());
+    if (Result<void> updated = updateQuality(asked, step.stop); !updated)
+        return updated;
     send(*std::move(pictures), wanted(step.pace));
     return measuring_ && adds ? measureDisplay(display, n, frameSeconds + displaySeconds) : Result<void>();
+}
+
+/// Judges the error of the denoised image, if one is shown at rest and this is due. A change of brightness interrupts
+/// it.
+Result<void> Session::Loop::judge(const RenderCommands::Iteration& step) {
+    if (!canJudge() || !quality_.isJudgementDue(partSamples(), step.render) || step.detour.stop_requested())
+        return {};
+    return quality_.judge(*place_.film(), partSamples(), step.detour);
+}
+
+/// Updates the error map, if one is requested, and the status of the region.
+Result<void> Session::Loop::updateQuality(const Display& asked, const std::stop_token& stop) {
+    Accumulator& film = *place_.film();
+    if (!commands.errorMap())
+        quality_.dropErrorMap();
+    else if (Result<void> mapped = quality_.mapErrors(film, partSamples(), asked.exposure, stop); !mapped)
+        return mapped;
+    const std::optional<Tile> region = quality_.region().tile(place_.size());
+    return region ? quality_.lookAtRegion(film, sweep_.samplesOf(*region), {asked.exposure, smooths(asked)})
+                  : Result<void>();
+}
+
+/// Returns the time already spent on samples that a part of the image has and the rest is still to get [s].
+double Session::Loop::secondsAhead() const {
+    const SampleCounts samples = sweep_.samples();
+    return aheadSamples_ > 0 ? aheadSeconds_ / aheadSamples_ * double(samples.most - samples.least) : 0;
 }
 
 /// Records the times of a frame of n iterations. If work runs asynchronously, only the sum of both is meaningful.
@@ -98,7 +123,7 @@ Result<void> Session::Loop::measureDisplay(const Display& display, std::uint32_t
         return again.error();
     const double displaySeconds = secondsSince(start);
     meter_.addFrame(n, std::max(frameSeconds - displaySeconds, 0.0), displaySeconds);
-    seconds_ += displaySeconds;
+    quality_.addSeconds(displaySeconds);
     measuring_ = false;
     measuredAt_ = clock_();
     return {};
@@ -130,22 +155,11 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     frame->rgba = std::move(picture.picture.rgba);
     frame->status = picture.picture.status;
     frame->smoothed = picture.picture.smoothed;
-    if (frame->smoothed) {
-        frame->smoothedError = smoothedView_.error(frame->display.exposure);
-        frame->lostLines = smoothedView_.lostLines();
-    }
+    quality_.describe(*frame, secondsAhead());
     frame->bias = biasFacts(scene_, frame->status, place_.info().name);
     frame->bias.measured = bias_.known(frame->display.exposure);
     frame->bias.isSmoothed = frame->smoothed;
-    // Add times and forecasts
-    frame->seconds = seconds_;
-    if (!coarse()) {
-        const ErrorOf of = shown(frame->status, frame->smoothed, frame->display.exposure).of;
-        frame->steps = steps(of);
-        frame->region = region_.status(frame->stop.levels);
-        frame->history = history_.points(of);
-    }
-    frame->errorMap = errorMap_.map();
+    // Add how it was made
     frame->iterationsPerSecond = meter_.iterationsPerSecond();
     frame->iterations = n;
     if (scene_.schedule.kind == Schedule::Kind::pd)  // in other schedules iterations include their own display
