@@ -1,8 +1,5 @@
 #include "render/session/loop.h"
 
-#include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <utility>
 
 #include "render/base/thrown.h"
@@ -59,16 +56,17 @@ void Session::Loop::take(const RenderCommands::Iteration& step) {
 
 RenderCommands::LoopState Session::Loop::state() {
     const bool film = place_.film() != nullptr;
-    return {.scene = place_.hasScene(),
-            .film = film,
-            .revision = place_.hasScene() ? place_.revision() : 0,
-            .owed = film && (display_.awaitsFirst() || coarse() || sweep_.isHalfMade()),
-            .lingers = film && (brightens_ || (moving_ && coarse() && !display_.awaitsFirst())),
-            .progress = film ? progress() : ImageProgress(),
-            .unshown = film && sweep_.samples().least > 0 && (done_ > 0 || display_.hasWaiting() || display_.isFresh()),
-            .unjudged = canSnapshot() && canJudge() && quality_.denoised().isStale(partSamples()),
-            .canSnapshot = canSnapshot(),
-            .unmeasured = canSnapshot() && ledger_.hasWork()};
+    return {
+        .scene = place_.hasScene(),
+        .film = film,
+        .revision = place_.hasScene() ? place_.revision() : 0,
+        .owed = film && (display_.awaitsFirst() || coarse() || isHalfMade()),
+        .lingers = film && (brightens_ || (moving_ && coarse() && !display_.awaitsFirst())),
+        .progress = film ? progress() : ImageProgress(),
+        .unshown = film && hasSamples() && (scheduler_.hasIterations() || display_.hasWaiting() || display_.isFresh()),
+        .unjudged = canSnapshot() && canJudge() && quality_.denoised().isStale(partSamples()),
+        .canSnapshot = canSnapshot(),
+        .unmeasured = canSnapshot() && ledger_.hasWork()};
 }
 
 void Session::Loop::clear() {
@@ -102,20 +100,19 @@ void Session::Loop::begin(const RenderCommands::SceneOrder& order) {
     scene_ = order.scene;
     ledger_.follow(scene_, commands.display());
     display_.dropCoarser();
-    passing_ = moving_;
-    beginFilm(ladder_.first(scene_.film));
+    scheduler_.chooseFirst(scene_.film, moving_);
+    beginFilm();
 }
 
-/// Starts an empty film of the scene with that divider.
-void Session::Loop::beginFilm(int divider) {
-    divider_ = divider;
+/// Starts an empty film of the scene, as coarse as was chosen.
+void Session::Loop::beginFilm() {
     goOnFrom(nullptr);
     quality_.startOver(coarse());
     const double start = clock_();
     if (const Result<void> begun = place_.begin(dividedScene()); !begun)
         return failedOnDevice(begun.error());
-    sweep_ = Sweep(TileProgress(wholeImage(place_.size())));
-    ladder_.addBeginning(secondsSince(start));
+    scheduler_.reset(TileProgress(wholeImage(place_.size())));
+    scheduler_.addBeginning(clock_() - start);
 }
 
 /// Starts the next finer film of the same scene. The current image stays until the new film's image is no worse.
@@ -124,15 +121,15 @@ void Session::Loop::beginFiner() {
     if (!film)
         return failedOnDevice(film.error());
     display_.keepCoarser(*std::move(film));
-    passing_ = false;
-    beginFilm(ResolutionLadder::next(divider_));
+    scheduler_.chooseFiner();
+    beginFilm();
 }
 
 Scene Session::Loop::dividedScene() const {
     Scene scene = scene_;
     if (!coarse())
         return scene;
-    scene.film = dividedFilm(scene.film, divider_);
+    scene.film = dividedFilm(scene.film, scheduler_.divider());
     scene.seed ^= mixBits(scene.revision);  // otherwise the noise pattern would stand still on a moving image
     return scene;
 }
@@ -141,7 +138,7 @@ void Session::Loop::switchTo(const DeviceOpener& open) {
     const Text old = deviceLabel(place_.info());
     std::shared_ptr<const Film> from = checkpoint_.film();
     std::optional<Error> lost;  // set if the old device does not return its film
-    if (place_.film() != nullptr && sweep_.samples().least > 0) {
+    if (place_.film() != nullptr && hasSamples()) {
         if (const auto film = place_.film()->film())
             from = *film;
         else
@@ -160,17 +157,12 @@ void Session::Loop::switchTo(const DeviceOpener& open) {
 
 /// Resets the state for a new film, which already holds the samples of `film`; null: none.
 void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
-    sweep_ = film                ? Sweep(film->progress())
-             : place_.hasScene() ? Sweep(TileProgress(wholeImage(place_.size())))
-                                 : Sweep();
-    display_.reset(sweep_.samples().least == 0);
-    wholeFrame_ = true;
-    aheadSeconds_ = aheadSamples_ = 0;
+    scheduler_.reset(film                ? film->progress()
+                     : place_.hasScene() ? TileProgress(wholeImage(place_.size()))
+                                         : TileProgress());
+    display_.reset(!hasSamples());
     quality_.clear();
-    done_ = 0;
-    frameSeconds_ = 0;
     bias_.clear();
-    meter_.clear();
     checkpoint_.reset(std::move(film));
 }
 

@@ -3,19 +3,17 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <thread>
 
 #include "render/session/bias_tracker.h"
 #include "render/session/checkpoint.h"
 #include "render/session/display_pipeline.h"
 #include "render/session/film_on_device.h"
+#include "render/session/frame_scheduler.h"
 #include "render/session/live_ledger.h"
 #include "render/session/quality_tracker.h"
 #include "render/session/render_commands.h"
-#include "render/session/resolution_ladder.h"
 #include "render/session/session.h"
-#include "render/session/sweep.h"
 
 namespace pdr {
 
@@ -44,16 +42,15 @@ class Session::Loop {
     Result<void> accumulate(const RenderCommands::Iteration& step);
     Result<void> show(const RenderCommands::Iteration& step, bool adds);
     Result<void> showCoarser(const RenderCommands::Iteration& step);
-    Result<void> measureDisplay(const Display& display, std::uint32_t n, double frameSeconds);
+    Result<void> timeDisplay(const Display& display, std::uint32_t n, double frameSeconds);
     Result<void> judge(const RenderCommands::Iteration& step);
     Result<void> updateQuality(const Display& asked, const std::stop_token& stop);
     Result<void> takeSnapshots();
     void send(DisplayPipeline::Pictures pictures, std::uint32_t n);
     std::shared_ptr<Frame> frameOf(DisplayedPicture picture, std::uint32_t n);
-    void addTimes(std::uint32_t n, double iterationSeconds, double displaySeconds);
 
     // Starting and continuing films.
-    void beginFilm(int divider);
+    void beginFilm();
     void beginFiner();
     void goOnFrom(std::shared_ptr<const Film> film);
     Scene dividedScene() const;
@@ -65,37 +62,24 @@ class Session::Loop {
     void fail(const Text& sentence);
     void notify(const Text& sentences);
 
-    std::uint32_t wanted(const FrameBudget& pace) const;
-    std::uint32_t launch(std::uint32_t wanted) const;
-    double piecePixels() const;
     Tile nextPart();
     Result<void> beginFrame(const FrameBudget& pace);
-    bool late() const;
-    ImageProgress progress() const { return quality_.progress(sweep_.samples().least); }
-    double secondsAhead() const;
+    FrameScheduler::Demand demand(const FrameBudget& pace) const { return {pace, display_.coarserSamples()}; }
+    bool overlaps() const { return place_.film()->maxInFlight() > 1; }
+    bool hasSamples() const { return scheduler_.samples().least > 0; }
+    bool isHalfMade() const { return scheduler_.sweep().isHalfMade(); }
+    std::uint64_t partSamples() const { return scheduler_.sweep().partSamples(); }
+    bool coarse() const { return scheduler_.isCoarse(); }
+    ImageProgress progress() const { return quality_.progress(scheduler_.samples().least); }
     bool smooths(const Display& asked) const { return asked.smoothed && canBeSmoothed(scene_); }
-    double pixels() const { return double(place_.size().x) * place_.size().y; }
-    /// Number of pixels in the part that is being sampled; partSamples(): samples that each of them has.
-    double partPixels() const { return double(sweep_.part().width) * sweep_.part().height; }
-    std::uint64_t partSamples() const { return sweep_.samplesOf(sweep_.part()); }
-    bool isWhole(const Tile& part) const { return part == wholeImage(place_.size()); }
-    /// Returns whether all pixels have equally many samples.
-    bool isEven() const {
-        const SampleCounts samples = sweep_.samples();
-        return samples.least == samples.most;
-    }
-    /// Returns whether the film is a coarse one or was begun during a drag, and so is not yet the scene's final film.
-    bool coarse() const { return divider_ > 1 || passing_; }
     /// Returns whether an image in progress is postponed for another display, because an older image can be shown
     /// on that at once.
     bool givesWay() const { return !display_.awaitsFirst() || (display_.hasCoarser() && !coarse()); }
     /// Returns whether there is a denoised image whose error can be judged.
     bool canJudge() { return !coarse() && !moving_ && smooths(commands.display()); }
     bool canSnapshot() const {
-        return place_.film() != nullptr && !moving_ && !coarse() && !display_.awaitsFirst() && !sweep_.isHalfMade();
+        return place_.film() != nullptr && !moving_ && !coarse() && !display_.awaitsFirst() && !isHalfMade();
     }
-
-    double secondsSince(double moment) const { return clock_() - moment; }
 
     FrameSink sink_;
     DeviceOpener fallback_;
@@ -105,27 +89,13 @@ class Session::Loop {
     Scene scene_;                 ///< scene as submitted
     std::uint64_t revision_ = 0;  ///< revision of the scene submitted last, even if it failed
     bool moving_ = false;
-    int divider_ = 1;       ///< divider of the film; see ResolutionLadder
-    bool passing_ = false;  ///< the film was begun during a drag, with random numbers of its own
-    DisplayPipeline display_;
+    bool brightens_ = false;  ///< the display of a denoised image has just changed
 
-    // State of the current film:
-    Sweep sweep_;              ///< its progress
-    std::uint32_t done_ = 0;   ///< iterations since it was last shown
-    bool wholeFrame_ = true;   ///< the current frame's iterations cover all pixels equally
-    double frameSeconds_ = 0;  ///< time spent on the current frame
+    FrameScheduler scheduler_{clock_};
+    DisplayPipeline display_;
     QualityTracker quality_{clock_};
     BiasTracker bias_{clock_};
-    double aheadSeconds_ = 0;  ///< time spent on the region alone
-    double aheadSamples_ = 0;  ///< samples per pixel of the region in that time
-    bool brightens_ = false;   ///< the display of a denoised image has just changed
-
-    FrameTimer meter_;
-    bool measuring_ = false;  ///< the current frame is timed, with no other work in flight
-    double measuredAt_ = 0;   ///< clock time of the last timed frame
-
     Checkpoint checkpoint_{clock_};
-    ResolutionLadder ladder_;
     LiveLedger ledger_{clock_};
 
     std::jthread thread_;  ///< declared last, because it uses all members above

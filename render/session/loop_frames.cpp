@@ -1,20 +1,10 @@
 /// The work of the render thread for one frame: samples, snapshots and checkpoints.
 
-#include <algorithm>
 #include <utility>
 
 #include "render/session/loop.h"
 
 namespace pdr {
-
-namespace {
-
-/// Longest duration of a launch, so that a change of brightness or device, a pause or a snapshot need not wait for a
-/// long frame; and of a piece of a launch, if it can be split. On a busy machine both take several times as long.
-constexpr double kLaunchSeconds = 0.06, kPieceSeconds = 0.015;
-constexpr double kMeasureSeconds = 2;  ///< between two frames whose display is timed alone
-
-}  // namespace
 
 void Session::Loop::work(const RenderCommands::Iteration& step) {
     // Show the existing image on another display
@@ -37,8 +27,7 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
     if (done && !display_.awaitsFirst() && step.detour.stop_requested())
         return finish(step, done);  // another display: the next step shows the existing image on it
     // Judge and show the image at the end of a frame
-    const bool frameEnds =
-        !step.render || display_.isBroken() || (!sweep_.isHalfMade() && (done_ >= wanted(step.pace) || late()));
+    const bool frameEnds = !step.render || display_.isBroken() || scheduler_.isComplete(demand(step.pace));
     if (done && frameEnds)
         done = judge(step);
     if (done && givesWay() && step.detour.stop_requested()) {
@@ -46,7 +35,7 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
             display_.breakOff();
         return finish(step, done);  // an interrupted judgement is repeated later
     }
-    if (done && sweep_.samples().least > 0 && frameEnds)
+    if (done && hasSamples() && frameEnds)
         done = show(step, step.render);
     finish(step, std::move(done));
 }
@@ -58,11 +47,11 @@ void Session::Loop::finish(const RenderCommands::Iteration& step, Result<void> d
         return;  // its image was interrupted
     if (done && canSnapshot())
         done = takeSnapshots();
-    const bool isLosable = sweep_.samples().least > 0 && !sweep_.isHalfMade() && !coarse() && !place_.info().hostMemory;
+    const bool isLosable = hasSamples() && !isHalfMade() && !coarse() && !place_.info().hostMemory;
     if (done && isLosable && checkpoint_.isDue())
         done = checkpoint_.take(*place_.film());
     if (done && canSnapshot() && step.render && bias_.isDue() && !step.detour.stop_requested())
-        done = bias_.measure(place_, scene_, sweep_.samples().least, commands.display().exposure, step.detour);
+        done = bias_.measure(place_, scene_, scheduler_.samples().least, commands.display().exposure, step.detour);
     if (!done)
         failedOnDevice(done.error());
 }
@@ -77,37 +66,6 @@ void Session::Loop::measureEffects(const RenderCommands::Iteration& step) {
         ledger_.step(step.detour);
 }
 
-/// Returns the iterations of the next frame. Their number rises as the sampled part gets smaller than the image.
-std::uint32_t Session::Loop::wanted(const FrameBudget& pace) const {
-    const double larger = pixels() / partPixels();
-    const std::uint32_t usual = coarse() ? ResolutionLadder::kSamples : std::uint32_t(larger * meter_.iterations(pace));
-    return std::max(usual, std::uint32_t(display_.coarserSamples().value_or(0)));
-}
-
-/// Returns whether the first image of an edit must be shown now, with fewer samples than planned.
-bool Session::Loop::late() const {
-    return coarse() && !display_.hasCoarser() && frameSeconds_ >= ladder_.secondsForSamples(pixels());
-}
-
-/// Returns how many of `wanted` iterations to request at once. The first iteration of a first image shows how many are
-/// in time.
-std::uint32_t Session::Loop::launch(std::uint32_t wanted) const {
-    const bool hurries = coarse() && !display_.hasCoarser();
-    if (hurries && done_ == 0)
-        return 1;
-    const double seconds = hurries ? ladder_.secondsForSamples(pixels()) - frameSeconds_ : kLaunchSeconds;
-    const std::uint32_t left = wanted > done_ ? wanted - done_ : 1;
-    const double speed = done_ > 0 && frameSeconds_ > 0 ? done_ / frameSeconds_ : ladder_.speed() / partPixels();
-    return std::uint32_t(std::clamp(speed * seconds, 1.0, double(left)));
-}
-
-/// Returns the number of pixels to sample at once: all if the device and schedule do not allow pieces, else as many as
-/// take kPieceSeconds.
-double Session::Loop::piecePixels() const {
-    const bool inPieces = place_.info().hostMemory && scene_.schedule.kind == Schedule::Kind::pd;
-    return inPieces ? ladder_.speed() * kPieceSeconds : pixels();
-}
-
 /// Returns the part of the image that the next frame samples: the region while it is not within the target, once there
 /// is an image around it; else the whole image.
 Tile Session::Loop::nextPart() {
@@ -120,31 +78,26 @@ Tile Session::Loop::nextPart() {
 /// Begins a frame, whose passes all sample the same part. If its display is to be timed, sends all images in flight
 /// first.
 Result<void> Session::Loop::beginFrame(const FrameBudget& pace) {
-    sweep_.choose(nextPart());
-    wholeFrame_ = isWhole(sweep_.part()) && isEven();
-    const bool due = display_.isFresh() || !meter_.settled() || secondsSince(measuredAt_) > kMeasureSeconds;
-    measuring_ = wholeFrame_ && place_.film()->maxInFlight() > 1 && !coarse() && due;
-    if (!measuring_)
+    scheduler_.beginFrame(nextPart(), overlaps(), display_.isFresh());
+    if (!scheduler_.isTimed())
         return {};
     Result<DisplayPipeline::Pictures> before = display_.takeAllBut(place_, 0);
     if (!before)
         return before.error();
-    send(*std::move(before), wanted(pace));
+    send(*std::move(before), scheduler_.wanted(demand(pace)));
     return {};
 }
 
 Result<void> Session::Loop::accumulate(const RenderCommands::Iteration& step) {
-    if (done_ == 0 && !sweep_.isHalfMade())
+    if (scheduler_.isBetweenFrames())
         if (Result<void> begun = beginFrame(step.pace); !begun)
             return begun;
+    const bool inPieces = place_.info().hostMemory && scene_.schedule.kind == Schedule::Kind::pd;
     const double start = clock_();
-    if (!sweep_.isHalfMade())
-        sweep_.begin(launch(wanted(step.pace)));
-    const Sweep::Order order = sweep_.next(piecePixels());
+    const Sweep::Order order = scheduler_.next(demand(step.pace), inPieces);
     if (Result<void> accumulated = place_.film()->accumulate(order.tile, order.n, step.stop); !accumulated)
         return accumulated;
-    done_ += sweep_.took(order);
-    frameSeconds_ += secondsSince(start);
+    scheduler_.took(order, clock_() - start);
     return {};
 }
 
@@ -154,7 +107,7 @@ Result<void> Session::Loop::takeSnapshots() {
     return place_.film()->look([&](const Film& film) {
         const FilmView view{film,
                             scene_,
-                            quality_.seconds() + frameSeconds_,
+                            quality_.seconds() + scheduler_.frameSeconds(),
                             place_.info().name,
                             bias_.known(commands.display().exposure),
                             commands.stopRequest().rule,

@@ -1,6 +1,5 @@
 /// How the render thread makes images of a film, and when it shows them.
 
-#include <algorithm>
 #include <utility>
 
 #include "render/session/known_bias.h"
@@ -15,13 +14,14 @@ namespace pdr {
 Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool adds) {
     const Display asked = commands.display();
     const Display display = quality_.denoised().better(
-        {asked.exposure, smooths(asked), quality_.isSurveyDue(sweep_.samples().mean, asked.exposure)});
+        {asked.exposure, smooths(asked), quality_.isSurveyDue(scheduler_.samples().mean, asked.exposure)});
     // Make the image
     const bool within = step.render && !adds;  // the current frame continues
-    const bool atOnce = display_.isFresh() || coarse() || measuring_ || !adds;
+    const bool atOnce = display_.isFresh() || coarse() || scheduler_.isTimed() || !adds;
     const double start = clock_();
     const std::stop_token& stop = step.redisplay || !givesWay() ? step.stop : step.detour;
-    const bool guided = display.smoothed && display_.findGuide(place_, ResolutionLadder::finer(divider_), step.stop);
+    const bool guided =
+        display.smoothed && display_.findGuide(place_, ResolutionLadder::finer(scheduler_.divider()), step.stop);
     Result<DisplayPipeline::Pictures> pictures =
         guided ? display_.makeOnGuide(place_, asked, adds) : display_.make(place_, asked, display, atOnce, stop);
     if (!pictures)
@@ -30,7 +30,7 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
         place_.tearFilm();
         return {};
     }
-    const double displaySeconds = secondsSince(start);
+    const double displaySeconds = clock_() - start;
     if (display.smoothed && stop.stop_requested()) {
         quality_.addSeconds(displaySeconds);
         display_.breakOff();
@@ -38,22 +38,18 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
     }
     // Account for the time
     display_.markShown();
-    const std::uint32_t n = within ? 0 : std::exchange(done_, 0);
-    const double frameSeconds = within ? 0 : std::exchange(frameSeconds_, 0);
-    quality_.addSeconds(frameSeconds + displaySeconds);
+    const FrameScheduler::Iterations taken = within ? FrameScheduler::Iterations() : scheduler_.endFrame();
+    quality_.addSeconds(taken.seconds + displaySeconds);
     if (adds)
-        addTimes(n, frameSeconds, displaySeconds);
-    if (adds && guided)
-        ladder_.addGuidedDisplay(pixels(), displaySeconds);
-    else if (adds && place_.film()->maxInFlight() == 1)
-        ladder_.addDisplay(pixels(), displaySeconds);
+        scheduler_.addImage({taken, displaySeconds, overlaps(), guided});
     // State the quality, then send
     for (DisplayedPicture& each : *pictures)
-        quality_.record(each.picture, each.display.exposure, secondsAhead());
+        quality_.record(each.picture, each.display.exposure, scheduler_.secondsAhead());
     if (Result<void> updated = updateQuality(asked, step.stop); !updated)
         return updated;
-    send(*std::move(pictures), wanted(step.pace));
-    return measuring_ && adds ? measureDisplay(display, n, frameSeconds + displaySeconds) : Result<void>();
+    send(*std::move(pictures), scheduler_.wanted(demand(step.pace)));
+    return scheduler_.isTimed() && adds ? timeDisplay(display, taken.n, taken.seconds + displaySeconds)
+                                        : Result<void>();
 }
 
 /// Judges the error of the denoised image, if one is shown at rest and this is due. A change of brightness interrupts
@@ -72,31 +68,8 @@ Result<void> Session::Loop::updateQuality(const Display& asked, const std::stop_
     else if (Result<void> mapped = quality_.mapErrors(film, partSamples(), asked.exposure, stop); !mapped)
         return mapped;
     const std::optional<Tile> region = quality_.region().tile(place_.size());
-    return region ? quality_.lookAtRegion(film, sweep_.samplesOf(*region), {asked.exposure, smooths(asked)})
+    return region ? quality_.lookAtRegion(film, scheduler_.sweep().samplesOf(*region), {asked.exposure, smooths(asked)})
                   : Result<void>();
-}
-
-/// Returns the time already spent on samples that a part of the image has and the rest is still to get [s].
-double Session::Loop::secondsAhead() const {
-    const SampleCounts samples = sweep_.samples();
-    return aheadSamples_ > 0 ? aheadSeconds_ / aheadSamples_ * double(samples.most - samples.least) : 0;
-}
-
-/// Records the times of a frame of n iterations. If work runs asynchronously, only the sum of both is meaningful.
-void Session::Loop::addTimes(std::uint32_t n, double iterationSeconds, double displaySeconds) {
-    if (!isWhole(sweep_.part())) {
-        aheadSeconds_ += iterationSeconds + displaySeconds;
-        aheadSamples_ += n;
-    }
-    if (!wholeFrame_)
-        return;
-    if (place_.film()->maxInFlight() == 1) {
-        meter_.addFrame(n, iterationSeconds, displaySeconds);
-        ladder_.addFrame(n * pixels(), iterationSeconds);
-    } else {
-        meter_.addPeriod(n, iterationSeconds + displaySeconds);
-        ladder_.addFrame(n * pixels(), iterationSeconds + displaySeconds);
-    }
 }
 
 /// Shows the coarser film on another display.
@@ -115,17 +88,15 @@ Result<void> Session::Loop::showCoarser(const RenderCommands::Iteration& step) {
 /// Times the display of a frame alone. If work runs asynchronously, the duration of a call says nothing, so the frame
 /// was made with nothing else in flight, in `frameSeconds`. Now only its display is repeated; the remaining time
 /// is that of its n iterations.
-Result<void> Session::Loop::measureDisplay(const Display& display, std::uint32_t n, double frameSeconds) {
+Result<void> Session::Loop::timeDisplay(const Display& display, std::uint32_t n, double frameSeconds) {
     const double start = clock_();
     if (Result<void> ordered = place_.film()->resolve(display); !ordered)
         return ordered;
     if (const Result<Picture> again = place_.film()->readback(); !again)
         return again.error();
-    const double displaySeconds = secondsSince(start);
-    meter_.addFrame(n, std::max(frameSeconds - displaySeconds, 0.0), displaySeconds);
+    const double displaySeconds = clock_() - start;
+    scheduler_.addTimedFrame(n, frameSeconds, displaySeconds);
     quality_.addSeconds(displaySeconds);
-    measuring_ = false;
-    measuredAt_ = clock_();
     return {};
 }
 
@@ -155,15 +126,15 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedPicture picture, std::uin
     frame->rgba = std::move(picture.picture.rgba);
     frame->status = picture.picture.status;
     frame->smoothed = picture.picture.smoothed;
-    quality_.describe(*frame, secondsAhead());
+    quality_.describe(*frame, scheduler_.secondsAhead());
     frame->bias = biasFacts(scene_, frame->status, place_.info().name);
     frame->bias.measured = bias_.known(frame->display.exposure);
     frame->bias.isSmoothed = frame->smoothed;
     // Add how it was made
-    frame->iterationsPerSecond = meter_.iterationsPerSecond();
+    frame->iterationsPerSecond = scheduler_.timer().iterationsPerSecond();
     frame->iterations = n;
     if (scene_.schedule.kind == Schedule::Kind::pd)  // in other schedules iterations include their own display
-        frame->efficiency = meter_.efficiency();
+        frame->efficiency = scheduler_.timer().efficiency();
     frame->device = place_.info().name;
     frame->schedule = scene_.schedule;
     return frame;

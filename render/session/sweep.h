@@ -21,11 +21,14 @@ class Sweep {
     /// Starts with a film of that progress; the part is its whole area.
     explicit Sweep(TileProgress progress) : progress_(std::move(progress)), part_(progress_.area()) {}
 
-    /// The part of the film that is being sampled.
+    /// The whole film, and the part of it that is being sampled.
+    const Tile& area() const { return progress_.area(); }
     const Tile& part() const { return part_; }
+    bool isWhole() const { return part_ == area(); }
     SampleCounts samples() const { return progress_.counts(); }
     /// Returns the samples that every pixel of `part` has; `part` consists of whole cells of the film.
     std::uint64_t samplesOf(const Tile& part) const { return progress_.counts(part).least; }
+    std::uint64_t partSamples() const { return samplesOf(part_); }
 
     /// Chooses the cells around `part` for the next passes. No pass may be incomplete.
     void choose(const Tile& part) { part_ = progress_.cellsAround(part); }

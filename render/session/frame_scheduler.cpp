@@ -1,0 +1,124 @@
+/// How frames are planned from the times of recent ones.
+
+#include "render/session/frame_scheduler.h"
+
+#include <algorithm>
+
+namespace pdr {
+
+namespace {
+
+/// Longest duration of a launch, so that a change of brightness or device, a pause or a snapshot need not wait for a
+/// long frame; and of a piece of a launch, if it can be split. On a busy machine both take several times as long.
+constexpr double kLaunchSeconds = 0.06, kPieceSeconds = 0.015;
+constexpr double kMeasureSeconds = 2;  ///< between two frames whose display is timed alone
+
+double pixelsOf(const Tile& tile) {
+    return double(tile.width) * tile.height;
+}
+
+}  // namespace
+
+void FrameScheduler::chooseFirst(ivec2 size, bool moving) {
+    divider_ = ladder_.first(size);
+    passing_ = moving;
+}
+
+void FrameScheduler::chooseFiner() {
+    divider_ = ResolutionLadder::next(divider_);
+    passing_ = false;
+}
+
+void FrameScheduler::reset(TileProgress progress) {
+    sweep_ = Sweep(std::move(progress));
+    timer_.clear();
+    done_ = ahead_ = {};
+    isEven_ = true;
+    isTimed_ = false;
+}
+
+double FrameScheduler::secondsAhead() const {
+    const SampleCounts counts = samples();
+    return ahead_.n > 0 ? ahead_.seconds / ahead_.n * double(counts.most - counts.least) : 0;
+}
+
+double FrameScheduler::pixels() const {
+    return pixelsOf(sweep_.area());
+}
+
+double FrameScheduler::partPixels() const {
+    return pixelsOf(sweep_.part());
+}
+
+void FrameScheduler::beginFrame(const Tile& part, bool overlaps, bool fresh) {
+    sweep_.choose(part);
+    const SampleCounts counts = samples();
+    isEven_ = sweep_.isWhole() && counts.least == counts.most;
+    const bool isDue = fresh || !timer_.settled() || clock_() - timedAt_ > kMeasureSeconds;
+    isTimed_ = isEven_ && overlaps && !isCoarse() && isDue;
+}
+
+Sweep::Order FrameScheduler::next(const Demand& demand, bool inPieces) {
+    if (!sweep_.isHalfMade())
+        sweep_.begin(launch(demand));
+    return sweep_.next(inPieces ? ladder_.speed() * kPieceSeconds : pixels());
+}
+
+/// Returns how many iterations to request at once. The first iteration of a first image shows how many are in time.
+std::uint32_t FrameScheduler::launch(const Demand& demand) const {
+    if (hurries(demand) && done_.n == 0)
+        return 1;
+    const double seconds = hurries(demand) ? ladder_.secondsForSamples(pixels()) - done_.seconds : kLaunchSeconds;
+    const std::uint32_t all = wanted(demand), left = all > done_.n ? all - done_.n : 1;
+    const double speed = done_.n > 0 && done_.seconds > 0 ? done_.n / done_.seconds : ladder_.speed() / partPixels();
+    return std::uint32_t(std::clamp(speed * seconds, 1.0, double(left)));
+}
+
+void FrameScheduler::took(const Sweep::Order& order, double seconds) {
+    done_.n += sweep_.took(order);
+    done_.seconds += seconds;
+}
+
+std::uint32_t FrameScheduler::wanted(const Demand& demand) const {
+    const double larger = pixels() / partPixels();
+    const std::uint32_t usual =
+        isCoarse() ? ResolutionLadder::kSamples : std::uint32_t(larger * timer_.iterations(demand.pace));
+    return std::max(usual, std::uint32_t(demand.replaced.value_or(0)));
+}
+
+bool FrameScheduler::isComplete(const Demand& demand) const {
+    const bool isLate = hurries(demand) && done_.seconds >= ladder_.secondsForSamples(pixels());
+    return !sweep_.isHalfMade() && (done_.n >= wanted(demand) || isLate);
+}
+
+FrameScheduler::Iterations FrameScheduler::endFrame() {
+    return std::exchange(done_, {});
+}
+
+void FrameScheduler::addImage(const TimedImage& image) {
+    const auto& [n, seconds] = image.iterations;
+    const double all = seconds + image.displaySeconds;
+    if (!sweep_.isWhole()) {
+        ahead_.n += n;
+        ahead_.seconds += all;
+    }
+    if (isEven_ && image.overlaps) {
+        timer_.addPeriod(n, all);
+        ladder_.addFrame(n * pixels(), all);
+    } else if (isEven_) {
+        timer_.addFrame(n, seconds, image.displaySeconds);
+        ladder_.addFrame(n * pixels(), seconds);
+    }
+    if (image.isOnGuide)
+        ladder_.addGuidedDisplay(pixels(), image.displaySeconds);
+    else if (!image.overlaps)
+        ladder_.addDisplay(pixels(), image.displaySeconds);
+}
+
+void FrameScheduler::addTimedFrame(std::uint32_t n, double seconds, double displaySeconds) {
+    timer_.addFrame(n, std::max(seconds - displaySeconds, 0.0), displaySeconds);
+    isTimed_ = false;
+    timedAt_ = clock_();
+}
+
+}  // namespace pdr

@@ -1,0 +1,110 @@
+#pragma once
+/// Chooses how coarse the film of a scene is, which part of it is sampled next, and how many iterations an image gets,
+/// from the time that recent ones took.
+///   coarse film   one of fewer pixels, or one begun during a drag: soon replaced by a finer one
+///   part          pixels that a frame samples: the image or the cells around a region of it
+///   overlap       the device works on while an image is read back, so that the two have only a common time
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "render/session/resolution_ladder.h"
+#include "render/session/session.h"
+#include "render/session/sweep.h"
+#include "render/timing/frame_budget.h"
+
+namespace pdr {
+
+class FrameScheduler {
+  public:
+    /// What the next image has to satisfy.
+    struct Demand {
+        FrameBudget pace;
+        /// Samples per pixel of the coarser image on the screen that it replaces; none: there is no such image, so that
+        /// a coarse film's image must come in time.
+        std::optional<std::uint64_t> replaced;
+    };
+    /// Iterations of the sampled part, and the time they took [s].
+    struct Iterations {
+        std::uint32_t n = 0;
+        double seconds = 0;
+    };
+    /// An image that shows new iterations.
+    struct TimedImage {
+        Iterations iterations;
+        double displaySeconds = 0;
+        bool overlaps = false;
+        bool isOnGuide = false;  ///< it is a coarse film's, drawn on a guide
+    };
+
+    explicit FrameScheduler(SessionClock clock) : clock_(std::move(clock)) {}
+
+    // Films. Choices of how coarse the next one is:
+    /// Chooses the first film of a scene whose full film has `size` pixels. `moving`: the user drags.
+    void chooseFirst(ivec2 size, bool moving);
+    /// Chooses the next finer film of the same scene.
+    void chooseFiner();
+    int divider() const { return divider_; }  ///< see ResolutionLadder
+    bool isCoarse() const { return divider_ > 1 || passing_; }
+    /// Records how long a film took to begin [s].
+    void addBeginning(double seconds) { ladder_.addBeginning(seconds); }
+    /// Starts with a film of that progress, and forgets the times of images. How coarse it is and what is known of the
+    /// speed of samples stays.
+    void reset(TileProgress progress);
+
+    // Progress of the film:
+    const Sweep& sweep() const { return sweep_; }
+    SampleCounts samples() const { return sweep_.samples(); }
+    /// Returns the time spent on samples that a part of the image has and the rest is still to get [s].
+    double secondsAhead() const;
+    const FrameTimer& timer() const { return timer_; }
+
+    // The current frame:
+    /// Returns whether the next samples begin a frame.
+    bool isBetweenFrames() const { return !hasIterations() && !sweep_.isHalfMade(); }
+    /// Returns whether the frame has iterations, which no image shows yet.
+    bool hasIterations() const { return done_.n > 0; }
+    /// Begins a frame of which all passes sample the cells around `part`. If work overlaps, some frames are timed
+    /// alone: now and then, and always if the image is `fresh`, for another film or judgement.
+    void beginFrame(const Tile& part, bool overlaps, bool fresh);
+    /// Returns whether the frame is timed: it must be made and shown with nothing else in flight.
+    bool isTimed() const { return isTimed_; }
+    /// Returns the next samples to take. `inPieces`: a launch may sample some of the part's pixels only.
+    Sweep::Order next(const Demand& demand, bool inPieces);
+    /// Records that `order` was carried out in `seconds`.
+    void took(const Sweep::Order& order, double seconds);
+    /// Returns the number of iterations that a frame gets. It rises as the part gets smaller than the image.
+    std::uint32_t wanted(const Demand& demand) const;
+    /// Returns whether an image is to be shown now: the frame has its iterations, or is late.
+    bool isComplete(const Demand& demand) const;
+    double frameSeconds() const { return done_.seconds; }  ///< time spent on the frame so far [s]
+    /// Ends the frame and returns its iterations.
+    Iterations endFrame();
+
+    /// Records the times of an image.
+    void addImage(const TimedImage& image);
+    /// Records the times of a timed frame of n iterations, which took `seconds` in all, its display `displaySeconds`.
+    void addTimedFrame(std::uint32_t n, double seconds, double displaySeconds);
+
+  private:
+    double pixels() const;
+    double partPixels() const;
+    bool hurries(const Demand& demand) const { return isCoarse() && !demand.replaced; }
+    std::uint32_t launch(const Demand& demand) const;
+
+    SessionClock clock_;
+    ResolutionLadder ladder_;
+    FrameTimer timer_;
+    int divider_ = 1;
+    bool passing_ = false;  ///< the film was begun during a drag, with random numbers of its own
+
+    Sweep sweep_;
+    Iterations done_;     ///< iterations of the current frame
+    bool isEven_ = true;  ///< those cover all pixels equally
+    Iterations ahead_;    ///< iterations that only a part of the film got
+    bool isTimed_ = false;
+    double timedAt_ = 0;  ///< clock time of the last timed frame
+};
+
+}  // namespace pdr

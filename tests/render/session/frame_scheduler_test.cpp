@@ -1,0 +1,174 @@
+/// Frames get as many iterations as fit their time, coarse films come in time, and a region waits for the rest.
+
+#include <QTest>
+
+#include "render/session/frame_scheduler.h"
+#include "tests/support/devices/fake_clock.h"
+
+using namespace pdr;
+
+namespace {
+
+constexpr ivec2 kLarge{4096, 4096}, kSmall{96, 64};
+constexpr Tile kRegion{0, 0, 48, 64};  // half of kSmall
+
+FrameScheduler::Demand demand(int iterations, std::optional<std::uint64_t> replaced = {}) {
+    return {{.iterations = iterations}, replaced};
+}
+
+/// A film in progress.
+struct Planned {
+    std::shared_ptr<test::FakeClock> clock = std::make_shared<test::FakeClock>();
+    FrameScheduler scheduler{test::readingOf(clock)};
+    Tile whole;
+
+    explicit Planned(ivec2 size, bool moving = false) {
+        scheduler.chooseFirst(size, moving);
+        whole = wholeImage(dividedFilm(size, scheduler.divider()));
+        scheduler.reset(TileProgress(whole));
+    }
+    void begin(bool overlaps = false, bool fresh = false) { scheduler.beginFrame(whole, overlaps, fresh); }
+    /// Takes the next samples in `seconds` and returns them.
+    Sweep::Order take(const FrameScheduler::Demand& demand, double seconds, bool inPieces = false) {
+        const Sweep::Order order = scheduler.next(demand, inPieces);
+        scheduler.took(order, seconds);
+        return order;
+    }
+    /// Makes one frame of that part, each launch in `seconds`, and shows it in no time.
+    FrameScheduler::Iterations frame(const Tile& part, const FrameScheduler::Demand& demand, double seconds) {
+        scheduler.beginFrame(part, false, false);
+        while (!scheduler.isComplete(demand))
+            take(demand, seconds);
+        const FrameScheduler::Iterations taken = scheduler.endFrame();
+        scheduler.addImage({taken});
+        return taken;
+    }
+};
+
+}  // namespace
+
+class FrameSchedulerTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aFrameEndsWithTheIterationsThatWereAskedFor() {
+        Planned planned(kSmall);
+        QVERIFY(!planned.scheduler.isCoarse() && planned.scheduler.isBetweenFrames());
+        planned.begin();
+        QCOMPARE(planned.take(demand(6), 0.02).n, 6U);
+        QVERIFY(planned.scheduler.isComplete(demand(6)) && !planned.scheduler.isComplete(demand(7)));
+        QVERIFY(planned.scheduler.hasIterations() && !planned.scheduler.isBetweenFrames());
+        QCOMPARE(planned.scheduler.frameSeconds(), 0.02);
+        const FrameScheduler::Iterations taken = planned.scheduler.endFrame();
+        QCOMPARE(taken.n, 6U);
+        QCOMPARE(taken.seconds, 0.02);
+        QVERIFY(planned.scheduler.isBetweenFrames());
+        QCOMPARE(planned.scheduler.samples(), (SampleCounts{6, 6, 6}));
+    }
+
+    void aLaunchIsShort() {
+        Planned planned(kSmall);
+        planned.begin();
+        const std::uint32_t first = planned.take(demand(10000), 0.6).n;
+        QVERIFY(first > 1 && first < 10000);
+        QCOMPARE(planned.take(demand(10000), 1).n, first / 10);  // it was ten times too slow
+    }
+
+    void anImageIsNeverNoisierThanTheOneItReplaces() {
+        const Planned planned(kSmall);
+        QCOMPARE(planned.scheduler.wanted(demand(2)), 2U);
+        QCOMPARE(planned.scheduler.wanted(demand(2, 9)), 9U);
+    }
+
+    void aLargeFilmBeginsCoarseAndGetsFinerInSteps() {
+        Planned planned(kLarge);
+        int divider = planned.scheduler.divider();
+        QVERIFY(divider > 1 && planned.scheduler.isCoarse());
+        while (planned.scheduler.isCoarse()) {
+            planned.scheduler.chooseFiner();
+            QVERIFY(planned.scheduler.divider() < divider);
+            divider = planned.scheduler.divider();
+        }
+        QCOMPARE(divider, 1);
+    }
+
+    void aFilmBegunDuringADragIsReplacedByAnotherOfItsSize() {
+        Planned planned(kSmall, true);
+        QVERIFY(planned.scheduler.isCoarse() && planned.scheduler.divider() == 1);
+        planned.scheduler.chooseFiner();
+        QVERIFY(!planned.scheduler.isCoarse() && planned.scheduler.divider() == 1);
+    }
+
+    void theFirstIterationOfACoarseFilmShowsHowManyAreInTime() {
+        Planned planned(kLarge);
+        planned.begin();
+        QCOMPARE(planned.take(demand(1), 0.001).n, 1U);
+        QVERIFY(!planned.scheduler.isComplete(demand(1)));
+        QCOMPARE(planned.scheduler.next(demand(1), false).n, ResolutionLadder::kSamples - 1);
+    }
+
+    void aCoarseFilmThatIsLateIsShownUnlessACoarserOneIs() {
+        Planned planned(kLarge);
+        planned.begin();
+        planned.take(demand(1), ResolutionLadder::kFrameSeconds);
+        QVERIFY(planned.scheduler.isComplete(demand(1)));
+        QVERIFY(!planned.scheduler.isComplete(demand(1, 4)));
+    }
+
+    void aSlowLaunchComesInPieces() {
+        Planned planned(kSmall);
+        planned.frame(planned.whole, demand(1), 1);  // 6144 samples a second
+        planned.begin();
+        QVERIFY(planned.take(demand(1), 0.3, true).tile.height < kSmall.y);
+        QVERIFY(!planned.scheduler.isBetweenFrames() && !planned.scheduler.hasIterations());
+        QVERIFY(!planned.scheduler.isComplete(demand(1)));
+        while (planned.scheduler.sweep().isHalfMade())
+            planned.take(demand(1), 0.3, true);
+        QVERIFY(planned.scheduler.isComplete(demand(1)));
+    }
+
+    void timeSpentOnARegionAloneCountsUntilTheRestHasCaughtUp() {
+        Planned planned(kSmall);
+        planned.frame(planned.whole, demand(2), 0.1);
+        QCOMPARE(planned.scheduler.secondsAhead(), 0.0);
+        const FrameScheduler::Iterations taken = planned.frame(kRegion, demand(2), 0.1);
+        QCOMPARE(taken.n, 4U);  // it is half of the image
+        QCOMPARE(planned.scheduler.secondsAhead(), taken.seconds);
+        planned.frame(planned.whole, demand(2), 0.1);
+        QCOMPARE(planned.scheduler.secondsAhead(), taken.seconds / 2);
+        planned.frame(planned.whole, demand(2), 0.1);
+        QCOMPARE(planned.scheduler.secondsAhead(), 0.0);
+    }
+
+    void overlappingFramesAreTimedAloneNowAndThen() {
+        Planned planned(kSmall);
+        planned.begin(false, true);
+        QVERIFY(!planned.scheduler.isTimed());
+        for (int i = 0; !planned.scheduler.timer().settled(); ++i) {
+            QVERIFY(i < 100);
+            planned.begin(true);
+            QVERIFY(planned.scheduler.isTimed());
+            planned.scheduler.addTimedFrame(1, 0.3, 0.1);
+            QVERIFY(!planned.scheduler.isTimed());
+        }
+        QCOMPARE(planned.scheduler.timer().efficiency(), 0.2 / 0.3);
+        planned.begin(true);
+        QVERIFY(!planned.scheduler.isTimed());
+        planned.begin(true, true);
+        QVERIFY(planned.scheduler.isTimed());
+        planned.clock->advanceTo(planned.clock->seconds() + 2.1);
+        planned.begin(true);
+        QVERIFY(planned.scheduler.isTimed());
+        planned.scheduler.reset(TileProgress(planned.whole));
+        QVERIFY(!planned.scheduler.isTimed() && !planned.scheduler.timer().settled());
+    }
+
+    void aRegionIsNotTimed() {
+        Planned planned(kSmall);
+        planned.scheduler.beginFrame(kRegion, true, true);
+        QVERIFY(!planned.scheduler.isTimed());
+    }
+};
+
+QTEST_GUILESS_MAIN(FrameSchedulerTest)
+#include "frame_scheduler_test.moc"
