@@ -74,6 +74,7 @@ class RenderCommands {
     void clear();
     void requestSnapshot(std::uint64_t revision, SnapshotObserver look);
     void watchEffects(EffectsWatch watch);
+    /// Returns the stop rule with what suspends it, and the pause.
     StopRequest stopRequest();
     /// Returns whether an error map is requested.
     bool errorMap();
