@@ -1,8 +1,9 @@
 #pragma once
-/// The result of a folder's scan, as plain data: no DCMTK type, no pixels.
+/// The result of a scan, as plain data: no DCMTK type, no pixels.
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "render/volume/volume.h"
 
 namespace pdr::dicom {
+
+class SeriesSource;
 
 /// The person who was scanned. For display only: nothing here may reach a file, a log or the network. UTF-8.
 struct PatientFacts {
@@ -79,11 +82,10 @@ struct SliceIdentity {
     bool operator==(const SliceIdentity&) const = default;
 };
 
-/// One image of a series: a file, the frame in it (0 for single-frame files), and what the file said when it was
-/// scanned.
+/// One image of a series: an object of its source, the frame in it, and what it said when it was scanned.
 struct SliceRef {
-    std::filesystem::path file;
-    int frame = 0;
+    std::filesystem::path file;  ///< name of the object; the path of a file
+    int frame = 0;               ///< index of the frame; 0 for single-frame objects
     SliceIdentity identity;
 };
 
@@ -96,6 +98,8 @@ struct Series {
     std::vector<SliceRef> slices;
     /// Complete for Stack::even; otherwise only `size` is set, if the slices agree on it.
     VolumeGeometry geometry;
+    /// The source of the slices, which their pixels are read from; null before a scan.
+    std::shared_ptr<const SeriesSource> source{};
 };
 
 /// A file that looks like DICOM but cannot be used at all, with the reason.

@@ -20,7 +20,8 @@ int grey(std::int16_t hu) {
 QImage seriesPicture(const dicom::Series& series) {
     if (series.slices.empty())
         return {};
-    const auto slice = dicom::decodeSlice(series.slices[series.slices.size() / 2], dicom::Padding::maskAsAir);
+    const dicom::SliceRef& middle = series.slices[series.slices.size() / 2];
+    const auto slice = dicom::decodeSlice(*series.source, middle, dicom::Padding::maskAsAir);
     if (!slice)
         return {};
     QImage image(slice->size.x, slice->size.y, QImage::Format_Grayscale8);

@@ -17,27 +17,34 @@ constexpr std::size_t kAskEvery = 1 << 20;
 
 }  // namespace
 
-ByteSource::ByteSource(const std::filesystem::path& file) : opened_(checkPlainFile(file)) {
+ByteSource::ByteSource(const NamedBytes& object) : memory_(object.memory) {
+    if (memory_) {
+        window_ = *memory_;
+        size_ = window_.size();
+        return;
+    }
+    opened_ = checkPlainFile(object.name);
     if (!opened_)
         return;
     std::error_code failure;
-    size_ = std::filesystem::file_size(file, failure);
-    file_.open(file, std::ios::binary);
+    size_ = std::filesystem::file_size(object.name, failure);
+    file_.open(object.name, std::ios::binary);
     if (file_.is_open() && !failure)
         return;
-    opened_ = Error{phrase("the file cannot be read"), file.string(), ""};
+    opened_ = Error{phrase("the file cannot be read"), object.name.string(), ""};
     size_ = 0;
 }
 
-ByteSource::ByteSource(std::vector<std::uint8_t> bytes) : window_(std::move(bytes)), size_(window_.size()) {}
+ByteSource::ByteSource(std::vector<std::uint8_t> bytes)
+    : ByteSource(NamedBytes{{}, std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes))}) {}
 
 bool ByteSource::fillWindow(std::uint64_t offset) {
-    window_.resize(std::size_t(std::min<std::uint64_t>(kWindowBytes, size_ - offset)));
+    buffer_.resize(std::size_t(std::min<std::uint64_t>(kWindowBytes, size_ - offset)));
     windowStart_ = offset;
     file_.clear();
     file_.seekg(std::streamoff(offset));
-    file_.read(reinterpret_cast<char*>(window_.data()), std::streamsize(window_.size()));
-    window_.resize(std::size_t(file_.gcount()));
+    file_.read(reinterpret_cast<char*>(buffer_.data()), std::streamsize(buffer_.size()));
+    window_ = std::span(buffer_).first(std::size_t(file_.gcount()));
     return !file_.bad();
 }
 

@@ -1,22 +1,21 @@
 #pragma once
-/// Random access to the bytes of a file (through a small window) or of memory. Never holds more of a file than the
-/// window.
+/// Random access to the bytes of an object: of a file through a small window, or of memory without a copy.
 
 #include <cstdint>
-#include <filesystem>
 #include <fstream>
+#include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "dicom/go_on.h"
+#include "dicom/named_bytes.h"
 #include "render/base/result.h"
 
 namespace pdr::dicom {
 
 class ByteSource {
   public:
-    explicit ByteSource(const std::filesystem::path& file);
+    explicit ByteSource(const NamedBytes& object);
     explicit ByteSource(std::vector<std::uint8_t> bytes);
 
     /// Returns whether the file could be opened. Errors: it does not exist, may not be read, is not a plain file.
@@ -30,7 +29,9 @@ class ByteSource {
     bool fillWindow(std::uint64_t offset);
 
     std::ifstream file_;
-    std::vector<std::uint8_t> window_;
+    std::vector<std::uint8_t> buffer_;                         ///< the window, if it is one on a file
+    std::shared_ptr<const std::vector<std::uint8_t>> memory_;  ///< the window, if it is all
+    std::span<const std::uint8_t> window_;
     std::uint64_t windowStart_ = 0;
     std::uint64_t size_ = 0;
     Result<void> opened_;

@@ -261,10 +261,10 @@ void walkDataSet(ByteSource& source, std::uint64_t start, const GoOn& goOn, Allo
 
 }  // namespace
 
-FileStructure checkStructure(const std::filesystem::path& file, const GoOn& goOn) {
+FileStructure checkStructure(const NamedBytes& object, const GoOn& goOn) {
     FileStructure found;
     Allowance allowance(goOn, found);
-    ByteSource source(file);
+    ByteSource source(object);
     if (!source.opened()) {
         found.isDicom = true;
         found.damage = source.opened().error().what;

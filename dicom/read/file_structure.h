@@ -4,10 +4,10 @@
 /// hostile file must not control either.
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 
 #include "dicom/go_on.h"
+#include "dicom/named_bytes.h"
 #include "render/base/text.h"
 
 namespace pdr::dicom {
@@ -37,8 +37,9 @@ inline constexpr std::size_t kMaxHeaderBytes = std::size_t(64) << 20;
 inline constexpr std::size_t kMaxListBytes = std::size_t(64) << 10;
 inline constexpr int kMaxListValues = 1000;
 
-/// Checks `file`; never throws because of its content. `damage` also says if it cannot be opened. Asks `goOn` at least
-/// once in a thousand elements and in a megabyte inflated, and ends with the damage "cancelled" if it returns false.
-FileStructure checkStructure(const std::filesystem::path& file, const GoOn& goOn = always);
+/// Checks `object`; never throws because of its content. `damage` also says if it cannot be opened. Asks `goOn` at
+/// least once in a thousand elements and in a megabyte inflated, and ends with the damage "cancelled" if it returns
+/// false.
+FileStructure checkStructure(const NamedBytes& object, const GoOn& goOn = always);
 
 }  // namespace pdr::dicom

@@ -10,6 +10,7 @@
 #include <new>
 
 #include "dicom/read/compressed_picture.h"
+#include "dicom/read/parsed_object.h"
 #include "dicom/read/refusal.h"
 #include "dicom/read/slice_header.h"
 #include "render/base/errors.h"
@@ -44,8 +45,8 @@ FileState stateOf(const std::filesystem::path& file) {
     return {facts.st_dev, facts.st_ino, facts.st_size, nanoseconds(facts.st_mtim), nanoseconds(facts.st_ctim)};
 }
 
-Error damaged(const SliceRef& slice, Text what) {
-    return {std::move(what), slice.file.string(), phrase("Copy the file again from its source.")};
+Error damaged(const NamedBytes& object, Text what) {
+    return {std::move(what), object.name.string(), phrase("Copy the file again from its source.")};
 }
 
 /// Converts the raw bits of a pixel to the number that they store.
@@ -149,16 +150,13 @@ DecodedSlice toHu(const Raw* raw, const SliceHeader& header, Padding padding) {
     return slice;
 }
 
-Result<DecodedSlice> decodePixels(const SliceRef& slice, const SliceHeader& header, Padding padding) {
+Result<DecodedSlice> decodePixels(const NamedBytes& object, const SliceHeader& header, Padding padding) {
     DcmFileFormat content;
-    const E_TransferSyntax coding =
-        header.hasMetaHeader ? EXS_Unknown : DcmXfer(header.transferSyntaxUid.c_str()).getXfer();
-    const E_FileReadMode mode = header.hasMetaHeader ? ERM_autoDetect : ERM_dataset;
-    if (content.loadFile(slice.file.c_str(), coding, EGL_noChange, DCM_MaxReadLength, mode).bad())
-        return damaged(slice, phrase("the file is damaged: it cannot be parsed to its end"));
+    if (!parseObject(object, header, Extent::all, content))
+        return damaged(object, phrase("the file is damaged: it cannot be parsed to its end"));
     DcmDataset& data = *content.getDataset();
     if (const Text damage = decompress(data, header); !damage.empty())
-        return damaged(slice, damage);
+        return damaged(object, damage);
 
     const unsigned long expected = static_cast<unsigned long>(header.columns) * static_cast<unsigned long>(header.rows);
     unsigned long count = 0;
@@ -171,22 +169,30 @@ Result<DecodedSlice> decodePixels(const SliceRef& slice, const SliceHeader& head
         if (data.findAndGetUint8Array(DCM_PixelData, raw, &count).good() && raw && count >= expected)
             return toHu(raw, header, padding);
     }
-    return damaged(slice, phrase("the image holds fewer pixels than its header says"));
+    return damaged(object, phrase("the image holds fewer pixels than its header says"));
 }
 
-Result<DecodedSlice> decodeChecked(const SliceRef& slice, Padding padding) {
-    const HeaderRead read = readSliceHeader(slice.file);
+Result<DecodedSlice> decodeChecked(const NamedBytes& object, Padding padding) {
+    const HeaderRead read = readSliceHeader(object);
     if (read.kind != HeaderRead::Kind::object)
-        return damaged(slice, read.damage.empty() ? phrase("this is no DICOM image")
-                                                  : phrase("the file is damaged: %1", read.damage));
+        return damaged(object, read.damage.empty() ? phrase("this is no DICOM image")
+                                                   : phrase("the file is damaged: %1", read.damage));
     if (const std::optional<Refusal> refusal = refusePixels(read.header))
-        return Error{refusal->reason, slice.file.string(), ""};
+        return Error{refusal->reason, object.name.string(), ""};
     if (read.header.meaning.rescaleIsBroken)
-        return damaged(slice, phrase("its rescale slope or intercept is no usable number"));
-    Result<DecodedSlice> decoded = decodePixels(slice, read.header, padding);
+        return damaged(object, phrase("its rescale slope or intercept is no usable number"));
+    Result<DecodedSlice> decoded = decodePixels(object, read.header, padding);
     if (decoded)
         decoded->identity = identityOf(read.header);
     return decoded;
+}
+
+Result<DecodedSlice> decodeWithinMemory(const NamedBytes& object, Padding padding) {
+    try {
+        return decodeChecked(object, padding);
+    } catch (const std::bad_alloc&) {
+        return notEnoughMemory(phrase("to decode it"), object.name.string(), phrase("Close other programs."));
+    }
 }
 
 }  // namespace
@@ -196,19 +202,22 @@ Error changedFile(const std::filesystem::path& file) {
             phrase("Open the folder again: it may hold another patient's images now."), ErrorKind::refused};
 }
 
-Result<DecodedSlice> decodeSlice(const SliceRef& slice, Padding padding) {
+Result<DecodedSlice> decodeSlice(const NamedBytes& object, Padding padding) {
+    if (object.memory)
+        return decodeWithinMemory(object, padding);
     std::error_code failure;
-    if (!std::filesystem::exists(slice.file, failure))
-        return Error{phrase("the file is no longer there"), slice.file.string(), phrase("Open the folder again.")};
-    if (auto ok = checkPlainFile(slice.file); !ok)
+    if (!std::filesystem::exists(object.name, failure))
+        return Error{phrase("the file is no longer there"), object.name.string(), phrase("Open the folder again.")};
+    if (auto ok = checkPlainFile(object.name); !ok)
         return ok.error();
-    const FileState before = stateOf(slice.file);
-    try {
-        Result<DecodedSlice> decoded = decodeChecked(slice, padding);
-        return stateOf(slice.file) == before ? std::move(decoded) : changedFile(slice.file);
-    } catch (const std::bad_alloc&) {
-        return notEnoughMemory(phrase("to decode it"), slice.file.string(), phrase("Close other programs."));
-    }
+    const FileState before = stateOf(object.name);
+    Result<DecodedSlice> decoded = decodeWithinMemory(object, padding);
+    return stateOf(object.name) == before ? std::move(decoded) : changedFile(object.name);
+}
+
+Result<DecodedSlice> decodeSlice(const SeriesSource& source, const SliceRef& slice, Padding padding) {
+    const Result<NamedBytes> object = source.open(slice.file);
+    return object ? decodeSlice(*object, padding) : object.error();
 }
 
 }  // namespace pdr::dicom

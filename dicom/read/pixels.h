@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dicom/import.h"
+#include "dicom/named_bytes.h"
 
 namespace pdr::dicom {
 
@@ -20,8 +21,11 @@ struct DecodedSlice {
 /// Returns the error of a `file` that is no longer the one that was scanned.
 Error changedFile(const std::filesystem::path& file);
 
-/// Decodes a slice. Errors: file gone, damaged, in a coding that cannot be read, or written anew meanwhile; each names
-/// the file. Thread-safe.
-Result<DecodedSlice> decodeSlice(const SliceRef& slice, Padding padding);
+/// Decodes the slice that `object` holds. Errors: file gone, damaged, in a coding that cannot be read, or written anew
+/// meanwhile; each names the object. Thread-safe.
+Result<DecodedSlice> decodeSlice(const NamedBytes& object, Padding padding);
+
+/// Decodes `slice` of `source`. Errors: those of SeriesSource::open() and of the decoding.
+Result<DecodedSlice> decodeSlice(const SeriesSource& source, const SliceRef& slice, Padding padding);
 
 }  // namespace pdr::dicom

@@ -13,6 +13,7 @@
 #include "dicom/read/character_set.h"
 #include "dicom/read/codecs.h"
 #include "dicom/read/file_structure.h"
+#include "dicom/read/parsed_object.h"
 
 namespace pdr::dicom {
 
@@ -145,13 +146,9 @@ void readPlane(DcmItem& item, SliceHeader& header) {
 }
 
 /// Fills `header` from the elements before the pixels. False if the toolkit cannot parse them.
-bool parseHeader(SliceHeader& header, bool& isDirectory) {
+bool parseHeader(const NamedBytes& object, SliceHeader& header, bool& isDirectory) {
     DcmFileFormat content;
-    const E_TransferSyntax coding =
-        header.hasMetaHeader ? EXS_Unknown : DcmXfer(header.transferSyntaxUid.c_str()).getXfer();
-    const E_FileReadMode mode = header.hasMetaHeader ? ERM_autoDetect : ERM_dataset;
-    const OFCondition outcome =
-        content.loadFileUntilTag(header.file.c_str(), coding, EGL_noChange, DCM_MaxReadLength, mode, DCM_PixelData);
+    const bool parsed = parseObject(object, header, Extent::header, content);
     DcmItem& item = *content.getDataset();
     isDirectory = text(*content.getMetaInfo(), DCM_MediaStorageSOPClassUID) == UID_MediaStorageDirectoryStorage;
     header.imageType = text(item, DCM_ImageType);
@@ -166,7 +163,7 @@ bool parseHeader(SliceHeader& header, bool& isDirectory) {
     readPixelFormat(item, header);
     readMeaning(item, header.meaning);
     readPlane(item, header);
-    return outcome.good();
+    return parsed;
 }
 
 }  // namespace
@@ -176,12 +173,12 @@ SliceIdentity identityOf(const SliceHeader& header) {
             header.position, header.rowDirection, header.columnDirection, header.spacingMm};
 }
 
-HeaderRead readSliceHeader(const std::filesystem::path& file, const GoOn& goOn) {
+HeaderRead readSliceHeader(const NamedBytes& object, const GoOn& goOn) {
     prepareToolkit();
     HeaderRead read;
     SliceHeader& header = read.header;
-    header.file = file;
-    const FileStructure structure = checkStructure(file, goOn);
+    header.file = object.name;
+    const FileStructure structure = checkStructure(object, goOn);
     if (!structure.isDicom)
         return read;
     header.hasMetaHeader = structure.hasMetaHeader;
@@ -192,7 +189,7 @@ HeaderRead readSliceHeader(const std::filesystem::path& file, const GoOn& goOn) 
     if (!structure.damage.empty() && !structure.reachesPixels)
         return read;
     bool isDirectory = false;
-    const bool parsed = parseHeader(header, isDirectory);
+    const bool parsed = parseHeader(object, header, isDirectory);
     if (isDirectory) {
         read.kind = HeaderRead::Kind::directory;
     } else if (!parsed && structure.damage.empty()) {

@@ -1,5 +1,5 @@
 #pragma once
-/// The header of one file, up to but not including its pixels. Plain data; only the .cpp uses the toolkit.
+/// The header of one object, up to but not including its pixels. Plain data; only the .cpp uses the toolkit.
 
 #include <cstdint>
 #include <filesystem>
@@ -7,6 +7,7 @@
 #include <string>
 
 #include "dicom/go_on.h"
+#include "dicom/named_bytes.h"
 #include "dicom/series.h"
 
 namespace pdr::dicom {
@@ -28,7 +29,7 @@ struct ValueMeaning {
 };
 
 struct SliceHeader {
-    std::filesystem::path file;
+    std::filesystem::path file;  ///< name of the object in its source
     PatientFacts patient;
     StudyFacts study;
     SeriesFacts series;
@@ -67,7 +68,8 @@ struct HeaderRead {
     Text damage;  ///< a phrase ("it ends inside the compressed picture")
 };
 
-/// Reads the header of a file. Never throws because of its content, and never prints it. `goOn`: see checkStructure().
-HeaderRead readSliceHeader(const std::filesystem::path& file, const GoOn& goOn = always);
+/// Reads the header of `object`. Never throws because of its content, and never prints it. `goOn`: see
+/// checkStructure().
+HeaderRead readSliceHeader(const NamedBytes& object, const GoOn& goOn = always);
 
 }  // namespace pdr::dicom

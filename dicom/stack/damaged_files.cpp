@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "dicom/read/byte_source.h"
 #include "dicom/stack/stack_notes.h"
 #include "render/base/file_ending.h"
 
@@ -40,9 +41,12 @@ struct FileNames {
     }
 };
 
-bool isEmpty(const fs::path& file) {
-    std::error_code failure;
-    return fs::file_size(file, failure) == 0 && !failure;
+bool isEmpty(const SeriesSource& source, const fs::path& file) {
+    const Result<NamedBytes> object = source.open(file);
+    if (!object)
+        return false;
+    const ByteSource bytes(*object);
+    return bytes.opened() && bytes.size() == 0;
 }
 
 using Names = std::vector<std::string>;
@@ -74,7 +78,8 @@ void note(Series& series, const Names& own, const Names& beside) {
 
 }  // namespace
 
-std::vector<Problem> spoiltFiles(const std::vector<fs::path>& foreign, const std::vector<SliceHeader>& slices) {
+std::vector<Problem> spoiltFiles(const SeriesSource& source, const std::vector<fs::path>& foreign,
+                                 const std::vector<SliceHeader>& slices) {
     std::map<fs::path, FileNames> folders;
     for (const SliceHeader& slice : slices) {
         FileNames& names = folders[slice.file.parent_path()];
@@ -87,7 +92,7 @@ std::vector<Problem> spoiltFiles(const std::vector<fs::path>& foreign, const std
         const auto folder = folders.find(file.parent_path());
         if (folder == folders.end() || file.filename().string().starts_with('.'))
             continue;
-        if (isEmpty(file))
+        if (isEmpty(source, file))
             spoilt.push_back({file, phrase("it is empty")});
         else if (folder->second.hold(file))
             spoilt.push_back({file, phrase("it is called as the slices beside it, but holds no DICOM")});

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "dicom/read/slice_header.h"
+#include "dicom/series_source.h"
 
 namespace pdr::dicom {
 
-/// Returns those of `foreign`, files that are not DICOM, that may be broken copies of slices: they lie in a folder with
-/// `slices` and are empty, or are named like the slices there except for numbers ("IM0007" beside "IM0006"), or have
-/// their ending (".dcm"). Hidden files are left out.
-std::vector<Problem> spoiltFiles(const std::vector<std::filesystem::path>& foreign,
+/// Returns those of `foreign`, files of `source` that are not DICOM, that may be broken copies of slices: they lie in a
+/// folder with `slices` and are empty, or are named like the slices there except for numbers ("IM0007" beside
+/// "IM0006"), or have their ending (".dcm"). Hidden files are left out.
+std::vector<Problem> spoiltFiles(const SeriesSource& source, const std::vector<std::filesystem::path>& foreign,
                                  const std::vector<SliceHeader>& slices);
 
 /// Adds notes to the CT series in `all` about the `damaged` files and folders that they may lack. A file that states

@@ -1,11 +1,11 @@
 #include "dicom/stack/grouping.h"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <set>
 #include <tuple>
 
+#include "dicom/read/byte_source.h"
 #include "dicom/read/pixels.h"
 #include "dicom/read/refusal.h"
 #include "dicom/stack/damaged_files.h"
@@ -30,35 +30,40 @@ std::vector<SlicePlane> planesOf(const Headers& headers, const std::filesystem::
     return planes;
 }
 
-bool sameBytes(const std::filesystem::path& a, const std::filesystem::path& b) {
-    std::error_code failure;
-    if (std::filesystem::file_size(a, failure) != std::filesystem::file_size(b, failure) || failure)
+bool sameBytes(const NamedBytes& a, const NamedBytes& b) {
+    constexpr std::uint64_t kPiece = 1 << 16;
+    ByteSource left(a), right(b);
+    if (!left.opened() || !right.opened() || left.size() != right.size())
         return false;
-    std::ifstream left(a, std::ios::binary), right(b, std::ios::binary);
-    std::vector<char> leftPart(1 << 16), rightPart(1 << 16);
-    while (left && right) {
-        left.read(leftPart.data(), std::streamsize(leftPart.size()));
-        right.read(rightPart.data(), std::streamsize(rightPart.size()));
-        if (left.gcount() != right.gcount() ||
-            !std::equal(leftPart.begin(), leftPart.begin() + left.gcount(), rightPart.begin()))
+    std::vector<std::uint8_t> leftPart(kPiece), rightPart(kPiece);
+    for (std::uint64_t at = 0; at < left.size(); at += kPiece) {
+        const std::uint64_t count = std::min(kPiece, left.size() - at);
+        leftPart.resize(count);
+        rightPart.resize(count);
+        if (!left.read(at, leftPart) || !right.read(at, rightPart) || leftPart != rightPart)
             return false;
     }
-    return left.eof() && right.eof();
+    return true;
 }
 
-bool samePicture(const SliceHeader& a, const SliceHeader& b) {
-    if (sameBytes(a.file, b.file))
+bool samePicture(const SeriesSource& source, const SliceHeader& a, const SliceHeader& b) {
+    const auto first = source.open(a.file), second = source.open(b.file);
+    if (!first || !second)
+        return false;
+    if (sameBytes(*first, *second))
         return true;
-    const auto left = decodeSlice({a.file, 0}, Padding::keep), right = decodeSlice({b.file, 0}, Padding::keep);
+    const auto left = decodeSlice(*first, Padding::keep), right = decodeSlice(*second, Padding::keep);
     return left && right && left->hu == right->hu;
 }
 
 /// Returns the slices that repeat another one; empty as soon as there is one conflict, or the user cancels.
-std::set<int> copiesAmong(const Headers& headers, const StackAnalysis& analysis, const Progress& progress) {
+std::set<int> copiesAmong(const Headers& headers, const StackAnalysis& analysis, const SeriesSource& source,
+                          const Progress& progress) {
     std::set<int> copies;
     for (const auto& [first, other] : analysis.samePlace) {
         const double done = double(copies.size()) / double(analysis.samePlace.size());
-        if (!progress(done, "comparing slices at the same place") || !samePicture(*headers[first], *headers[other]))
+        if (!progress(done, "comparing slices at the same place") ||
+            !samePicture(source, *headers[first], *headers[other]))
             return {};
         copies.insert(other);
     }
@@ -66,9 +71,10 @@ std::set<int> copiesAmong(const Headers& headers, const StackAnalysis& analysis,
 }
 
 /// Judges the stack; takes copies of slices out of `headers` first, and notes them.
-StackAnalysis analyseWithoutCopies(Headers& headers, const std::filesystem::path& root, const Progress& progress) {
+StackAnalysis analyseWithoutCopies(Headers& headers, const SeriesSource& source, const Progress& progress) {
+    const std::filesystem::path root = source.root();
     StackAnalysis analysis = analyseStack(planesOf(headers, root));
-    const std::set<int> copies = copiesAmong(headers, analysis, progress);
+    const std::set<int> copies = copiesAmong(headers, analysis, source, progress);
     if (copies.empty())
         return analysis;
     std::vector<std::string> names;
@@ -142,8 +148,9 @@ void refusePieces(std::vector<Part>& parts, const std::filesystem::path& root) {
 }
 
 /// Adds the entries of CT slices that share a series.
-void addStacks(const Headers& headers, const std::filesystem::path& root, const std::set<int>& numbers,
+void addStacks(const Headers& headers, const SeriesSource& source, const std::set<int>& numbers,
                const Progress& progress, std::vector<Series>& out) {
+    const std::filesystem::path root = source.root();
     // Judge each part that shares a grid
     std::vector<Part> parts;
     for (const std::vector<int>& indices : splitByGrid(planesOf(headers, root))) {
@@ -151,7 +158,7 @@ void addStacks(const Headers& headers, const std::filesystem::path& root, const 
         for (const int index : indices)
             part.slices.push_back(headers[index]);
         part.elsewhere = headers.size() - indices.size();
-        part.analysis = analyseWithoutCopies(part.slices, root, progress);
+        part.analysis = analyseWithoutCopies(part.slices, source, progress);
         parts.push_back(std::move(part));
     }
     if (parts.size() > 1)
@@ -189,7 +196,8 @@ std::string seriesKey(const SliceHeader& header) {
 }  // namespace
 
 std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, const std::vector<SliceHeader>& damaged,
-                                    const std::filesystem::path& root, const Progress& progress) {
+                                    std::shared_ptr<const SeriesSource> source, const Progress& progress) {
+    const std::filesystem::path root = source->root();
     struct Kind {
         Headers headers;
         std::optional<Refusal> refusal;
@@ -216,7 +224,7 @@ std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, con
         if (kind.refusal)
             all.push_back(refusedSeries(kind.headers, *kind.refusal, root));
         else
-            addStacks(kind.headers, root, numbersOf[kind.headers.front()->series.uid], progress, all);
+            addStacks(kind.headers, *source, numbersOf[kind.headers.front()->series.uid], progress, all);
     }
     noteDamaged(damaged, root, all);
     const auto rank = [](const Series& series) {
@@ -226,6 +234,8 @@ std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, con
     };
     std::stable_sort(all.begin(), all.end(), [&](const Series& a, const Series& b) { return rank(a) < rank(b); });
     numberParts(all);
+    for (Series& series : all)
+        series.source = source;
     return all;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 /// Groups the headers of many files into series, with a verdict on each.
 
-#include <filesystem>
+#include <memory>
 #include <vector>
 
 #include "dicom/read/slice_header.h"
+#include "dicom/series_source.h"
 #include "render/base/progress.h"
 
 namespace pdr::dicom {
@@ -13,8 +14,8 @@ namespace pdr::dicom {
 /// own with the same facts; so do colour images, localizers and the like. `damaged` are files and folders that could
 /// not be used, with what could be read of their headers. The series they belong to carries a note; those that state no
 /// series are noted on all whose slices lie in the same folder, or else on all. Names in messages are relative to
-/// `root`. Reads pixels only of slices that lie at the same position, to tell copies from conflicts.
+/// the root of `source`. Reads pixels only of slices that lie at the same position, to tell copies from conflicts.
 std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, const std::vector<SliceHeader>& damaged,
-                                    const std::filesystem::path& root, const Progress& progress);
+                                    std::shared_ptr<const SeriesSource> source, const Progress& progress);
 
 }  // namespace pdr::dicom

@@ -34,7 +34,7 @@ class Filling {
           masks_(series.slices.size()) {}
 
     void loadSlice(std::size_t k) {
-        Result<DecodedSlice> slice = decodeSlice(series_.slices[k], padding_);
+        Result<DecodedSlice> slice = decodeSlice(*series_.source, series_.slices[k], padding_);
         if (!slice)
             return fail(slice.error());
         if (slice->size != ivec2(series_.geometry.size) || slice->identity != series_.slices[k].identity)

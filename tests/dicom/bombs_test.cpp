@@ -57,7 +57,7 @@ class BombsTest : public QObject {
 
     FileStructure structureOf(const Bytes& bytes, const GoOn& goOn = always) const {
         std::ofstream(file(), std::ios::binary) << bytes;
-        return checkStructure(file(), goOn);
+        return checkStructure({file()}, goOn);
     }
 
   private slots:

@@ -108,10 +108,10 @@ constexpr bool kAddressSpaceIsOurs = true;
 
 /// Does everything that the import does with a file.
 void use(const fs::path& file) {
-    const HeaderRead header = readSliceHeader(file);
+    const HeaderRead header = readSliceHeader({file});
     if (header.kind == HeaderRead::Kind::damaged)
         QVERIFY(!header.damage.empty());
-    const auto slice = decodeSlice({file, 0}, Padding::maskAsAir);
+    const auto slice = decodeSlice({file}, Padding::maskAsAir);
     if (!slice)
         QVERIFY(!slice.error().what.empty());
 }
@@ -126,7 +126,7 @@ class RobustnessTest : public QObject {
 
     FileStructure structureOf(const Bytes& bytes) {
         write(file_, bytes);
-        return checkStructure(file_);
+        return checkStructure({file_});
     }
 
   private slots:
@@ -224,7 +224,7 @@ class RobustnessTest : public QObject {
         QVERIFY(at != Bytes::npos);
         bytes.replace(at, 4, "\xFF\xD0\xFF\xD0");
         write(file_, bytes);
-        const auto slice = decodeSlice({file_, 0}, Padding::keep);
+        const auto slice = decodeSlice({file_}, Padding::keep);
         QVERIFY(!slice);
         QVERIFY2(slice.error().what.find("size") != Bytes::npos, slice.error().what.c_str());
     }
@@ -262,11 +262,11 @@ class RobustnessTest : public QObject {
         PDR_NEEDS_SHARED_CT();
         const Bytes whole = read(test::sharedCt() / "tiny_ct" / "CT_small.dcm");
         write(file_, whole);
-        QVERIFY(bool(decodeSlice({file_, 0}, Padding::keep)));
+        QVERIFY(bool(decodeSlice({file_}, Padding::keep)));
         // The last 138 bytes are a padding element behind the pixels.
         for (std::size_t size = 0; size < whole.size() - 138; size += size < 6000 ? 13 : 1777) {
             write(file_, whole.substr(0, size));
-            QVERIFY2(!decodeSlice({file_, 0}, Padding::keep), std::to_string(size).c_str());
+            QVERIFY2(!decodeSlice({file_}, Padding::keep), std::to_string(size).c_str());
         }
     }
 

@@ -49,6 +49,7 @@ class WallsTest : public QObject {
             {"render/tiles/", "^render/(base|volume|film|device|timing|tiles)/|^render/scene/(scene|schedule).h"},
             {"dicom/", "^dicom/[^/]*$|^render/(base|volume)/"},
             {"dicom/read/", "^dicom/([^/]*$|read/)|^render/base/"},
+            {"dicom/source/", "^dicom/[^/]*$|^render/base/"},
             {"dicom/stack/", "^dicom/([^/]*$|read/|stack/)|^render/(base|volume)/"},
             {"dicom/write/", "^dicom/([^/]*$|read/|write/)|^render/(base|volume)/"},
             {"ui/text/", "^ui/text/" + below},

@@ -119,7 +119,7 @@ enum class Outcome { refused, unchanged, silent };
 
 /// Returns what the import makes of a damaged file, compared with `sound`, the HU of the sound file.
 inline Outcome outcomeOf(const std::filesystem::path& file, const std::vector<std::int16_t>& sound) {
-    const auto slice = dicom::decodeSlice({file, 0}, dicom::Padding::keep);
+    const auto slice = dicom::decodeSlice({file}, dicom::Padding::keep);
     if (!slice)
         return Outcome::refused;
     return slice->hu == sound ? Outcome::unchanged : Outcome::silent;
