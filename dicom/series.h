@@ -28,11 +28,13 @@ inline bool samePatient(const PatientFacts& a, const PatientFacts& b) {
 }
 
 struct StudyFacts {
-    std::string uid, date, description;
+    std::string uid;  ///< as stated; reference.h has what may be cited
+    std::string date, description;
 };
 
 struct SeriesFacts {
-    std::string uid, modality, description, date;
+    std::string uid;  ///< as stated; reference.h has what may be cited
+    std::string modality, description, date;
     int number = 0;
     /// Number of this entry within its series, from 1, if the images of the series make several entries.
     int part = 1;
@@ -75,7 +77,8 @@ struct GeometryVerdict {
 /// pixels: a file that says anything else then is another file, even under the same name.
 struct SliceIdentity {
     PatientFacts patient;
-    std::string studyUid, seriesUid, sopInstanceUid;
+    /// UIDs as stated, even if malformed.
+    std::string studyUid, seriesUid, sopClassUid, sopInstanceUid, frameOfReferenceUid;
     std::optional<dvec3> position, rowDirection, columnDirection;  ///< as in SliceHeader
     std::optional<dvec2> spacingMm;
 
@@ -89,6 +92,8 @@ struct SliceRef {
     SliceIdentity identity;
 };
 
+/// A series and all that identifies it. Names, numbers, dates and UIDs go to the screen and into DICOM objects of the
+/// same study; none may reach a render node, a log or, unless the user asks for the patient's name on it, an image.
 struct Series {
     PatientFacts patient;
     StudyFacts study;

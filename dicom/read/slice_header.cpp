@@ -152,6 +152,7 @@ bool parseHeader(const NamedBytes& object, SliceHeader& header, bool& isDirector
     DcmItem& item = *content.getDataset();
     isDirectory = text(*content.getMetaInfo(), DCM_MediaStorageSOPClassUID) == UID_MediaStorageDirectoryStorage;
     header.imageType = text(item, DCM_ImageType);
+    header.sopClassUid = text(item, DCM_SOPClassUID);
     header.sopInstanceUid = text(item, DCM_SOPInstanceUID);
     header.frameOfReferenceUid = text(item, DCM_FrameOfReferenceUID);
     if (const auto instance = numbers<1>(item, DCM_InstanceNumber))
@@ -169,8 +170,10 @@ bool parseHeader(const NamedBytes& object, SliceHeader& header, bool& isDirector
 }  // namespace
 
 SliceIdentity identityOf(const SliceHeader& header) {
-    return {header.patient,  header.study.uid,    header.series.uid,      header.sopInstanceUid,
-            header.position, header.rowDirection, header.columnDirection, header.spacingMm};
+    return {header.patient,     header.study.uid,      header.series.uid,
+            header.sopClassUid, header.sopInstanceUid, header.frameOfReferenceUid,
+            header.position,    header.rowDirection,   header.columnDirection,
+            header.spacingMm};
 }
 
 HeaderRead readSliceHeader(const NamedBytes& object, const GoOn& goOn) {

@@ -34,8 +34,7 @@ struct SliceHeader {
     StudyFacts study;
     SeriesFacts series;
 
-    std::string sopInstanceUid;
-    std::string frameOfReferenceUid;
+    std::string sopClassUid, sopInstanceUid, frameOfReferenceUid;  ///< as stated, even if malformed
     std::string imageType;  ///< values joined by a backslash: "ORIGINAL\PRIMARY\AXIAL"
     std::optional<int> instanceNumber;
     bool isLossy = false;              ///< whether the pixels went through a lossy coding, now or earlier

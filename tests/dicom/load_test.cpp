@@ -58,6 +58,7 @@ class LoadTest : public QObject {
         const test::SliceFolder folder;
         const auto named = [](DcmDataset& data) {
             data.putAndInsertString(DCM_SOPInstanceUID, "1.2.3.4");
+            data.putAndInsertString(DCM_FrameOfReferenceUID, "1.2.3.8");
             data.putAndInsertString(DCM_PatientName, "First^Patient");
         };
         test::SliceFile slice{.change = named};
@@ -89,6 +90,8 @@ class LoadTest : public QObject {
             QTest::newRow(name) << change;
         };
         row("image", [](auto& slice) { with(slice, DCM_SOPInstanceUID, "1.2.3.5"); });
+        row("class", [](auto& slice) { with(slice, DCM_SOPClassUID, UID_SecondaryCaptureImageStorage); });
+        row("frame of reference", [](auto& slice) { with(slice, DCM_FrameOfReferenceUID, "1.2.3.9"); });
         row("series", [](auto& slice) { slice.seriesUid = "1.2.3.2"; });
         row("study", [](auto& slice) { with(slice, DCM_StudyInstanceUID, "1.2.4"); });
         row("patient's name", [](auto& slice) { with(slice, DCM_PatientName, "Second^Patient"); });

@@ -109,6 +109,40 @@ class DicomCommandsTest : public QObject {
         }
     }
 
+    /// What identifies the patient, the study and the slices: an image and what is printed beside it hold none of it.
+    void imagesIdentifyNobody() {
+        static const std::vector<std::pair<DcmTagKey, const char*>> kIdentity{
+            {DCM_PatientName, "Canary^Wilma"},         {DCM_PatientID, "CANARY4711"},
+            {DCM_PatientBirthDate, "19290401"},        {DCM_AccessionNumber, "ACC77821"},
+            {DCM_StudyInstanceUID, "1.2.826.77821.1"}, {DCM_FrameOfReferenceUID, "1.2.826.77821.2"},
+            {DCM_StudyDescription, "Canary study"},    {DCM_SeriesDescription, "Canary series"}};
+        const QTemporaryDir folder;
+        for (int k = 0; k < 4; ++k) {
+            test::SliceFile slice{.size = {16, 16}, .position = {0, 0, 2.0 * k}, .seriesUid = "1.2.826.77821.3"};
+            slice.change = [k](DcmDataset& data) {
+                for (const auto& [tag, value] : kIdentity)
+                    data.putAndInsertString(tag, value);
+                data.putAndInsertString(DCM_SOPInstanceUID, ("1.2.826.77821.4." + std::to_string(k)).c_str());
+            };
+            test::writeSliceFile(folder.filePath(QString::number(k)).toStdString(), slice);
+        }
+        const QStringList render{"render", folder.path(), "--samples", "1", "--size", "64x64", "-o"};
+        for (const QStringList& how : {QStringList{at("who.png"), "--annotations", "none"}, QStringList{at("who.png")},
+                                       QStringList{at("who.exr")}, QStringList{at("who.png"), "--json"}}) {
+            const Run made = run(render + how);
+            QVERIFY2(made.code == 0, made.err.constData());
+            QFile image(how.front());
+            QVERIFY(image.open(QIODevice::ReadOnly));
+            QByteArray said = image.readAll() + made.out + made.err;
+            const QImage picture(how.front());
+            for (const QString& key : picture.textKeys())  // which PNG may have compressed
+                said += picture.text(key).toUtf8();
+            for (const QByteArray& part :
+                 {"anary", "ANARY", "19290401", "ACC77821", "77821", "1.2.840.10008.5.1.4.1.1.2"})
+                QVERIFY2(!said.contains(part), part.constData());
+        }
+    }
+
     void infoTellsDescriptionsOnlyWhereAsked() {
         makeTwoParts();
         for (const QStringList& how : {QStringList{}, QStringList{"--json"}}) {
