@@ -14,6 +14,7 @@
 #include "app/program/interrupt.h"
 #include "render/device/device_list.h"
 #include "render/tiles/reference_tiles.h"
+#include "render/tiles/worker_pool.h"
 
 namespace pdr::app {
 namespace {

@@ -22,20 +22,20 @@ ContentKey newKey() {
 
 }  // namespace
 
-NodeDesk::NodeDesk(std::shared_ptr<WorkerPool> pool, const wire::Hash& bits)
-    : coordinator_{std::move(pool), newKey(), bits} {
+NodeDesk::NodeDesk(std::shared_ptr<LeaseServer> leases, const wire::Hash& bits)
+    : coordinator_{std::move(leases), newKey(), bits} {
     tick_.setParent(this);
     telling_.setParent(this);
-    connect(&tick_, &QTimer::timeout, this, [this] { coordinator_.pool->tick(); });
+    connect(&tick_, &QTimer::timeout, this, [this] { coordinator_.leases->tick(); });
     connect(&telling_, &QTimer::timeout, this, &NodeDesk::tell);
-    coordinator_.pool->setNotice([this] {
+    coordinator_.leases->setNotice([this] {
         if (!pumpIsDue_.exchange(true))
             QMetaObject::invokeMethod(this, &NodeDesk::pump, Qt::QueuedConnection);
     });
 }
 
 NodeDesk::~NodeDesk() {
-    coordinator_.pool->setNotice({});
+    coordinator_.leases->setNotice({});
     for (const auto& node : nodes_)
         delete node->link;
 }

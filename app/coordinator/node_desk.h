@@ -18,7 +18,7 @@ class NodeDesk : public QObject {
     Q_OBJECT
 
   public:
-    NodeDesk(std::shared_ptr<WorkerPool> pool, const wire::Hash& bits);
+    NodeDesk(std::shared_ptr<LeaseServer> leases, const wire::Hash& bits);
     ~NodeDesk() override;
 
     void setBundle(const QString& folder) { bundle_ = folder; }
@@ -65,7 +65,7 @@ class NodeDesk : public QObject {
     std::unique_ptr<remote::Listener> listener_;
     std::vector<std::unique_ptr<Node>> nodes_;
     NodeId next_ = 1;
-    QTimer tick_;     ///< calls the pool's tick()
+    QTimer tick_;     ///< calls LeaseServer::tick()
     QTimer telling_;  ///< emits changed()
     bool closing_ = false;
     std::atomic<bool> pumpIsDue_ = false;

@@ -16,7 +16,7 @@ constexpr std::uint32_t kHeartbeatMs = 1000;
 constexpr std::chrono::milliseconds kPace{4};
 static_assert(2 * std::chrono::seconds(1) / kPace <= remote::ChannelLimits{}.messages.perSecond);
 
-// Each lease of the pool must fit into a message.
+// Each lease must fit into a message.
 static_assert(pdr::kMostLeasePixels == wire::kMostLeasePixels);
 
 std::string keyOf(const wire::Nonce& boot) {
@@ -55,7 +55,7 @@ NodeLink::NodeLink(remote::Channel* channel, Coordinator& coordinator, QObject* 
 NodeLink::~NodeLink() {
     channel_->disconnect(this);
     if (worker_)
-        coordinator_.pool->leave(*worker_);
+        coordinator_.leases->leave(*worker_);
 }
 
 void NodeLink::take(wire::Message& message) {
@@ -76,8 +76,8 @@ void NodeLink::take(const wire::Hello& hello) {
     if (otherBits_)
         return refuse(wire::Refused::Why::bits,
                       phrase("its images differ from this machine's in the last bits: it runs a different build"));
-    worker_ = coordinator_.pool->join(keyOf(hello.boot), hello.name);
-    coordinator_.pool->setPaused(*worker_, paused_);
+    worker_ = coordinator_.leases->join(keyOf(hello.boot), hello.name);
+    coordinator_.leases->setPaused(*worker_, paused_);
     channel_->send(wire::Welcome{*version, kHeartbeatMs, coordinator_.key});
     channel_->setAdmitted();
     emit joined();
@@ -93,7 +93,7 @@ void NodeLink::refuse(wire::Refused::Why why, const Text& reason) {
 void NodeLink::pump() {
     if (!worker_ || !channel_->isOpen())
         return;
-    const PublishedScene scene = coordinator_.pool->scene();
+    const PublishedScene scene = coordinator_.leases->scene();
     if (scene.number != sent_ && !pace_.isActive()) {
         sendScene(scene);
         pace_.start(kPace);
@@ -123,7 +123,7 @@ void NodeLink::sendScene(const PublishedScene& scene) {
 
 void NodeLink::cannotHave(const Text& reason) {
     sceneTrouble_ = reason;
-    coordinator_.pool->cannotTakeScene(*worker_, reason);
+    coordinator_.leases->cannotTakeScene(*worker_, reason);
 }
 
 const Content* NodeLink::find(const wire::Hash& hash) const {
@@ -157,7 +157,7 @@ void NodeLink::take(const wire::SceneReady& ready) {
         return;
     transfer_.reset();
     stale_ = 0;  // a node drops its leases before it loads a scene, and messages arrive in order
-    coordinator_.pool->hasScene(*worker_, sent_);
+    coordinator_.leases->hasScene(*worker_, sent_);
     pump();
 }
 
@@ -169,7 +169,7 @@ void NodeLink::take(const wire::SceneRefused& refused) {
 
 void NodeLink::sendLeases() {
     while (channel_->isOpen() && channel_->hasRoom()) {
-        std::optional<pdr::Lease> lease = coordinator_.pool->take(*worker_);
+        std::optional<pdr::Lease> lease = coordinator_.leases->take(*worker_);
         if (!lease)
             return;
         const wire::Nonce nonce = nonces_[lease->number] = newNonce(random_);
@@ -196,10 +196,10 @@ void NodeLink::take(wire::Result& result) {
     if (!nonce)
         return;
     if (*nonce != result.nonce || result.revision != sent_) {
-        coordinator_.pool->quarantine(*worker_, phrase("it answered a lease that it was not given"));
+        coordinator_.leases->quarantine(*worker_, phrase("it answered a lease that it was not given"));
         return;
     }
-    coordinator_.pool->deliver(
+    coordinator_.leases->deliver(
         *worker_, {result.number, result.tile, result.samples, std::move(result.sums), result.health, result.seconds});
     sendLeases();
 }
@@ -210,11 +210,11 @@ void NodeLink::take(const wire::Abandoned& abandoned) {
         return;
     if (!abandoned.reason.empty())  // its device has failed: no more leases of this scene
         cannotHave(abandoned.reason);
-    coordinator_.pool->abandon(*worker_, abandoned.number);
+    coordinator_.leases->abandon(*worker_, abandoned.number);
 }
 
 void NodeLink::take(const wire::Draining&) {
-    coordinator_.pool->setDraining(*worker_);
+    coordinator_.leases->setDraining(*worker_);
 }
 
 void NodeLink::take(const wire::Bye& bye) {
@@ -232,7 +232,7 @@ void NodeLink::beat() {
     const remote::Heartbeat::Peer peer = heart_.at(remote::steadyTime());
     if (const std::optional<wire::Ping> ping = heart_.due(remote::steadyTime()))
         channel_->send(*ping);
-    coordinator_.pool->setSuspect(*worker_, peer != remote::Heartbeat::Peer::fine);
+    coordinator_.leases->setSuspect(*worker_, peer != remote::Heartbeat::Peer::fine);
     if (peer == remote::Heartbeat::Peer::dead)
         channel_->close(phrase("it has not been heard of for 10 seconds"));
 }
@@ -240,7 +240,7 @@ void NodeLink::beat() {
 void NodeLink::setPaused(bool paused) {
     paused_ = paused;
     if (worker_)
-        coordinator_.pool->setPaused(*worker_, paused);
+        coordinator_.leases->setPaused(*worker_, paused);
 }
 
 void NodeLink::leave(const Text& reason) {
@@ -252,10 +252,10 @@ void NodeLink::end(const Text& reason) {
     beatTimer_.stop();
     pace_.stop();
     if (worker_) {
-        const std::optional<WorkerStatus> last = coordinator_.pool->worker(*worker_);
+        const std::optional<WorkerStatus> last = coordinator_.leases->status(*worker_);
         if (last && last->state == WorkerState::quarantined)
             quarantine_ = last->reason;
-        coordinator_.pool->leave(*std::exchange(worker_, std::nullopt));
+        coordinator_.leases->leave(*std::exchange(worker_, std::nullopt));
     }
     emit over(isRefused() ? refusal_ : reason);
 }
@@ -292,7 +292,7 @@ NodeStatus NodeLink::status() const {
         status.latencyMs = std::chrono::duration<double, std::milli>(*latency).count();
     status.bytesOut = channel_->bytesSent();
     status.bytesIn = channel_->bytesReceived();
-    const std::optional<WorkerStatus> worker = worker_ ? coordinator_.pool->worker(*worker_) : std::nullopt;
+    const std::optional<WorkerStatus> worker = worker_ ? coordinator_.leases->status(*worker_) : std::nullopt;
     if (!worker)
         return status;
     status.work = *worker;

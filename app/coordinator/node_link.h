@@ -1,5 +1,5 @@
 #pragma once
-/// The coordinator's end of a connection to a node: handshake, scenes, leases of a WorkerPool, results, heartbeat.
+/// The coordinator's end of a connection to a node: handshake, scenes, leases, results, heartbeat.
 /// Lives in the thread of its channel.
 
 #include <QObject>
@@ -12,13 +12,13 @@
 #include "app/coordinator/outgoing_scenes.h"
 #include "app/remote/channel.h"
 #include "app/remote/heartbeat.h"
-#include "render/tiles/worker_pool.h"
+#include "render/tiles/lease_server.h"
 
 namespace pdr::nodes {
 
 /// State that all links of a coordinator share.
 struct Coordinator {
-    std::shared_ptr<WorkerPool> pool;
+    std::shared_ptr<LeaseServer> leases;
     ContentKey key{};
     wire::Hash bits{};  ///< hash of the own device's reference tiles
     OutgoingScenes scenes{key};

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/coordinator/scene_order.h"
-#include "render/tiles/worker_pool.h"
+#include "render/tiles/published_scenes.h"
 
 namespace pdr::nodes {
 

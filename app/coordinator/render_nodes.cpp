@@ -22,8 +22,8 @@ auto in(NodeDesk* desk, Ask&& ask) {
 
 }  // namespace
 
-RenderNodes::RenderNodes(std::shared_ptr<WorkerPool> pool, const std::vector<std::byte>& bits, QObject* parent)
-    : QObject(parent), pool_(std::move(pool)), desk_(new NodeDesk(pool_, bitsOf(bits))) {
+RenderNodes::RenderNodes(std::shared_ptr<LeaseServer> leases, const std::vector<std::byte>& bits, QObject* parent)
+    : QObject(parent), leases_(std::move(leases)), desk_(new NodeDesk(leases_, bitsOf(bits))) {
     qRegisterMetaType<NodeStatus>();
     qRegisterMetaType<std::vector<NodeStatus>>();
     desk_->moveToThread(&thread_);

@@ -1,6 +1,6 @@
 #pragma once
 /// Manages all render nodes of a coordinator: dials nodes that were added, accepts nodes that dial, and connects both
-/// to a WorkerPool. Runs a network thread of its own. Call it from one thread, which receives changed().
+/// to a LeaseServer. Runs a network thread of its own. Call it from one thread, which receives changed().
 
 #include <QObject>
 #include <QThread>
@@ -9,7 +9,7 @@
 
 #include "app/coordinator/node_status.h"
 #include "app/remote/address.h"
-#include "render/tiles/worker_pool.h"
+#include "render/tiles/lease_server.h"
 
 namespace pdr::nodes {
 
@@ -20,7 +20,7 @@ class RenderNodes : public QObject {
 
   public:
     /// `bits`: referenceTiles() of the own device; nodes with other bits are refused.
-    RenderNodes(std::shared_ptr<WorkerPool> pool, const std::vector<std::byte>& bits, QObject* parent = nullptr);
+    RenderNodes(std::shared_ptr<LeaseServer> leases, const std::vector<std::byte>& bits, QObject* parent = nullptr);
     /// Sends a Bye to all nodes, upon which they erase their contents; waits for that one second at most.
     ~RenderNodes() override;
 
@@ -55,7 +55,7 @@ class RenderNodes : public QObject {
     void turnedAway(const QString& peer, const QString& reason);
 
   private:
-    std::shared_ptr<WorkerPool> pool_;
+    std::shared_ptr<LeaseServer> leases_;
     QThread thread_;
     NodeDesk* desk_;  ///< lives in thread_
     std::vector<NodeStatus> nodes_;

@@ -4,15 +4,15 @@
 #include <variant>
 
 #include "app/remote/steady_time.h"
-#include "render/tiles/worker_pool.h"
+#include "render/tiles/lease_server.h"
 
 namespace pdr::node {
 namespace {
 
-/// Limit on open leases. A coordinator gives out WorkerPool::kInFlight at a time; many times that is an attack on
+/// Limit on open leases. A coordinator gives out LeaseServer::kInFlight at a time; many times that is an attack on
 /// memory.
 constexpr std::size_t kMostLeases = 64;
-static_assert(kMostLeases >= 16 * std::size_t(WorkerPool::kInFlight));
+static_assert(kMostLeases >= 16 * std::size_t(LeaseServer::kInFlight));
 
 /// Number of heartbeats without a byte from the coordinator after which it counts as dead.
 constexpr int kMostSilentBeats = 10;

@@ -6,7 +6,7 @@
 
 namespace pdr::app {
 
-bool DeviceChoice::setPool(std::shared_ptr<WorkerPool> pool) {
+bool DeviceChoice::setPool(std::shared_ptr<SharedWork> pool) {
     const std::lock_guard lock(mutex_);
     return std::exchange(pool_, pool) != pool;
 }
@@ -20,7 +20,7 @@ Result<std::unique_ptr<Device>> DeviceChoice::open(const std::string& name) {
 
 /// Returns `device`, shared with the workers if there are any.
 Result<std::unique_ptr<Device>> DeviceChoice::shared(std::unique_ptr<Device> device) {
-    std::shared_ptr<WorkerPool> pool;
+    std::shared_ptr<SharedWork> pool;
     {
         const std::lock_guard lock(mutex_);
         pool = pool_;

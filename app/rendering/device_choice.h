@@ -23,7 +23,7 @@ class DeviceChoice : public QObject {
 
     /// Sets the workers that share the work of devices opened from now on; null: none. Returns false if these are set
     /// already.
-    bool setPool(std::shared_ptr<WorkerPool> pool);
+    bool setPool(std::shared_ptr<SharedWork> pool);
 
     /// Opens the device `name`, shared with the workers. May be called on any thread.
     Result<std::unique_ptr<Device>> open(const std::string& name);
@@ -46,7 +46,7 @@ class DeviceChoice : public QObject {
 
     const int threads_;
     mutable std::mutex mutex_;
-    std::shared_ptr<WorkerPool> pool_;  ///< guarded by mutex_: workers that share the work; null if none do
+    std::shared_ptr<SharedWork> pool_;  ///< guarded by mutex_: workers that share the work; null if none do
     std::vector<std::byte> bits_;       ///< guarded by mutex_: reference tiles of the shared device
 };
 

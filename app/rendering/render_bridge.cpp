@@ -83,7 +83,7 @@ void RenderBridge::setDevice(const QString& name) {
 }
 
 /// Opens the same device again, since a film in progress cannot become shared or unshared.
-void RenderBridge::setPool(std::shared_ptr<WorkerPool> pool) {
+void RenderBridge::setPool(std::shared_ptr<SharedWork> pool) {
     if (devices_.setPool(std::move(pool)))
         openAndGoOn(chosen_.value_or(device_));
 }

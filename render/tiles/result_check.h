@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "render/tiles/shared_order.h"
+#include "render/tiles/shared_request.h"
 
 namespace pdr {
 

@@ -10,11 +10,11 @@ namespace {
 
 class SharedDevice final : public Device {
   public:
-    SharedDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool, Purpose purpose)
-        : own_(std::move(own)), pool_(std::move(pool)), purpose_(purpose) {}
+    SharedDevice(std::unique_ptr<Device> own, std::shared_ptr<SharedWork> work, Purpose purpose)
+        : own_(std::move(own)), work_(std::move(work)), purpose_(purpose) {}
     /// Withdraws this device's scene, but not one that another device has published since: both devices exist while a
     /// film moves to another device.
-    ~SharedDevice() override { pool_->withdraw(scene_); }
+    ~SharedDevice() override { work_->withdraw(scene_); }
 
     using Device::film;
 
@@ -24,18 +24,18 @@ class SharedDevice final : public Device {
         if (Result<void> uploaded = own_->upload(scene); !uploaded)
             return uploaded;
         isShared_ = scene.filtering == Filtering::exact;  // results of texture units differ in their bits
-        scene_ = pool_->publish(purpose_, isShared_ ? std::make_shared<const Scene>(scene) : nullptr);
+        scene_ = work_->publish(purpose_, isShared_ ? std::make_shared<const Scene>(scene) : nullptr);
         return {};
     }
     Result<void> unload() override {
-        pool_->withdraw(scene_);
+        work_->withdraw(scene_);
         return own_->unload();
     }
     Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
                                               const Schedule& schedule) override {
         if (!isShared_ || schedule.kind == Schedule::Kind::kroes)  // filters each iteration as a whole image
             return own_->film(area, revision, schedule);
-        return std::unique_ptr<Accumulator>(std::make_unique<SharedAccumulator>(*own_, *pool_, scene_, area, revision));
+        return std::unique_ptr<Accumulator>(std::make_unique<SharedAccumulator>(*own_, *work_, scene_, area, revision));
     }
     Result<void> trace(const Tile& tile, SampleRange samples, TileSums sums, const std::stop_token& stop) override {
         return own_->trace(tile, samples, sums, stop);
@@ -46,7 +46,7 @@ class SharedDevice final : public Device {
 
   private:
     std::unique_ptr<Device> own_;
-    std::shared_ptr<WorkerPool> pool_;
+    std::shared_ptr<SharedWork> work_;
     Purpose purpose_;
     std::uint64_t scene_ = 0;  ///< number of the published scene; 0: none
     bool isShared_ = false;
@@ -62,12 +62,12 @@ std::vector<TileGoal> allOf(const TileProgress& progress) {
 
 }  // namespace
 
-std::unique_ptr<Device> shareDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool, Purpose purpose) {
-    return std::make_unique<SharedDevice>(std::move(own), std::move(pool), purpose);
+std::unique_ptr<Device> shareDevice(std::unique_ptr<Device> own, std::shared_ptr<SharedWork> work, Purpose purpose) {
+    return std::make_unique<SharedDevice>(std::move(own), std::move(work), purpose);
 }
 
 OrderSize SharedAccumulator::orderSize() const {
-    const std::size_t workers = pool_.workers().size();
+    const std::size_t workers = work_.countWorkers();
     if (workers == 0)
         return {};
     return {1, std::uint32_t(kSamplesPerBlock * (workers + 1))};
@@ -81,13 +81,13 @@ std::vector<TileGoal> SharedAccumulator::goalsOf(const Tile& region, std::uint32
 }
 
 Result<void> SharedAccumulator::take(const std::vector<TileGoal>& goals, const std::stop_token& stop) {
-    return pool_.hasWorkers() ? together(goals, stop) : alone(goals, stop);
+    return work_.hasWorkers() ? together(goals, stop) : alone(goals, stop);
 }
 
-bool SharedAccumulator::throwLiesAway() {
-    if (!pool_.areLiarsAmong(believed_))
+bool SharedAccumulator::discardUntrusted() {
+    if (!work_.isAnyUntrusted(contributors_))
         return false;
-    believed_.clear();
+    contributors_.clear();
     film_.restart(film_.area(), film_.revision());
     return true;
 }
@@ -98,7 +98,7 @@ Result<void> SharedAccumulator::accumulate(const Tile& region, std::uint32_t n, 
         if (Result<void> done = take(goals, stop); !done || stop.stop_requested())
             return done;
         goals = allOf(film_.progress());
-        if (!throwLiesAway())
+        if (!discardUntrusted())
             return {};
     }
 }
@@ -106,7 +106,7 @@ Result<void> SharedAccumulator::accumulate(const Tile& region, std::uint32_t n, 
 Result<std::uint64_t> SharedAccumulator::extend(std::uint64_t had, std::uint32_t n, std::stop_token stop) {
     if (Result<void> done = take(goalsOf(film_.area(), n), stop); !done)
         return done.error();
-    return throwLiesAway() ? 0 : had + n;
+    return discardUntrusted() ? 0 : had + n;
 }
 
 Result<void> SharedAccumulator::alone(const std::vector<TileGoal>& goals, const std::stop_token& stop) {
@@ -125,22 +125,22 @@ Result<void> SharedAccumulator::alone(const std::vector<TileGoal>& goals, const 
 }
 
 Result<void> SharedAccumulator::together(const std::vector<TileGoal>& goals, const std::stop_token& stop) {
-    if (!pool_.begin(film_, scene_, goals, stop))
+    if (!work_.begin(film_, scene_, goals, stop))
         return alone(goals, stop);
     Result<void> done = takePart(stop);
-    believed_.merge(pool_.end());
+    contributors_.merge(work_.end());
     return done;
 }
 
 Result<void> SharedAccumulator::takePart(const std::stop_token& stop) {
-    while (const std::optional<WorkerPool::OwnWork> work = pool_.nextOwn(stop)) {
+    while (const std::optional<SharedWork::OwnWork> work = work_.nextOwn(stop)) {
         Result<LeaseResult> result = traceLease(own_, work->lease, stop);
         if (!result)
             return result.error();
         if (stop.stop_requested())
             return {};
         Result<void> taken =
-            work->audit ? pool_.audited(*work->audit, *std::move(result)) : pool_.deliverOwn(*std::move(result));
+            work->audit ? work_.audited(*work->audit, *std::move(result)) : work_.deliverOwn(*std::move(result));
         if (!taken)
             return taken;
     }
@@ -148,7 +148,7 @@ Result<void> SharedAccumulator::takePart(const std::stop_token& stop) {
 }
 
 Result<void> SharedAccumulator::restart(const Tile& area, std::uint64_t revision) {
-    believed_.clear();
+    contributors_.clear();
     return HostAccumulator::restart(area, revision);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// A device whose films are filled by a device of its own and by the workers of a pool. The film is the same to the
-/// last bit, no matter who renders which samples.
+/// A device whose films are filled by a device of its own and by the workers that share its work. The film is the same
+/// to the last bit, no matter who renders which samples.
 
 #include <memory>
 #include <set>
@@ -9,20 +9,20 @@
 
 #include "render/device/device.h"
 #include "render/device/host_accumulator.h"
-#include "render/tiles/worker_pool.h"
+#include "render/tiles/shared_work.h"
 
 namespace pdr {
 
-/// Makes such a device. `pool` may serve one of each purpose at a time.
-std::unique_ptr<Device> shareDevice(std::unique_ptr<Device> own, std::shared_ptr<WorkerPool> pool,
+/// Makes such a device. `work` may serve one of each purpose at a time.
+std::unique_ptr<Device> shareDevice(std::unique_ptr<Device> own, std::shared_ptr<SharedWork> work,
                                     Purpose purpose = Purpose::viewport);
 
 class SharedAccumulator final : public HostAccumulator {
   public:
-    /// `own`, `pool` and `scene`, the number of the published scene, must outlive it.
-    SharedAccumulator(Device& own, WorkerPool& pool, const std::uint64_t& scene, const Tile& area,
+    /// `own`, `work` and `scene`, the number of the published scene, must outlive it.
+    SharedAccumulator(Device& own, SharedWork& work, const std::uint64_t& scene, const Tile& area,
                       std::uint64_t revision)
-        : HostAccumulator(area, revision), own_(own), pool_(pool), scene_(scene) {}
+        : HostAccumulator(area, revision), own_(own), work_(work), scene_(scene) {}
 
     using Accumulator::accumulate;
     OrderSize orderSize() const override;
@@ -33,19 +33,19 @@ class SharedAccumulator final : public HostAccumulator {
   private:
     std::vector<TileGoal> goalsOf(const Tile& region, std::uint32_t n) const;
     /// Empties the film if results of an untrusted node are merged into it. Returns whether it did.
-    bool throwLiesAway();
+    bool discardUntrusted();
     Result<void> take(const std::vector<TileGoal>& goals, const std::stop_token& stop);
     /// Renders all goals on the own device.
     Result<void> alone(const std::vector<TileGoal>& goals, const std::stop_token& stop);
-    /// Renders all goals on the own device and the workers, if the pool serves this scene.
+    /// Renders all goals on the own device and the workers, if they serve this scene.
     Result<void> together(const std::vector<TileGoal>& goals, const std::stop_token& stop);
     /// Renders the own device's leases and audits until the request is done.
     Result<void> takePart(const std::stop_token& stop);
 
     Device& own_;
-    WorkerPool& pool_;
+    SharedWork& work_;
     const std::uint64_t& scene_;
-    std::set<std::string> believed_;  ///< keys of workers with merged results that were not audited as a whole
+    std::set<std::string> contributors_;  ///< keys of workers with merged results that were not audited as a whole
 };
 
 }  // namespace pdr

@@ -25,6 +25,12 @@ std::optional<Tile> Trust::partToAudit(const Tile& tile) {
     return Tile{tile.x + left, tile.y + top, right - left, bottom - top};
 }
 
+WorkerStatus Worker::statusNow() const {
+    WorkerStatus now = status;
+    now.workPerSecond = speed.perSecond();
+    return now;
+}
+
 void Worker::count(const Portion& portion) {
     ++status.results;
     status.work += workOf(portion.tile, portion.samples);

@@ -95,6 +95,8 @@ struct Worker {
     bool takesWork(std::uint64_t wantedScene) const {
         return scene == wantedScene && wantedScene != 0 && !isSuspect && !isPaused && !isDraining && !isQuarantined();
     }
+    /// Returns the status, including the current speed.
+    WorkerStatus statusNow() const;
     /// Counts a merged result.
     void count(const Portion& portion);
     bool isQuarantined() const { return status.state == WorkerState::quarantined; }

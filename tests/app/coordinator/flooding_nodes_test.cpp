@@ -124,9 +124,9 @@ class FloodingNodesTest : public QObject {
         OneLink coordinator;
         NodeProcess program({"--coordinator", QString("localhost:%1").arg(coordinator.port())});
         const auto scene = std::make_shared<const Scene>(sharedScene());
-        const std::uint64_t revision = coordinator.coordinator.pool->publish(Purpose::viewport, scene);
+        const std::uint64_t revision = coordinator.pool->publish(Purpose::viewport, scene);
         const auto isReady = [&] {
-            const std::vector<WorkerStatus> workers = coordinator.coordinator.pool->workers();
+            const std::vector<WorkerStatus> workers = coordinator.pool->workers();
             return !workers.empty() && workers[0].state == WorkerState::ready;
         };
         QTRY_VERIFY_WITH_TIMEOUT(isReady(), kPatience);
@@ -175,8 +175,7 @@ class FloodingNodesTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(node.isWelcome() && coordinator.hasJoined, kPatience);
         std::uint64_t last = 0;
         for (std::uint64_t revision = 0; revision < 100; ++revision) {
-            last = coordinator.coordinator.pool->publish(Purpose::viewport,
-                                                         std::make_shared<Scene>(sharedScene(revision)));
+            last = coordinator.pool->publish(Purpose::viewport, std::make_shared<Scene>(sharedScene(revision)));
             coordinator.link->pump();
         }
         const auto orders = [&node] { return node.heard<wire::SceneOrder>(); };

@@ -9,6 +9,7 @@
 
 #include "render/tiles/result_check.h"
 #include "render/tiles/shared_device.h"
+#include "render/tiles/worker_pool.h"
 #include "tests/support/network/nearby_worker.h"
 
 using namespace pdr;
@@ -224,6 +225,30 @@ class SharedDeviceTest : public QObject {
         QCOMPARE(pool->workers().front().reason, std::string("it lied"));
         (void)pool->join("another", "name");
         QCOMPARE(pool->workers().back().state, WorkerState::waiting);
+    }
+
+    /// A node that lies, loses its connection and is back before the audit.
+    void liarIsFoundAfterItHasReconnected() {
+        WorkerPool pool(1);
+        pool.setOwnHelps(false);
+        const WorkerId first = pool.join("key", "name");
+        const std::uint64_t scene = pool.publish(Purpose::viewport, std::make_shared<const Scene>(sceneToShare()));
+        pool.hasScene(first, scene);
+        Film film(Tile{0, 0, 32, 32}, 7);
+        QVERIFY(pool.begin(film, scene, {{film.area(), 0, 64}}, {}));
+        const Lease lease = *pool.take(first);
+        const auto pixels = std::size_t(lease.tile.width) * std::size_t(lease.tile.height);
+        LeaseResult result{lease.number, lease.tile, lease.samples, std::vector<PixelSums>(pixels), {}, 0};
+        pool.deliver(first, result);
+        pool.leave(first);
+        const WorkerId second = pool.join("key", "name");
+        const std::optional<SharedWork::OwnWork> work = pool.nextOwn({});
+        QVERIFY(work && work->audit);
+        result.sums.back().sum.x = 1;
+        QVERIFY(pool.audited(*work->audit, result));
+        QCOMPARE(pool.status(second)->state, WorkerState::quarantined);
+        QVERIFY(pool.isAnyUntrusted({"key"}));
+        (void)pool.end();
     }
 
     void stopEndsAnOrder() {

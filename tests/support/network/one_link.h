@@ -6,12 +6,12 @@
 #include "app/remote/dial.h"
 #include "app/remote/listener.h"
 #include "render/tiles/reference_tiles.h"
+#include "render/tiles/worker_pool.h"
 
 namespace pdr::test {
 
 struct OneLink {
-    explicit OneLink(const nodes::ContentKey& key = {std::byte{1}})
-        : coordinator{std::make_shared<WorkerPool>(1), key} {
+    explicit OneLink(const nodes::ContentKey& key = {std::byte{1}}) : coordinator{pool, key} {
         coordinator.bits = nodes::bitsOf(*referenceTiles(*makeCpuDevice(1)));
         if (!listener.listen({"127.0.0.1", 0}))
             qFatal("no port is free");
@@ -33,6 +33,7 @@ struct OneLink {
     }
 
     static inline const remote::Identity kCoordinator{remote::Role::coordinator, std::nullopt};
+    const std::shared_ptr<WorkerPool> pool = std::make_shared<WorkerPool>(1);
     nodes::Coordinator coordinator;
     remote::Listener listener{kCoordinator};
     std::unique_ptr<remote::Dial> dial;

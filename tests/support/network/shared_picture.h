@@ -4,6 +4,7 @@
 #include "app/coordinator/render_nodes.h"
 #include "render/tiles/reference_tiles.h"
 #include "render/tiles/shared_device.h"
+#include "render/tiles/worker_pool.h"
 #include "tests/support/network/node_process.h"
 #include "tests/support/scenes/tissue_scene.h"
 

@@ -1,11 +1,11 @@
-#include "render/tiles/shared_order.h"
+#include "render/tiles/shared_request.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace pdr {
 
-Lease SharedOrder::leaseOf(const Portion& portion) const {
+Lease SharedRequest::leaseOf(const Portion& portion) const {
     Lease lease{portion.number, scene_, portion.tile, portion.samples, {}};
     const Tile& tile = portion.tile;
     if (portion.samples.first % kSamplesPerBlock == 0)
@@ -19,7 +19,7 @@ Lease SharedOrder::leaseOf(const Portion& portion) const {
     return lease;
 }
 
-Result<void> SharedOrder::take(LeaseResult result) {
+Result<void> SharedRequest::take(LeaseResult result) {
     const std::uint64_t number = result.number;
     if (!isNext(result)) {
         early_.push_back(std::move(result));
@@ -43,12 +43,12 @@ Result<void> SharedOrder::take(LeaseResult result) {
     return {};
 }
 
-bool SharedOrder::isNext(const LeaseResult& result) const {
+bool SharedRequest::isNext(const LeaseResult& result) const {
     const std::vector<EvenTile> here = film_.progress().evenTiles(result.tile);
     return here.size() == 1 && here[0].next == result.samples.first;
 }
 
-Result<void> SharedOrder::merge(LeaseResult result) {
+Result<void> SharedRequest::merge(LeaseResult result) {
     // A film that began within a block has none of the block's earlier samples.
     const SampleRange block = fromBlockStart(result.samples);
     const std::uint64_t first = std::max(block.first, film_.progress().first());
@@ -56,13 +56,13 @@ Result<void> SharedOrder::merge(LeaseResult result) {
     return film_.merge({film_.revision(), result.tile, samples, std::move(result.sums), result.health});
 }
 
-void SharedOrder::withhold(const WorkerStatus& worker, const Portion& portion, LeaseResult result) {
+void SharedRequest::withhold(const WorkerStatus& worker, const Portion& portion, LeaseResult result) {
     scheduler_.arrived(portion.number);
     audits_.push_back({worker.id, worker.key, std::move(result), leaseOf(portion), true});
 }
 
-void SharedOrder::auditPart(const WorkerStatus& worker, const Portion& portion, const LeaseResult& result,
-                            const Tile& part) {
+void SharedRequest::auditPart(const WorkerStatus& worker, const Portion& portion, const LeaseResult& result,
+                              const Tile& part) {
     if (audits_.size() >= kMostAudits)
         return;
     LeaseResult claimed{result.number, part, result.samples, {}, result.health, 0};
@@ -76,7 +76,7 @@ void SharedOrder::auditPart(const WorkerStatus& worker, const Portion& portion, 
         {worker.id, worker.key, std::move(claimed), leaseOf({portion.number, part, portion.samples}), false});
 }
 
-std::optional<Audit> SharedOrder::nextAudit() {
+std::optional<Audit> SharedRequest::nextAudit() {
     if (audits_.empty())
         return std::nullopt;
     Audit oldest = std::move(audits_.front());

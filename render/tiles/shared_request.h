@@ -1,7 +1,7 @@
 #pragma once
 /// One request of samples for a film, rendered by several workers. Results are merged in the sequence in which a single
 /// device would have rendered the samples, so that the film is the same to the last bit. Not thread-safe: see
-/// worker_pool.h.
+/// pool_state.h.
 
 #include <deque>
 #include <optional>
@@ -24,11 +24,11 @@ struct Audit {
     bool isWithheld = false;  ///< the result is merged only after the audit
 };
 
-class SharedOrder {
+class SharedRequest {
   public:
     /// `film` must outlive it.
-    SharedOrder(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals, Split split,
-                std::uint64_t firstNumber, const CellCosts& costs)
+    SharedRequest(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals, Split split,
+                  std::uint64_t firstNumber, const CellCosts& costs)
         : film_(film), scene_(scene), scheduler_(goals, split, firstNumber, costs) {}
 
     TileScheduler& scheduler() { return scheduler_; }
@@ -51,6 +51,14 @@ class SharedOrder {
     /// Takes the oldest audit out of the queue; none: the queue is empty.
     std::optional<Audit> nextAudit();
 
+    /// Records that a result of that worker was merged without an audit of the whole result.
+    void addContributor(const std::string& key) { contributors_.insert(key); }
+    /// Keys of these workers.
+    const std::set<std::string>& contributors() const { return contributors_; }
+    /// Records the time of a finished lease, from which the costs of cells are learned.
+    void addTime(const TimedLease& lease) { times_.push_back(lease); }
+    const std::vector<TimedLease>& times() const { return times_; }
+
     static constexpr std::size_t kMostAudits = 64;
 
   private:
@@ -62,6 +70,8 @@ class SharedOrder {
     TileScheduler scheduler_;
     std::vector<LeaseResult> early_;  ///< results whose preceding blocks are not merged yet
     std::deque<Audit> audits_;
+    std::set<std::string> contributors_;
+    std::vector<TimedLease> times_;
 };
 
 }  // namespace pdr

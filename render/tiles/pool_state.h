@@ -1,0 +1,80 @@
+#pragma once
+/// The state that the faces of a worker pool share, and the locks that guard it.
+///
+/// Locks:
+///   mutex         guards all public members; the classes of their types have no locks.
+///   noticeMutex_  guards the notice, and is held while the notice runs.
+/// A thread holds one of them at a time, so they need no order: a face changes the state, wakes the own device through
+/// `changed`, releases `mutex`, and calls notify() last. The notice must not call the pool; it posts to another thread.
+/// No lock is held while a device renders or a message is sent. The film of a request is written under `mutex` from
+/// begin() to end(); at other times it belongs to the thread that makes requests.
+
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "render/tiles/lease_times.h"
+#include "render/tiles/published_scenes.h"
+#include "render/tiles/shared_request.h"
+#include "render/tiles/worker_registry.h"
+#include "render/timing/split_choice.h"
+
+namespace pdr {
+
+/// This program's own device, seen as one more worker.
+struct OwnDevice {
+    bool helps = true;  ///< false: it only audits, unless no worker takes work
+    WorkerSpeed speed;
+    double taken = 0;  ///< time at which it took its lease [s]
+    double work = 0;   ///< work that it has done for requests
+};
+
+class PoolState {
+  public:
+    PoolState(std::uint64_t seed, std::function<double()> monotonicSeconds)
+        : clock(std::move(monotonicSeconds)), registry(seed) {}
+
+    const std::function<double()> clock;  ///< monotonic seconds
+    std::mutex mutex;
+    std::condition_variable_any changed;  ///< wakes the thread that makes requests
+    WorkerRegistry registry;
+    PublishedScenes scenes;
+    std::unique_ptr<SharedRequest> request;  ///< null: there is none
+    std::uint64_t nextLease = 1;             ///< number of the next request's first lease
+    OwnDevice own;
+    CellCosts costs;
+    LeaseTimes times;
+    std::optional<Split> pinnedSplit;  ///< none: the cost model decides
+    SplitChoice split;                 ///< split of the last request
+
+    // The caller of these holds `mutex`.
+
+    /// Whether workers may sample the request: there is one, and no other scene has priority over its scene.
+    bool isRequestCurrent() const { return request && request->scene() == scenes.current().number; }
+    /// Whether a worker takes leases of the request.
+    bool isAnyTaking() const { return isRequestCurrent() && registry.countTaking(request->scene()) > 0; }
+    /// Returns what to ask the scheduler of the request for.
+    Ability abilityOf(const WorkerSpeed& speed, bool isOnProbation) const;
+    /// Records the time of a portion of the request; `busySeconds`: the part of it that the worker reports as spent on
+    /// samples.
+    void addTime(WorkerId worker, WorkerSpeed& speed, const Portion& portion, double seconds, double busySeconds);
+    /// Quarantines all workers of that key and takes their portions back.
+    void quarantine(const std::string& key, const Text& reason);
+
+    // The caller of these does not hold `mutex`.
+
+    void setNotice(std::function<void()> notice);
+    /// Calls the notice, if one is set.
+    void notify() const;
+
+  private:
+    mutable std::mutex noticeMutex_;
+    std::function<void()> notice_;
+};
+
+}  // namespace pdr

@@ -1,0 +1,169 @@
+#include "render/tiles/shared_work.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "render/tiles/pool_state.h"
+#include "render/tiles/result_check.h"
+
+namespace pdr {
+namespace {
+
+/// Polling interval of the own device.
+constexpr auto kLookAgain = std::chrono::milliseconds(5);
+
+SplitFacts factsOf(const PoolState& state, const std::vector<TileGoal>& goals) {
+    SplitFacts facts;
+    for (const TileGoal& goal : goals) {
+        facts.pixels += double(goal.tile.width) * goal.tile.height;
+        facts.samples = std::max(facts.samples, goal.goal - goal.next);
+    }
+    facts.nodes = state.registry.countTaking(state.scenes.current().number) + (state.own.helps ? 1 : 0);
+    facts.nodes = std::max(facts.nodes, 1);
+    facts.sampleSeconds = state.times.secondsPerWork();
+    facts.launchSeconds = state.times.secondsBefore();
+    return facts;
+}
+
+}  // namespace
+
+SharedWork::SharedWork(std::shared_ptr<PoolState> state) : state_(std::move(state)) {}
+SharedWork::~SharedWork() = default;
+
+std::uint64_t SharedWork::publish(Purpose purpose, std::shared_ptr<const Scene> scene) {
+    std::uint64_t number;
+    {
+        const std::lock_guard lock(state_->mutex);
+        number = state_->scenes.publish(purpose, std::move(scene));
+        sceneChanged();
+    }
+    state_->notify();
+    return number;
+}
+
+void SharedWork::withdraw(std::uint64_t scene) {
+    {
+        const std::lock_guard lock(state_->mutex);
+        if (!state_->scenes.withdraw(scene))
+            return;
+        sceneChanged();
+    }
+    state_->notify();
+}
+
+void SharedWork::sceneChanged() {
+    if (state_->request && !state_->isRequestCurrent())
+        for (const auto& [id, worker] : state_->registry.all())
+            state_->request->scheduler().giveBackAll(id);
+    state_->changed.notify_all();
+}
+
+std::size_t SharedWork::countWorkers() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->registry.all().size();
+}
+
+bool SharedWork::hasWorkers() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->registry.hasTrusted();
+}
+
+bool SharedWork::begin(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals,
+                       const std::stop_token& stop) {
+    {
+        std::unique_lock lock(state_->mutex);
+        const auto isServed = [&] { return state_->scenes.current().number == scene; };
+        if (!state_->changed.wait(lock, stop, [&] { return !state_->request || !isServed(); }) || !isServed())
+            return false;
+        state_->split = state_->pinnedSplit ? SplitChoice{*state_->pinnedSplit, "chosen by hand"}
+                                            : chooseSplit(factsOf(*state_, goals));
+        if (state_->costs.area() != film.area())
+            state_->costs = state_->costs.stretchedOver(film.area());
+        state_->request =
+            std::make_unique<SharedRequest>(film, scene, goals, state_->split.split, state_->nextLease, state_->costs);
+        for (const auto& [id, worker] : state_->registry.all())
+            state_->request->scheduler().setSuspect(id, worker.isSuspect);
+    }
+    state_->notify();
+    return true;
+}
+
+std::optional<SharedWork::OwnWork> SharedWork::nextOwn(const std::stop_token& stop) {
+    std::unique_lock lock(state_->mutex);
+    SharedRequest& request = *state_->request;
+    OwnDevice& own = state_->own;
+    while (!request.isDone() && !stop.stop_requested()) {
+        if (std::optional<Audit> audit = request.nextAudit()) {
+            const Lease lease = audit->lease;
+            return OwnWork{std::move(audit), lease};
+        }
+        own.taken = state_->clock();
+        if (own.helps || !state_->isAnyTaking()) {
+            const Ability ability = state_->abilityOf(own.speed, false);
+            if (const auto portion = request.scheduler().take(kOwnDevice, ability, own.taken))
+                return OwnWork{std::nullopt, request.leaseOf(*portion)};
+        }
+        state_->changed.wait_for(lock, kLookAgain);
+    }
+    return std::nullopt;
+}
+
+Result<void> SharedWork::deliverOwn(LeaseResult result) {
+    {
+        const std::lock_guard lock(state_->mutex);
+        OwnDevice& own = state_->own;
+        const Portion portion{result.number, result.tile, result.samples};
+        state_->addTime(kOwnDevice, own.speed, portion, state_->clock() - own.taken, result.seconds);
+        if (!state_->request->scheduler().heldBy(kOwnDevice, result.number))
+            return {};  // a worker was faster
+        if (Result<void> taken = state_->request->take(std::move(result)); !taken)
+            return taken;
+        own.work += workOf(portion.tile, portion.samples);
+    }
+    state_->notify();
+    return {};
+}
+
+Result<void> SharedWork::audited(const Audit& audit, LeaseResult truth) {
+    {
+        const std::lock_guard lock(state_->mutex);
+        judge(audit, truth);
+        if (!audit.isWithheld)
+            return {};
+        truth.number = audit.claimed.number;
+        if (Result<void> taken = state_->request->take(std::move(truth)); !taken)
+            return taken;
+    }
+    state_->notify();
+    return {};
+}
+
+void SharedWork::judge(const Audit& audit, const LeaseResult& truth) {
+    if (!confirms(truth, audit))
+        return state_->quarantine(audit.key,
+                                  phrase("a tile of it was not what this machine found when it did it again"));
+    Worker* worker = state_->registry.find(audit.worker);
+    if (!worker)
+        return;
+    worker->trust.passed();
+    ++worker->status.audited;
+    if (audit.isWithheld)
+        worker->count({truth.number, truth.tile, truth.samples});
+}
+
+std::set<std::string> SharedWork::end() {
+    const std::lock_guard lock(state_->mutex);
+    const std::unique_ptr<SharedRequest> ended = std::exchange(state_->request, nullptr);
+    state_->nextLease = ended->scheduler().nextNumber();
+    state_->costs.learn(ended->times());
+    state_->changed.notify_all();
+    return ended->contributors();
+}
+
+bool SharedWork::isAnyUntrusted(const std::set<std::string>& keys) const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->registry.isAnyUntrusted(keys);
+}
+
+}  // namespace pdr
