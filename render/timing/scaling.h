@@ -51,7 +51,7 @@ struct ScaledFrames {
 /// Returns the figures of `nodes` nodes that share frames out in the way `how`. The network is a star: every result
 /// goes over one link to the coordinator, which shows the image and hands out work. A node that has ended a tile gets
 /// the next one for its result. From eight tiles per node on (sixteen if tiles deviate from their mean by more than
-/// it), the formulas are within 5 % of an event-by-event simulation (tests/bench/star_simulation_test.cpp), except
+/// it), the formulas are within 5 % of an event-by-event simulation (tests/app/bench/star_simulation_test.cpp), except
 /// where nodes and link are about equally slow: there each waits for the other in turn.
 ///   l  latency of a message, one way    W  bytes per second of the link    o  cost of a message for the coordinator
 ///   k  tiles per node                   s = bytes of a result / W + o      t  time of a tile or other piece

@@ -24,7 +24,7 @@ QString textOf(const QString& file) {
 /// Documents of the tree, as paths from its root.
 QStringList documents() {
     QStringList found{"README.md", "CHANGELOG.md", "DECISIONS.md"};
-    for (const char* room : {"resources", "tests", "installer"}) {
+    for (const char* room : {"resources", "tests", "tools", "installer"}) {
         QDirIterator walk(kRoot.filePath(room), {"*.md"}, QDir::Files, QDirIterator::Subdirectories);
         while (walk.hasNext())
             found << kRoot.relativeFilePath(walk.next());
@@ -42,7 +42,7 @@ QStringList linksOf(QString text) {
 
 /// Paths from the root of the tree that `text` shows as code, patterns and commands left out.
 QStringList pathsOf(const QString& text) {
-    return caught("`((?:app|cmake|dicom|installer|render|resources|tests|ui)/[\\w./-]*)`", text);
+    return caught("`((?:app|cmake|dicom|installer|render|resources|tests|tools|ui)/[\\w./-]*)`", text);
 }
 
 }  // namespace
@@ -105,8 +105,8 @@ class DocumentsTest : public QObject {
     void anOmissionIsSeen() {
         QCOMPARE(linksOf("[a](b.md#c), [d](https://e), `[f](g)`, ![h](i/j.jpg \"k\")"),
                  QStringList({"b.md", "i/j.jpg"}));
-        QCOMPARE(pathsOf("`render/film/film.cpp`, `tests/bench/`, `a/b`, `tests/mutations/run --check`"),
-                 QStringList({"render/film/film.cpp", "tests/bench/"}));
+        QCOMPARE(pathsOf("`render/film/film.cpp`, `tools/measure/`, `a/b`, `tests/mutations/run --check`"),
+                 QStringList({"render/film/film.cpp", "tools/measure/"}));
     }
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Runs of real nodes, to compare predictions with, from a JSON file as tests/bench/nodes_scaling.py writes it:
+/// Runs of real nodes, to compare predictions with, from a JSON file as tools/measure/nodes_scaling.py writes it:
 ///
 ///   {"format": "pdrender-scale-runs", "formatVersion": 1,
 ///    "width": 480, "height": 270,             pixels of the image

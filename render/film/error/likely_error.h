@@ -1,6 +1,6 @@
 #pragma once
 /// Likely errors of single pixels: standard errors of which 1.96 to either side hold the truth in 94 to 97 % of the
-/// tissue (tests/bench/stated_coverage), where localErrors() is a bound. Low-discrepancy points are 1.2 to 30 times
+/// tissue (tools/measure/stated_coverage), where localErrors() is a bound. Low-discrepancy points are 1.2 to 30 times
 /// better than the independent samples that a bound presumes; only the halves of the samples show how much.
 
 #include "render/denoise/plane.h"

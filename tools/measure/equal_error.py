@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """How much sooner one build of pdrender-bench reaches an error than another.
 
-    tests/bench/equal_error.py THIS OTHER SCENE.json [--samples 16,64,256] [--size WxH] [--seeds N] [--device D]
+    tools/measure/equal_error.py THIS OTHER SCENE.json [--samples 16,64,256] [--size WxH] [--seeds N] [--device D]
 
 Renders the scene with several seeds by both builds in turn, on one thread. A picture's variance is that between pictures of
 different seeds, so no error that a build states of itself is believed, and no reference is needed: both must be unbiased,

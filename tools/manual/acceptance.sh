@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # One picture of a CT series under each of some looks, as the manual shows them, to be looked at.
-#   tests/looks/acceptance.sh FOLDER OUT.jpg LOOK...
+#   tools/manual/acceptance.sh FOLDER OUT.jpg LOOK...
 # SIZE (320, or 400x280), SAMPLES (96) and COLUMNS (4) may be set. Needs ./bootstrap build and ImageMagick.
 set -euo pipefail
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Time to equal error against a plain tracer of the same scene, in one run on one machine, turn by turn.
-#   tests/bench/against_yardstick.sh FOLDER_OF_single_scatter.cpp [THREADS [RUNS [SAMPLES [BENCH...]]]]
+#   tools/measure/against_yardstick.sh FOLDER_OF_single_scatter.cpp [THREADS [RUNS [SAMPLES [BENCH...]]]]
 # BENCH: pdrender-bench of other builds, to be compared in the same turns; the first is build/release/bin/pdrender-bench.
 # Needs ./bootstrap build and build/example/matrix.dat (./bootstrap test unpacks it). Prints every run and the medians of
 #   cost = seconds per sample x variance of a sample          ratio = cost of ours / cost of theirs, pair by pair

@@ -26,7 +26,7 @@
 #include "app/bench/options.h"
 #include "app/cli/scene_input.h"
 #include "app/looks/looks.h"
-#include "tests/bench/stated_figures.h"
+#include "tools/measure/stated_figures.h"
 
 namespace pdr::test {
 namespace {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes pictures of the README and the manual anew, each into resources/manual/pictures.
-#   tests/looks/manual_pictures.sh CHEST PICTURE...
+#   tools/manual/manual_pictures.sh CHEST PICTURE...
 # CHEST: a folder of DICOM files of a chest with contrast. PICTURE: first looks-chest looks-head looks-phantom models table;
 # none: all of them, an hour on two cores. SAMPLES may be set; else 1024 for `first`, 64. Those of the
 # window: window_pictures.sh. Needs ./bootstrap build, the example's voxels and ImageMagick.
@@ -37,14 +37,14 @@ first() {
 }
 
 looks-chest() {
-    SAMPLES=${SAMPLES:-64} SIZE=420x280 COLUMNS=3 tests/looks/acceptance.sh "$chest" "$out/looks-chest.jpg" "Bones alone" "Vessels" \
+    SAMPLES=${SAMPLES:-64} SIZE=420x280 COLUMNS=3 tools/manual/acceptance.sh "$chest" "$out/looks-chest.jpg" "Bones alone" "Vessels" \
         "Heart and great vessels" "Vessels and bone" "Bone beside contrast" "Muscles" "Organs" "Lung vessels" \
         "MIP of the lungs" "MIP" "X-ray" "Implants"
 }
 
 # heads FOLDER OUT.jpg
 heads() {
-    SAMPLES=${SAMPLES:-64} SIZE=300 tests/looks/acceptance.sh "$1" "$2" "Bone" "Thin bone" "Muscles and skull" "MIP" "X-ray" \
+    SAMPLES=${SAMPLES:-64} SIZE=300 tools/manual/acceptance.sh "$1" "$2" "Bone" "Thin bone" "Muscles and skull" "MIP" "X-ray" \
         "Fluoroscopy" "Skin over bone" "Skin"
 }
 
@@ -58,7 +58,7 @@ looks-phantom() {
 }
 
 models() {
-    tests/looks/contact_sheet.sh "$scratch/head" "$out/models.jpg" 200 "${SAMPLES:-64}" 30
+    tools/manual/contact_sheet.sh "$scratch/head" "$out/models.jpg" 200 "${SAMPLES:-64}" 30
 }
 
 table() {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Emission and absorption beside VTK's ray caster: time per frame, and distance from the converged picture.
 
-    xvfb-run -a python3 tests/bench/emission_absorption_against_vtk.py [--threads 2] [--frames 9] [--rounds 3] [--size 512]
+    xvfb-run -a python3 tools/measure/emission_absorption_against_vtk.py [--threads 2] [--frames 9] [--rounds 3] [--size 512]
 
 Needs ./bootstrap build, build/example/matrix.dat (./bootstrap test unpacks it) and python3-vtk9, which nothing else does.
 The same camera, the same curve: the opacity of VTK's curve is 1 - exp(-extinction * 1 mm), its colours are the albedos.

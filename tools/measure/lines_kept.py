@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """How much of the fine lines of a reference a denoised image shows: of small vessels, above all.
 
-    tests/bench/lines_kept.py CLI FOLDER|SCENE.json [--look L] [--size WxH] [--samples 16,32,64] [--reference N] [--seeds N]
+    tools/measure/lines_kept.py CLI FOLDER|SCENE.json [--look L] [--size WxH] [--samples 16,32,64] [--reference N] [--seeds N]
 
 CLI is a pdrender-cli. A line is 9 pixels long and differs from what lies 3 pixels to either side by 10 of 255 levels in the
 reference, which has other random numbers and is not denoised. Kept is the share of that contrast, all lines together: 1 is

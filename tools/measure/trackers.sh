@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What each way to the first collision costs: on the head phantom, on the cranium, and on a CT series, in one run.
-#   tests/bench/trackers.sh [FOLDER_OF_ONE_DICOM_SERIES [OPTIONS_OF_pdrender-bench_trackers...]]
+#   tools/measure/trackers.sh [FOLDER_OF_ONE_DICOM_SERIES [OPTIONS_OF_pdrender-bench_trackers...]]
 # Needs pdrender-bench (PDR_BENCH, else build/release/bin) and python3. The cranium is build/example/matrix.dat
 # (PDR_CRANIUM), left out where it is not there. The series needs dcmdump, and must be uncompressed, axial and even.
 set -euo pipefail

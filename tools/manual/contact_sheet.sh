@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # One picture of a CT series under every optical model (rows) and four looks (columns), to be looked at.
-#   tests/looks/contact_sheet.sh FOLDER OUT.jpg [SIZE [SAMPLES [SECONDS]]]
+#   tools/manual/contact_sheet.sh FOLDER OUT.jpg [SIZE [SAMPLES [SECONDS]]]
 # SIZE: pixels of each picture's edge; SAMPLES per pixel, but no longer than SECONDS each. Needs ./bootstrap build and
 # ImageMagick.
 set -euo pipefail
