@@ -19,7 +19,7 @@ QStringList files(const QStringList& filters) {
     QStringList found;
     for (const QString& file : kRoot.entryList(filters, QDir::Files))
         found << file;
-    for (const char* room : {"app", "cmake", "dicom", "installer", "render", "resources", "tests", "ui"}) {
+    for (const char* room : {"app", "cmake", "dicom", "installer", "render", "resources", "tests", "tools", "ui"}) {
         QDirIterator walk(kRoot.filePath(room), filters, QDir::Files, QDirIterator::Subdirectories);
         while (walk.hasNext())
             found << kRoot.relativeFilePath(walk.next());
