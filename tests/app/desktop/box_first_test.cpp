@@ -3,8 +3,10 @@
 #include <QTest>
 
 #include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/desktop/the.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "ui/text/to_qt.h"
+#include "ui/view/region_box.h"
 
 namespace pdr::app {
 
@@ -25,7 +27,7 @@ class TestBoxFirst : public QObject {
 static void drawBox(Trial& trial) {
     ui::MainWindow& window = trial.desktop.window();
     QTest::keyClick(&window, Qt::Key_B);
-    QVERIFY(window.region().isDrawing());
+    QVERIFY(test::the<ui::RegionBox>(window).isDrawing());
     const QPoint middle = window.viewport().rect().center();
     QTest::mousePress(&window.viewport(), Qt::LeftButton, {}, middle - QPoint(40, 40));
     QTest::mouseRelease(&window.viewport(), Qt::LeftButton, {}, middle + QPoint(40, 40));
@@ -78,7 +80,7 @@ void TestBoxFirst::escapeDrawsNone() {
     QTest::keyClick(&trial.desktop.window(), Qt::Key_B);
     QVERIFY(boxFirst(trial)->isChecked());
     QTest::keyClick(&trial.desktop.window(), Qt::Key_Escape);
-    QVERIFY(!boxFirst(trial)->isChecked() && !trial.desktop.window().region().isDrawing());
+    QVERIFY(!boxFirst(trial)->isChecked() && !test::the<ui::RegionBox>(trial.desktop.window()).isDrawing());
 }
 
 void TestBoxFirst::anotherSeriesHasNone() {

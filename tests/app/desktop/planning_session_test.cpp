@@ -18,6 +18,7 @@
 #include "ui/light/light_panel.h"
 #include "ui/looks/look_panel.h"
 #include "ui/text/to_qt.h"
+#include "ui/tissue/tissue_panel.h"
 
 namespace pdr::app {
 
