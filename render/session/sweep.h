@@ -31,7 +31,10 @@ class Sweep {
     std::uint64_t partSamples() const { return samplesOf(part_); }
 
     /// Chooses the cells around `part` for the next passes. No pass may be incomplete.
-    void choose(const Tile& part) { part_ = progress_.cellsAround(part); }
+    void choose(const Tile& part) {
+        part_ = progress_.cellsAround(part);
+        goal_ = 0;  // else what lags behind another part would continue its pass, without an image until it ends
+    }
     /// Begins a pass: at most n samples, n >= 1, for the pixels that lag behind in the part.
     void begin(std::uint32_t n);
     /// Returns whether a pass has begun and not ended.
