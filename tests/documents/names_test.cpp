@@ -69,7 +69,8 @@ class NamesTest : public QObject {
 
     void everyOptionThatADocumentNamesExists() {
         QString sources;
-        for (const QString& file : files({"*.cpp", "*.py", "*.sh", "*.json", "bootstrap", "run", "standin_node", "gpu_check", "clang_tidy", "doc_comments"}))
+        for (const QString& file : files({"*.cpp", "*.py", "*.sh", "*.json", "bootstrap", "run", "standin_node",
+                                          "gpu_check", "clang_tidy", "doc_comments"}))
             sources += textOf(file);
         const QStringList words = optionsIn(sources) + caught("\"([a-z][a-z-]+)\"", sources);
         const QSet<QString> known(words.begin(), words.end());
@@ -86,7 +87,8 @@ class NamesTest : public QObject {
     }
 
     void anOmissionIsSeen() {
-        QCOMPARE(namedFiles("//" "/ See film/film.h and b/c.md.\nint a;  /" "/ (d/e.cpp)\n#include \"f/g.h\"\n"),
+        const QString slashes(2, '/');  // not written out: this file is read, too
+        QCOMPARE(namedFiles(slashes + "/ See film/film.h and b/c.md.\nint a;  " + slashes + " (d/e.cpp)\n\"f/g.h\"\n"),
                  QStringList({"film/film.h", "b/c.md", "d/e.cpp"}));
         QCOMPARE(optionsIn("`--make-certificates FOLDER`, -o, a--b, --levels"),
                  QStringList({"make-certificates", "levels"}));
