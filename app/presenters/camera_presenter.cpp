@@ -4,8 +4,6 @@
 
 namespace pdr::app {
 
-using Picking = ui::Viewport::Picking;
-
 CameraPresenter::CameraPresenter(const Workspace& workspace) : Presenter(workspace), panel_(new ui::CameraPanel) {
     window().addPanel(panel_, {"Camera", ui::WindowDocks::tr("Camera"), Qt::Key_F7, ui::PanelPlace::editor});
     connect(panel_, &ui::CameraPanel::viewChosen, &document(), &Document::setView);
@@ -16,12 +14,10 @@ CameraPresenter::CameraPresenter(const Workspace& workspace) : Presenter(workspa
 }
 
 void CameraPresenter::connectFocus() {
-    ui::Viewport& view = window().viewport();
-    connect(panel_, &ui::CameraPanel::pickingChosen, &view,
-            [&view](bool picking) { view.setPicking(picking ? Picking::focus : Picking::nothing); });
-    connect(&view, &ui::Viewport::pickingChanged, panel_,
-            [this](Picking picking) { panel_->setPicking(picking == Picking::focus); });
-    connect(&view, &ui::Viewport::focusPicked, this, [this](QPointF place) {
+    window().viewport().tools().add(pick_);
+    connect(panel_, &ui::CameraPanel::pickingChosen, &pick_, &ui::PickTool::setActive);
+    connect(&pick_, &ui::PickTool::activeChanged, panel_, &ui::CameraPanel::setPicking);
+    connect(&pick_, &ui::PickTool::picked, this, [this](QPointF place) {
         if (document().hasVolume())
             study_.measureDepth(document().scene(), place);
     });

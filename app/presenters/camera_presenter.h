@@ -4,6 +4,7 @@
 #include "app/jobs/tissue_study.h"
 #include "app/presenters/presenter.h"
 #include "ui/camera/camera_panel.h"
+#include "ui/view/pick_tool.h"
 
 namespace pdr::app {
 
@@ -23,7 +24,8 @@ class CameraPresenter : public Presenter {
     std::optional<QColor> background() const;
 
     ui::CameraPanel* panel_;
-    TissueStudy study_;  ///< measures the depth of what is to be in focus
+    ui::PickTool pick_;  ///< picks what is to be in focus
+    TissueStudy study_;  ///< measures the depth of what was picked
 };
 
 }  // namespace pdr::app

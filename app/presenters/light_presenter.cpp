@@ -6,7 +6,11 @@ LightPresenter::LightPresenter(const Workspace& workspace)
     : Presenter(workspace), panel_(new ui::LightPanel), edits_(document()) {
     window().addPanel(panel_, {"Light", ui::WindowDocks::tr("Light"), Qt::Key_F8, ui::PanelPlace::editor});
     connect(panel_, &ui::LightPanel::lightingEdited, &edits_, &LightEdits::setLighting);
-    connect(&window().viewport(), &ui::Viewport::lightDragged, &edits_, &LightEdits::turn);
+    window().viewport().tools().bind(Qt::RightButton, Qt::ShiftModifier, drag_);
+    connect(&drag_, &ui::DragTool::dragged, &edits_, [this](QPointF, QPointF step, bool moving) {
+        if (document().hasVolume())
+            edits_.turn(step, moving);
+    });
     connectSky();
     connectModel();
 }

@@ -6,6 +6,7 @@
 #include "app/jobs/sky_job.h"
 #include "app/presenters/presenter.h"
 #include "ui/light/light_panel.h"
+#include "ui/view/drag_tool.h"
 
 namespace pdr::app {
 
@@ -27,6 +28,7 @@ class LightPresenter : public Presenter {
     void chooseModel(Model model);
 
     ui::LightPanel* panel_;
+    ui::DragTool drag_{0};  ///< with Shift and the right button: turns the lights
     LightEdits edits_;
     SkyJob sky_;
     ModelTrial trial_;

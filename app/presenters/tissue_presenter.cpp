@@ -2,30 +2,32 @@
 
 namespace pdr::app {
 
-using Picking = ui::Viewport::Picking;
-
 TissuePresenter::TissuePresenter(const Workspace& workspace)
     : Presenter(workspace), panel_(new ui::TissuePanel), edits_(document()) {
     window().addPanel(panel_, {"Tissue", ui::WindowDocks::tr("Tissue"), Qt::Key_F5, ui::PanelPlace::editor});
     connect(panel_, &ui::TissuePanel::transferFunctionEdited, &edits_, &TissueEdits::setTransferFunction);
-    connect(&window().viewport(), &ui::Viewport::tissueDragged, &edits_, &TissueEdits::drag);
     connect(&study_, &TissueStudy::histogramFound, panel_, &ui::TissuePanel::setHistogram);
-    connectPicking();
+    connectTools();
 }
 
-void TissuePresenter::connectPicking() {
-    ui::Viewport& view = window().viewport();
-    connect(panel_, &ui::TissuePanel::pickingChosen, &view,
-            [&view](bool picking) { view.setPicking(picking ? Picking::tissue : Picking::nothing); });
-    connect(&view, &ui::Viewport::pickingChanged, panel_,
-            [this](Picking picking) { panel_->setPicking(picking == Picking::tissue); });
-    connect(&view, &ui::Viewport::tissuePicked, this, [this](QPointF place) {
-        if (document().hasVolume())
-            study_.pick(document().scene(), place);
-    });
+void TissuePresenter::connectTools() {
+    ui::ViewTools& tools = window().viewport().tools();
+    tools.bind(Qt::LeftButton, Qt::ControlModifier, drag_);
+    tools.add(pick_);
+    connect(&drag_, &ui::DragTool::dragged, &edits_,
+            [this](QPointF total, QPointF, bool moving) { edits_.drag(total, moving); });
+    connect(&drag_, &ui::DragTool::clicked, this, &TissuePresenter::pick);
+    connect(&pick_, &ui::PickTool::picked, this, &TissuePresenter::pick);
+    connect(panel_, &ui::TissuePanel::pickingChosen, &pick_, &ui::PickTool::setActive);
+    connect(&pick_, &ui::PickTool::activeChanged, panel_, &ui::TissuePanel::setPicking);
     connect(&study_, &TissueStudy::tissueFound, &edits_, &TissueEdits::addBell);
     connect(&study_, &TissueStudy::nothingFound, this,
             [this] { window().status().showForAWhile(ui::MainWindow::tr("No tissue at this point")); });
+}
+
+void TissuePresenter::pick(QPointF place) {
+    if (document().hasVolume())
+        study_.pick(document().scene(), place);
 }
 
 void TissuePresenter::showDocument(Changes changes) {

@@ -5,6 +5,8 @@
 #include "app/jobs/tissue_study.h"
 #include "app/presenters/presenter.h"
 #include "ui/tissue/tissue_panel.h"
+#include "ui/view/drag_tool.h"
+#include "ui/view/pick_tool.h"
 
 namespace pdr::app {
 
@@ -17,11 +19,16 @@ class TissuePresenter : public Presenter {
     void showDocument(Changes changes) override;
     void releaseVolume() override;
     TissueStudy& study() { return study_; }
+    ui::DragTool& dragTool() { return drag_; }
+    ui::PickTool& pickTool() { return pick_; }
 
   private:
-    void connectPicking();
+    void connectTools();
+    void pick(QPointF place);
 
     ui::TissuePanel* panel_;
+    ui::DragTool drag_{ui::kTremble};  ///< with Ctrl: a drag edits the curves, a click picks a tissue
+    ui::PickTool pick_;
     TissueEdits edits_;
     TissueStudy study_;
 };

@@ -6,13 +6,24 @@ void PickTool::setActive(bool active) {
     if (active == active_)
         return;
     active_ = active;
+    if (active)
+        emit activated();
     emit changed();
+    emit activeChanged(active);
+}
+
+bool PickTool::cancel() {
+    const bool active = active_;
+    setActive(false);
+    return active;
 }
 
 /// Picks where the button is released, so that the place can be corrected until then.
 void PickTool::release(const ViewPointer& pointer) {
-    if (active_ && pointer.image.camera)
-        emit picked(pointer.fractions());
+    if (!active_ || !pointer.image.camera)
+        return;
+    setActive(false);
+    emit picked(pointer.fractions());
 }
 
 std::optional<Qt::CursorShape> PickTool::cursor() const {

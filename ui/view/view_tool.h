@@ -49,6 +49,8 @@ class ViewTool : public QObject {
     virtual bool key(const QKeyEvent&) { return false; }
     /// Handles Esc: cancels what the tool is doing. Returns false if it does nothing.
     virtual bool cancel() { return false; }
+    /// Handles that another tool has been activated.
+    virtual void stepBack() {}
 
     /// Returns the cursor that the tool needs now; none: it leaves it to others.
     virtual std::optional<Qt::CursorShape> cursor() const { return std::nullopt; }
@@ -59,7 +61,7 @@ class ViewTool : public QObject {
   signals:
     /// Reports that what the tool paints, or its cursor, has changed.
     void changed();
-    /// Requests to be in front of the view's other tools.
+    /// Requests to be in front of the view's other tools, which then step back.
     void activated();
 };
 

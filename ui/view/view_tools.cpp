@@ -1,6 +1,7 @@
 #include "ui/view/view_tools.h"
 
 #include <algorithm>
+#include <bit>
 #include <ranges>
 #include <utility>
 
@@ -11,10 +12,20 @@ void ViewTools::add(ViewTool& tool) {
     tool.setImage(image_);
     connect(&tool, &ViewTool::changed, this, &ViewTools::changed);
     connect(&tool, &ViewTool::activated, this, [this, &tool] { toFront(tool); });
+    connect(&tool, &QObject::destroyed, this, [this, gone = &tool] { remove(gone); });
+}
+
+void ViewTools::remove(const ViewTool* tool) {
+    std::erase(tools_, tool);
+    std::erase_if(bindings_, [&](const Binding& binding) { return binding.tool == tool; });
+    if (owner_ == tool)
+        owner_ = nullptr;
 }
 
 void ViewTools::bind(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, ViewTool& tool) {
+    const auto count = [](const Binding& binding) { return std::popcount(unsigned(binding.modifiers)); };
     bindings_.push_back({button, modifiers, &tool});
+    std::ranges::stable_sort(bindings_, std::ranges::greater(), count);
     if (std::ranges::find(tools_, &tool) == tools_.end())
         add(tool);
 }
@@ -22,6 +33,9 @@ void ViewTools::bind(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, Vi
 void ViewTools::toFront(ViewTool& tool) {
     const auto place = std::ranges::find(tools_, &tool);
     std::rotate(tools_.begin(), place, place + 1);
+    for (ViewTool* other : tools_)
+        if (other != &tool)
+            other->stepBack();
     emit changed();
 }
 

@@ -12,10 +12,11 @@ class ViewTools : public QObject {
     Q_OBJECT
 
   public:
-    /// Adds a tool in front of the others. It must exist as long as the view receives events.
+    /// Adds a tool in front of the others. A tool that is destroyed is removed.
     void add(ViewTool& tool);
     /// Makes a press of `button` with `modifiers` held, and perhaps others, begin a gesture of `tool` if no tool takes
-    /// the press by itself. The first match counts. Adds the tool if necessary.
+    /// the press by itself. Of several matches the one with most modifiers counts, then the one bound first. Adds the
+    /// tool if necessary.
     void bind(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, ViewTool& tool);
 
     /// Returns whether a tool has the pointer.
@@ -51,11 +52,12 @@ class ViewTools : public QObject {
 
     ViewTool* toolFor(const ViewPointer& pointer) const;
     void toFront(ViewTool& tool);
+    void remove(const ViewTool* tool);
     void leaveAllBut(const ViewTool* kept);
 
-    std::vector<ViewTool*> tools_;  ///< from front to back
-    std::vector<Binding> bindings_;
-    ViewTool* owner_ = nullptr;  ///< the tool that has the pointer
+    std::vector<ViewTool*> tools_;   ///< from front to back
+    std::vector<Binding> bindings_;  ///< those with more modifiers first
+    ViewTool* owner_ = nullptr;      ///< the tool that has the pointer
     ImagePlace image_;
 };
 

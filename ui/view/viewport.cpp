@@ -19,13 +19,7 @@ constexpr auto kSettledAfter = std::chrono::milliseconds(200);
 }  // namespace
 
 Viewport::Viewport(QWidget* parent)
-    : QWidget(parent),
-      orbit_(camera_, orbited),
-      pan_(camera_, panned),
-      zoom_(camera_, zoomedByDrag),
-      steps_(camera_),
-      tissue_(kTremble),
-      light_(0) {
+    : QWidget(parent), orbit_(camera_, orbited), pan_(camera_, panned), zoom_(camera_, zoomedByDrag), steps_(camera_) {
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setCursor(Qt::ArrowCursor);
@@ -40,15 +34,12 @@ Viewport::Viewport(QWidget* parent)
     forwardTools();
 }
 
-/// Sets which gesture a button and modifiers begin. The first match counts.
+/// Sets which gesture a button and modifiers begin.
 void Viewport::bindTools() {
-    for (ViewTool* tool : std::initializer_list<ViewTool*>{&steps_, &tissuePick_, &focusPick_})
-        tools_.add(*tool);
-    tools_.bind(Qt::LeftButton, Qt::ControlModifier, tissue_);
+    tools_.add(steps_);
     tools_.bind(Qt::LeftButton, Qt::ShiftModifier, pan_);
     tools_.bind(Qt::LeftButton, Qt::NoModifier, orbit_);
     tools_.bind(Qt::MiddleButton, Qt::NoModifier, pan_);
-    tools_.bind(Qt::RightButton, Qt::ShiftModifier, light_);
     tools_.bind(Qt::RightButton, Qt::NoModifier, zoom_);
 }
 
@@ -57,17 +48,6 @@ void Viewport::forwardTools() {
     connect(&tools_, &ViewTools::changed, this, &Viewport::followTools);
     connect(&camera_, &EditedCamera::edited, this, &Viewport::cameraEdited);
     connect(&zoom_, &CameraDrag::clicked, this, [this](QPointF place) { emit menuRequested(place.toPoint()); });
-    connect(&tissue_, &DragTool::dragged, this, [this](QPointF total, QPointF, bool moving) {
-        if (camera_.get())
-            emit tissueDragged(total, moving);
-    });
-    connect(&light_, &DragTool::dragged, this, [this](QPointF, QPointF step, bool moving) {
-        if (camera_.get())
-            emit lightDragged(step, moving);
-    });
-    connect(&tissue_, &DragTool::clicked, this, &Viewport::tissuePicked);
-    connect(&tissuePick_, &PickTool::picked, this, &Viewport::tissuePicked);
-    connect(&focusPick_, &PickTool::picked, this, &Viewport::focusPicked);
 }
 
 void Viewport::followTools() {
@@ -115,12 +95,6 @@ ImagePlace Viewport::place() const {
     if (!picture_ || picture_->image.isNull())
         return {size(), rect(), std::nullopt};
     return {size(), pictureArea(picture_->image.size(), {size(), devicePixelRatioF()}), picture_->camera};
-}
-
-void Viewport::setPicking(Picking picking) {
-    tissuePick_.setActive(picking == Picking::tissue);
-    focusPick_.setActive(picking == Picking::focus);
-    emit pickingChanged(picking);
 }
 
 void Viewport::tellPlace(const QHelpEvent& event) {

@@ -11,9 +11,7 @@
 #include "ui/annotation/orientation_letters.h"
 #include "ui/view/camera_drag.h"
 #include "ui/view/camera_steps.h"
-#include "ui/view/drag_tool.h"
 #include "ui/view/edited_camera.h"
-#include "ui/view/pick_tool.h"
 #include "ui/view/shown_picture.h"
 #include "ui/view/view_tools.h"
 
@@ -40,9 +38,6 @@ class Viewport : public QWidget {
     /// Sets the function that returns the lines in the image's upper left corner; it is called at each painting.
     void setOverlay(std::function<QStringList()> lines) { overlay_ = std::move(lines); }
     void setCaptionShown(bool shown);
-    /// What the next click picks. Such a click does not turn the view.
-    enum class Picking { nothing, tissue, focus };
-    void setPicking(Picking picking);
     /// Sets the text in the middle of the view while there is no image.
     void setMessage(const QString& message);
     /// Returns the text in the middle of the view; empty while there is an image.
@@ -58,19 +53,6 @@ class Viewport : public QWidget {
     /// Reports a camera edited by a drag, the wheel or an arrow key. `moving`: the gesture goes on; the last edit of a
     /// gesture comes with false.
     void cameraEdited(const pdr::Camera& camera, bool moving);
-    /// Reports the total distance of a drag with Ctrl, in fractions of the view's height. `moving`: as for
-    /// cameraEdited().
-    void tissueDragged(QPointF drag, bool moving);
-    /// Reports the distance of a drag with Shift and the right button since the last report, in fractions of the view's
-    /// height. `moving`: as for cameraEdited().
-    void lightDragged(QPointF drag, bool moving);
-    /// Reports a click with Ctrl, or one requested with setPicking(): at `place`, in fractions of the image's width and
-    /// height.
-    void tissuePicked(QPointF place);
-    /// Reports a click requested with Picking::focus: at `place`, in fractions of the image's width and height.
-    void focusPicked(QPointF place);
-    /// Reports what the next click picks from now on.
-    void pickingChanged(pdr::ui::Viewport::Picking picking);
     /// Reports that the pointer rests on the image: at `place`, in fractions of its width and height.
     void rested(QPointF place);
     /// Requests the first view, on Home. A signal of the view and no key of the window, since the accuracy strip and
@@ -117,8 +99,6 @@ class Viewport : public QWidget {
     EditedCamera camera_;
     CameraDrag orbit_, pan_, zoom_;
     CameraSteps steps_;
-    DragTool tissue_, light_;
-    PickTool tissuePick_, focusPick_;
     ViewTools tools_;
     std::optional<QPointF> resting_;  ///< place reported last by rested(); none: the pointer has moved on
     QPoint restingAt_;                ///< resting_ in screen coordinates

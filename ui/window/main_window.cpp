@@ -83,10 +83,6 @@ void MainWindow::connectActions() {
 void MainWindow::connectView() {
     connect(viewport_, &Viewport::resetRequested, actions_.firstView, &QAction::trigger);
     connect(viewport_, &Viewport::menuRequested, this, &MainWindow::showMenu);
-    connect(viewport_, &Viewport::tissuePicked, viewport_,
-            [this] { viewport_->setPicking(Viewport::Picking::nothing); });
-    connect(viewport_, &Viewport::focusPicked, viewport_,
-            [this] { viewport_->setPicking(Viewport::Picking::nothing); });
 }
 
 QAction* MainWindow::addPanel(QWidget* panel, const PanelInfo& info) {
@@ -213,7 +209,6 @@ void MainWindow::escape() {
         return keys_->hide();
     if (viewport_->tools().cancel())
         return;
-    viewport_->setPicking(Viewport::Picking::nothing);
     actions_.alone->setChecked(false);
     message_->clear();
     emit cancelRequested();

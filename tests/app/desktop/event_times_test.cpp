@@ -99,7 +99,9 @@ void TestEventTimes::loadingRenderingAndEditing() {
     check("brightening");
 
     for (int i = 0; i < 30; ++i) {
-        const auto edit = [&, i] { emit window.viewport().tissueDragged({0.001 * i, 0}, i < 29); };
+        const auto edit = [&, i] {
+            emit trial.desktop.presenter<TissuePresenter>().dragTool().dragged({0.001 * i, 0}, {}, i < 29);
+        };
         QMetaObject::invokeMethod(&window, edit, Qt::QueuedConnection);
         QTest::qWait(8);
     }

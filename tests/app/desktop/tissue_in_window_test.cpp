@@ -123,7 +123,7 @@ void TestTissueInWindow::theButtonPicksOnce() {
     trial.openAndWait(series_);
     ui::MainWindow& window = trial.desktop.window();
     const Camera camera = trial.desktop.document().setup().camera;
-    QSignalSpy picked(&window.viewport(), &ui::Viewport::tissuePicked);
+    QSignalSpy picked(&trial.desktop.presenter<TissuePresenter>().pickTool(), &ui::PickTool::picked);
     const QPoint middle = window.viewport().rect().center();
     emit test::the<ui::TissuePanel>(window).pickingChosen(true);
     drag(window.viewport(), middle, middle + QPoint(50, 0), {});

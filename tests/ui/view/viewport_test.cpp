@@ -8,6 +8,8 @@
 
 #include "render/scene/orbit.h"
 #include "tests/support/patience.h"
+#include "ui/view/drag_tool.h"
+#include "ui/view/pick_tool.h"
 #include "ui/view/viewport.h"
 
 namespace pdr::ui {
@@ -68,9 +70,10 @@ class TestViewport : public QObject {
     void theWheelKeepsThePointUnderTheCursor();
     void theWheelRestsByItself();
     void theWheelInADragRestsWithTheDrag();
-    void aDragWithControlIsTheTissuesAndAClickPicks();
+    void aToolWithAModifierGoesBeforeTheCamera();
     void aPickHasTheLeftButtonOnly();
     void aPickThatIsNoLongerWantedPicksNothing();
+    void aToolThatIsGoneIsNotAsked();
     void arrowKeysTurnAndMove();
     void settersAreSilent();
     void withoutCameraTheHandDoesNothing();
@@ -193,48 +196,73 @@ void TestViewport::theWheelInADragRestsWithTheDrag() {
     QCOMPARE(hand.rests, 1);
 }
 
-void TestViewport::aDragWithControlIsTheTissuesAndAClickPicks() {
+void TestViewport::aToolWithAModifierGoesBeforeTheCamera() {
     Hand hand;
-    QSignalSpy dragged(&hand.viewport, &Viewport::tissueDragged), picked(&hand.viewport, &Viewport::tissuePicked);
+    DragTool tool(kTremble);
+    hand.viewport.tools().bind(Qt::LeftButton, Qt::ControlModifier, tool);
+    QSignalSpy dragged(&tool, &DragTool::dragged), clicked(&tool, &DragTool::clicked);
     hand.drag(Qt::LeftButton, {250, 60}, Qt::ControlModifier);
     QTest::mouseRelease(&hand.viewport, Qt::LeftButton, {}, {250, 60});
     QCOMPARE(dragged.size(), 3);
-    QCOMPARE(dragged[1], QVariantList({QPointF(0.25, -0.2), true}));
-    QCOMPARE(dragged[2], QVariantList({QPointF(0.25, -0.2), false}));
+    QCOMPARE(dragged[1][0].toPointF(), QPointF(0.25, -0.2));
+    QVERIFY(dragged[1][2].toBool() && !dragged[2][2].toBool());
     QTest::mouseClick(&hand.viewport, Qt::LeftButton, Qt::ControlModifier, {100, 50});
-    QCOMPARE(picked.size(), 0);  // no picture
+    QCOMPARE(clicked.size(), 0);  // no picture
     hand.viewport.setPicture(shownOf({400, 200}));
     QTest::mouseClick(&hand.viewport, Qt::LeftButton, Qt::ControlModifier, {100, 50});
-    QCOMPARE(picked.takeLast()[0].toPointF(), QPointF(0.25, 0.25));
+    QCOMPARE(clicked.takeLast()[0].toPointF(), QPointF(0.25, 0.25));
     QCOMPARE(hand.edits + hand.rests, 0);
 }
 
 void TestViewport::aPickHasTheLeftButtonOnly() {
     Hand hand;
     hand.viewport.setPicture(shownOf({400, 200}));
-    QSignalSpy picked(&hand.viewport, &Viewport::focusPicked);
-    hand.viewport.setPicking(Viewport::Picking::focus);
+    PickTool tool;
+    hand.viewport.tools().add(tool);
+    QSignalSpy picked(&tool, &PickTool::picked);
+    tool.setActive(true);
     QCOMPARE(hand.viewport.cursor().shape(), Qt::CrossCursor);
-    hand.drag(Qt::LeftButton, {100, 50}, Qt::ShiftModifier);
-    QTest::mouseRelease(&hand.viewport, Qt::LeftButton, {}, {100, 50});
-    QCOMPARE(hand.edits, 0);
-    QCOMPARE(picked.takeLast()[0].toPointF(), QPointF(0.25, 0.25));
     hand.drag(Qt::MiddleButton, {100, 50});
     QTest::mouseRelease(&hand.viewport, Qt::MiddleButton, {}, {100, 50});
     QVERIFY(picked.isEmpty() && hand.edits > 0);
-    hand.viewport.setPicking(Viewport::Picking::nothing);
+    const int edits = hand.edits;
+    hand.drag(Qt::LeftButton, {100, 50}, Qt::ShiftModifier);
+    QTest::mouseRelease(&hand.viewport, Qt::LeftButton, {}, {100, 50});
+    QCOMPARE(hand.edits, edits);
+    QCOMPARE(picked.takeLast()[0].toPointF(), QPointF(0.25, 0.25));
+    QVERIFY(!tool.isActive());
     QCOMPARE(hand.viewport.cursor().shape(), Qt::ArrowCursor);
 }
 
 void TestViewport::aPickThatIsNoLongerWantedPicksNothing() {
     Hand hand;
     hand.viewport.setPicture(shownOf({400, 200}));
-    QSignalSpy focus(&hand.viewport, &Viewport::focusPicked), tissue(&hand.viewport, &Viewport::tissuePicked);
-    hand.viewport.setPicking(Viewport::Picking::focus);
+    PickTool focus, tissue;
+    for (PickTool* tool : {&focus, &tissue})
+        hand.viewport.tools().add(*tool);
+    QSignalSpy picked(&focus, &PickTool::picked);
+    focus.setActive(true);
     QTest::mousePress(&hand.viewport, Qt::LeftButton, {}, {100, 50});
-    hand.viewport.setPicking(Viewport::Picking::nothing);
+    QVERIFY(hand.viewport.tools().cancel() && !hand.viewport.tools().cancel());
     QTest::mouseRelease(&hand.viewport, Qt::LeftButton, {}, {100, 50});
-    QVERIFY(focus.isEmpty() && tissue.isEmpty());
+    QVERIFY(picked.isEmpty());
+    focus.setActive(true);
+    tissue.setActive(true);
+    QVERIFY(!focus.isActive());
+}
+
+/// A presenter may end before the view.
+void TestViewport::aToolThatIsGoneIsNotAsked() {
+    Hand hand;
+    hand.viewport.setPicture(shownOf({400, 200}));
+    {
+        DragTool tool(0);
+        hand.viewport.tools().bind(Qt::LeftButton, Qt::ControlModifier, tool);
+        QTest::mousePress(&hand.viewport, Qt::LeftButton, Qt::ControlModifier, {100, 50});
+    }
+    QTest::mouseRelease(&hand.viewport, Qt::LeftButton, Qt::ControlModifier, {100, 50});
+    hand.drag(Qt::LeftButton, {150, 50}, Qt::ControlModifier);
+    QVERIFY(hand.edits > 0);
 }
 
 void TestViewport::arrowKeysTurnAndMove() {
