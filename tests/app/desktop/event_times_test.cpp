@@ -5,6 +5,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "app/presenters/tissue_presenter.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/desktop/event_times.h"
 #include "tests/support/desktop/the.h"
