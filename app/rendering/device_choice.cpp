@@ -6,7 +6,7 @@
 
 namespace pdr::app {
 
-bool DeviceChoice::setPool(std::shared_ptr<SharedWork> pool) {
+bool DeviceChoice::setPool(const std::shared_ptr<SharedWork>& pool) {
     const std::lock_guard lock(mutex_);
     return std::exchange(pool_, pool) != pool;
 }

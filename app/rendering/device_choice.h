@@ -23,7 +23,7 @@ class DeviceChoice : public QObject {
 
     /// Sets the workers that share the work of devices opened from now on; null: none. Returns false if these are set
     /// already.
-    bool setPool(std::shared_ptr<SharedWork> pool);
+    bool setPool(const std::shared_ptr<SharedWork>& pool);
 
     /// Opens the device `name`, shared with the workers. May be called on any thread.
     Result<std::unique_ptr<Device>> open(const std::string& name);

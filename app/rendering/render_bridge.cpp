@@ -83,8 +83,8 @@ void RenderBridge::setDevice(const QString& name) {
 }
 
 /// Opens the same device again, since a film in progress cannot become shared or unshared.
-void RenderBridge::setPool(std::shared_ptr<SharedWork> pool) {
-    if (devices_.setPool(std::move(pool)))
+void RenderBridge::setPool(const std::shared_ptr<SharedWork>& pool) {
+    if (devices_.setPool(pool))
         openAndGoOn(chosen_.value_or(device_));
 }
 

@@ -59,7 +59,7 @@ class RenderBridge : public QObject {
     /// Continues the image on another device. If that cannot be used, noticed() says why.
     void setDevice(const QString& name);
     /// Shares the work of the device with the workers of `pool` from now on, or with none (null). The image goes on.
-    void setPool(std::shared_ptr<pdr::SharedWork> pool);
+    void setPool(const std::shared_ptr<pdr::SharedWork>& pool);
     /// Sets when rendering stops by itself.
     void setStop(const pdr::StopRule& rule);
     /// Changes only the levels of the stop rule.

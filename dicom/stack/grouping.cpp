@@ -196,7 +196,7 @@ std::string seriesKey(const SliceHeader& header) {
 }  // namespace
 
 std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, const std::vector<SliceHeader>& damaged,
-                                    std::shared_ptr<const SeriesSource> source, const Progress& progress) {
+                                    const std::shared_ptr<const SeriesSource>& source, const Progress& progress) {
     const std::filesystem::path root = source->root();
     struct Kind {
         Headers headers;

@@ -16,6 +16,6 @@ namespace pdr::dicom {
 /// series are noted on all whose slices lie in the same folder, or else on all. Names in messages are relative to
 /// the root of `source`. Reads pixels only of slices that lie at the same position, to tell copies from conflicts.
 std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, const std::vector<SliceHeader>& damaged,
-                                    std::shared_ptr<const SeriesSource> source, const Progress& progress);
+                                    const std::shared_ptr<const SeriesSource>& source, const Progress& progress);
 
 }  // namespace pdr::dicom

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <ranges>
 #include <utility>
 
 namespace pdr::ui {
@@ -110,9 +109,9 @@ void ViewTools::setImage(const ImagePlace& image) {
 }
 
 void ViewTools::paint(QPainter& painter) const {
-    for (const ViewTool* tool : tools_ | std::views::reverse) {
+    for (auto tool = tools_.rbegin(); tool != tools_.rend(); ++tool) {
         painter.save();
-        tool->paint(painter, image_);
+        (*tool)->paint(painter, image_);
         painter.restore();
     }
 }
