@@ -12,7 +12,8 @@ function(pdr_watch_threads directory)
       message(FATAL_ERROR "${directory}/${pattern}: no such file; what moved must be looked for at its new place")
     endif()
     set_source_files_properties(${files} DIRECTORY ${directory} PROPERTIES
-                                COMPILE_OPTIONS "-fsanitize=thread;-O1;-g" SKIP_PRECOMPILE_HEADERS ON)
+                                COMPILE_OPTIONS "-fsanitize=thread;-O1;-g;-includeoneapi/tbb/profiling.h"
+                                SKIP_PRECOMPILE_HEADERS ON)  # which includes TBB before Qt makes a macro of emit
   endforeach()
 endfunction()
 

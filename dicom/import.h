@@ -14,7 +14,7 @@ namespace pdr::dicom {
 /// Reads the headers of all objects of `source`, which must not be null, and sorts them into series; these keep the
 /// source. A stray, damaged or foreign object does not affect the rest. Errors: those of SeriesSource::list(), no DICOM
 /// in it, cancelled.
-Result<ScanResult> scanSource(std::shared_ptr<const SeriesSource> source, const Progress& progress);
+Result<ScanResult> scanSource(const std::shared_ptr<const SeriesSource>& source, const Progress& progress);
 
 /// Scans all files below `folder` (any name, any depth). Links are followed, but nothing is read twice, and no link
 /// leads back up. Errors: no such folder, a file instead of a folder, no permission, empty, no DICOM in it, cancelled.

@@ -67,7 +67,7 @@ void sortOut(const SeriesSource& source, std::vector<HeaderRead>& reads, std::ve
 
 }  // namespace
 
-Result<ScanResult> scanSource(std::shared_ptr<const SeriesSource> source, const Progress& progress) {
+Result<ScanResult> scanSource(const std::shared_ptr<const SeriesSource>& source, const Progress& progress) {
     prepareToolkit();
     if (!dictionaryIsThere())
         return Error{phrase("the DICOM dictionary is not there, so no file can be read"), "",
@@ -91,7 +91,7 @@ Result<ScanResult> scanSource(std::shared_ptr<const SeriesSource> source, const 
     if (headers.empty() && result.problems.empty())
         return Error{phrase("none of the %1 files is a DICOM image", result.filesSeen), source->root().string(),
                      phrase("Give the folder that holds the DICOM files.")};
-    result.series = groupIntoSeries(headers, damaged, std::move(source), progress);
+    result.series = groupIntoSeries(headers, damaged, source, progress);
     if (!progress(1.0, "sorting slices"))
         return cancelled();
     std::sort(result.problems.begin(), result.problems.end(),
