@@ -18,7 +18,7 @@ function(pdr_watch_threads directory)
 endfunction()
 
 pdr_watch_threads(${PROJECT_SOURCE_DIR}/render session/*.cpp tiles/*.cpp)
-pdr_watch_threads(${PROJECT_SOURCE_DIR}/app rendering/render_bridge.cpp jobs/import_job.cpp document/document.cpp
+pdr_watch_threads(${PROJECT_SOURCE_DIR}/app rendering/*.cpp jobs/background_job.cpp jobs/import_job.cpp document/document.cpp
                   presenters/series_presenter.cpp presenters/image_presenter.cpp desktop/desktop.cpp)
 pdr_watch_threads(${PROJECT_SOURCE_DIR}/tests/render session/session_test.cpp session/first_look_test.cpp
                   session/faults_test.cpp device/exceptions_test.cpp tiles/shared_device_test.cpp)

@@ -114,9 +114,9 @@ void Desktop::connectPresenters() {
     QObject::connect(&document_, &Document::sceneChanged, &bridge_, &RenderBridge::submit);
     QObject::connect(&document_, &Document::displayChanged, &bridge_, &RenderBridge::setDisplay);
     QObject::connect(&document_, &Document::closing, &bridge_, [this] {
-        bridge_.clear();
         for (const auto& presenter : presenters_)
             presenter->releaseVolume();
+        bridge_.clear();  // last: a job that is cancelled may have changed the scene
     });
     QObject::connect(&document_, &Document::changed, &window_, [this](Changes changes) { showDocument(changes); });
     QObject::connect(&bridge_, &RenderBridge::frameReady, &window_,

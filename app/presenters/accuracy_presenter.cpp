@@ -91,7 +91,7 @@ ui::Accuracy AccuracyPresenter::accuracyOf(const Frame& frame) const {
 
 void AccuracyPresenter::showStatus() {
     const auto& frame = bridge().lastFrame();
-    if (!frame)
+    if (!frame || !document().hasVolume())
         return;
     window().menuActions().pause->setChecked(bridge().paused() || bridge().reached());
     const ui::Accuracy accuracy = accuracyOf(*frame);
