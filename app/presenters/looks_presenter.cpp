@@ -105,6 +105,8 @@ void LooksPresenter::showDocument(Changes changes) {
     }
     if (has(changes, Changes::looks))
         panel_->gallery().setLooks(lookCards(document()));
+    if (!has(changes, Changes::look | Changes::model | Changes::brightness | Changes::looks | Changes::series))
+        return;  // comparing all looks is not for each move of a camera
     panel_->setLook(document().look());
     panel_->setDoesNotShow(doesNotShowText(document().looks(), document().setup()));
     panel_->setBrightness(document().setup().stops);

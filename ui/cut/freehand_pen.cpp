@@ -17,7 +17,7 @@ constexpr double kTolerancePx = 0.7;  ///< error allowed by leaving out a corner
 }  // namespace
 
 FreehandPen::FreehandPen(QWidget* view, QObject* parent)
-    : ViewTool(parent),
+    : DrawingTool(parent),
       answers_(new QWidget(view)),
       remove_(new QPushButton(tr("Remove inside"))),
       keep_(new QPushButton(tr("Keep inside"))) {
@@ -37,37 +37,21 @@ FreehandPen::FreehandPen(QWidget* view, QObject* parent)
 }
 
 void FreehandPen::setImage(const ImagePlace& image) {
-    if (image.camera != image_.camera)
+    if (image.camera != image_.camera) {
         discardLine();
+        emit changed();
+    }
     image_ = image;
 }
 
-void FreehandPen::startDrawing() {
-    drawing_ = true;
-    emit activated();
-}
-
-void FreehandPen::stopDrawing() {
-    drawing_ = pressed_ = false;
+void FreehandPen::discard() {
+    pressed_ = false;
     discardLine();
 }
 
 void FreehandPen::discardLine() {
     line_.clear();
     answers_->hide();
-    emit changed();
-}
-
-bool FreehandPen::cancel() {
-    if (!drawing_)
-        return false;
-    stopDrawing();
-    emit ended();
-    return true;
-}
-
-std::optional<Qt::CursorShape> FreehandPen::cursor() const {
-    return drawing_ ? std::optional(Qt::CrossCursor) : std::nullopt;
 }
 
 /// Begins a line; it replaces an earlier one.

@@ -7,29 +7,20 @@
 #include <optional>
 
 #include "render/scene/clip.h"
-#include "ui/view/view_tool.h"
+#include "ui/view/drawing_tool.h"
 
 namespace pdr::ui {
 
-class FreehandPen : public ViewTool {
+class FreehandPen : public DrawingTool {
     Q_OBJECT
 
   public:
     /// Creates the pen and its buttons, which lie in the widget `view`.
     FreehandPen(QWidget* view, QObject* parent);
 
-    /// Makes the next drag draw a line. Until the user has chosen what it cuts, the mouse does nothing else.
-    void startDrawing();
-    void stopDrawing();
-    bool isDrawing() const { return drawing_; }
-
-    bool takes(const ViewPointer&) const override { return drawing_; }
     void press(const ViewPointer& pointer) override;
     void move(const ViewPointer& pointer) override;
     void release(const ViewPointer& pointer) override;
-    bool hover(const ViewPointer&) override { return drawing_; }
-    bool cancel() override;
-    std::optional<Qt::CursorShape> cursor() const override;
     /// Sets the image. Another camera discards the line.
     void setImage(const ImagePlace& image) override;
     void paint(QPainter& painter, const ImagePlace& image) const override;
@@ -40,13 +31,14 @@ class FreehandPen : public ViewTool {
     void ended();
 
   private:
+    void discard() override;
+    void reportNothing() override { emit ended(); }
     void discardLine();
     void ask(QPoint place);
     void answer(bool keepInside);
     std::vector<PicturePoint> outline() const;
 
     ImagePlace image_;
-    bool drawing_ = false;
     bool pressed_ = false;
     QPolygonF line_;               ///< [px]
     QWidget* answers_;             ///< shown where the mouse was released

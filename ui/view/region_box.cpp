@@ -10,23 +10,12 @@ constexpr double kLeastSide = 6;  ///< least side of a box [px]; a smaller one c
 
 }  // namespace
 
-RegionBox::RegionBox(Viewport* view) : ViewTool(view) {
+RegionBox::RegionBox(Viewport* view) : DrawingTool(view) {
     view->tools().add(*this);
 }
 
 void RegionBox::setBox(const std::optional<QRectF>& box) {
     box_ = box;
-    emit changed();
-}
-
-void RegionBox::startDrawing() {
-    drawing_ = true;
-    emit activated();
-}
-
-void RegionBox::stopDrawing() {
-    drawing_ = false;
-    from_.reset();
     emit changed();
 }
 
@@ -46,21 +35,9 @@ void RegionBox::release(const ViewPointer& pointer) {
     const QRectF box = dragged(pointer.image);
     stopDrawing();
     if (box.width() < kLeastSide || box.height() < kLeastSide)
-        emit notDrawn();
+        reportNothing();
     else
         emit drawn(pointer.image.inFractions(box));
-}
-
-bool RegionBox::cancel() {
-    if (!drawing_)
-        return false;
-    stopDrawing();
-    emit notDrawn();
-    return true;
-}
-
-std::optional<Qt::CursorShape> RegionBox::cursor() const {
-    return drawing_ ? std::optional(Qt::CrossCursor) : std::nullopt;
 }
 
 /// Returns the box that the drag has drawn so far, clipped to the image [px].

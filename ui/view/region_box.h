@@ -4,13 +4,13 @@
 #include <QRectF>
 #include <optional>
 
-#include "ui/view/view_tool.h"
+#include "ui/view/drawing_tool.h"
 
 namespace pdr::ui {
 
 class Viewport;
 
-class RegionBox : public ViewTool {
+class RegionBox : public DrawingTool {
     Q_OBJECT
 
   public:
@@ -19,18 +19,10 @@ class RegionBox : public ViewTool {
 
     /// Sets the box in fractions of the image's width and height. None: there is no box.
     void setBox(const std::optional<QRectF>& box);
-    /// Makes the next drag draw a box; until then the mouse does nothing else.
-    void startDrawing();
-    void stopDrawing();
-    bool isDrawing() const { return drawing_; }
 
-    bool takes(const ViewPointer&) const override { return drawing_; }
     void press(const ViewPointer& pointer) override;
     void move(const ViewPointer& pointer) override;
     void release(const ViewPointer& pointer) override;
-    bool hover(const ViewPointer&) override { return drawing_; }
-    bool cancel() override;
-    std::optional<Qt::CursorShape> cursor() const override;
     void paint(QPainter& painter, const ImagePlace& image) const override;
 
   signals:
@@ -41,9 +33,10 @@ class RegionBox : public ViewTool {
     void notDrawn();
 
   private:
+    void discard() override { from_.reset(); }
+    void reportNothing() override { emit notDrawn(); }
     QRectF dragged(const ImagePlace& image) const;
 
-    bool drawing_ = false;
     std::optional<QRectF> box_;
     std::optional<QPointF> from_;  ///< where the drag began [px]; none: no drag
     QPointF to_;                   ///< [px]
