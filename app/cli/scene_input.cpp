@@ -113,10 +113,11 @@ void nameLook(Scene& scene, const NamedLook& look) {
 Result<void> hide(LoadedScene& work, const SceneInput& input, const segment::BodyParts& parts,
                   const Progress& progress) {
     Visible& visible = work.scene.visible;
-    visible.part = input.part.value_or(visible.part);
+    if (input.parts)
+        visible = {input.parts->shown, input.parts->hidden, visible.peelMm};
     visible.peelMm = input.peelMm.value_or(visible.peelMm);
     const auto mask = visibleMask(parts, visible, parts.volume().geometry(), progress);
-    if (!mask && (input.part || input.peelMm || mask.error().kind != ErrorKind::refused))
+    if (!mask && (input.parts || input.peelMm || mask.error().kind != ErrorKind::refused))
         return mask.error();
     if (!mask) {
         visible = {};

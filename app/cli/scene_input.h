@@ -27,7 +27,7 @@ struct SceneInput {
     std::optional<StandardView> view;  ///< absent: firstView() for a folder, the file's own camera for a scene
     std::optional<ivec2> size;         ///< absent: 1024 x 1024 for a folder, the file's own film for a scene
     std::optional<Table> table;        ///< absent: hidden for a folder, as the file says for a scene
-    std::optional<BodyPart> part;      ///< absent: as the look or the scene file says
+    std::optional<Visible> parts;      ///< shown and hidden parts; absent: as the look or the scene file says
     std::optional<double> peelMm;      ///< absent: as the look or the scene file says
     std::optional<double> exposure;
     bool autoExposure = false;  ///< true: set from the tissue of a small image, as in the window

@@ -1,6 +1,7 @@
 #include "app/cli/scene_options.h"
 
 #include <QRegularExpression>
+#include <algorithm>
 
 #include "app/command_line/option_reader.h"
 #include "app/looks/look_files.h"
@@ -64,14 +65,23 @@ std::optional<Table> readTable(const Reader& reader) {
     return *text == "hidden" ? Table::hidden : Table::shown;
 }
 
-std::optional<BodyPart> readPart(const Reader& reader) {
-    const auto text = reader.text("show");
-    if (!text)
+segment::Labels readLabels(const Reader& reader, const char* option, const QString& none) {
+    const QString text = reader.text(option).value_or(none).toLower();
+    segment::Labels labels;
+    for (const QString& label : text == none ? QStringList() : text.split(','))
+        labels.insert(label.trimmed().toStdString());
+    for (const std::string& label : labels)
+        if (std::ranges::find(segment::kFoundLabels, label) == std::end(segment::kFoundLabels))
+            usageError(QString("--") + option,
+                       "must be " + none.toStdString() + ", bones, lungs, or both with a comma in between");
+    return labels;
+}
+
+/// Reads the shown and hidden parts; none: neither option is given.
+std::optional<Visible> readParts(const Reader& reader) {
+    if (!reader.text("show") && !reader.text("hide"))
         return std::nullopt;
-    for (const BodyPart part : kBodyParts)
-        if (text->compare(QLatin1String(bodyPartName(part)), Qt::CaseInsensitive) == 0)
-            return part;
-    usageError("--show", "must be everything, lungs, bones or withoutBones");
+    return Visible{readLabels(reader, "show", "everything"), readLabels(reader, "hide", "nothing")};
 }
 
 std::optional<StandardView> readView(const Reader& reader) {
@@ -134,9 +144,11 @@ void describeSceneOptions(QCommandLineParser& parser) {
          "hidden or shown: the scanner's table, head holder, clothes. Default: hidden, or what the scene file says.",
          "WORD"},
         {"show",
-         "The part of the patient: everything, lungs, bones or withoutBones. Default: what the look or the scene file "
-         "says.",
-         "PART"},
+         "The parts of the patient that alone are shown: bones, lungs, \"bones,lungs\", or everything. Default: what "
+         "the look or the scene file says, unless --hide is given.",
+         "PARTS"},
+        {"hide", "The parts that are left out: bones, lungs, \"bones,lungs\", or nothing. Default: as for --show.",
+         "PARTS"},
         {"peel", "Take so much off all around the body, such as skin; up to 50.", "MM"},
         {"size", "Pixels; default 1024x1024, or what the scene file says.", "WxH"},
         {"exposure",
@@ -179,7 +191,7 @@ SceneInput readSceneOptions(const QCommandLineParser& parser, const QString& com
     scene.size = readSize(reader);
     scene.view = readView(reader);
     scene.table = readTable(reader);
-    scene.part = readPart(reader);
+    scene.parts = readParts(reader);
     scene.peelMm = reader.number("peel", {0, 50});
     scene.autoExposure = reader.text("exposure") == "auto";
     if (!scene.autoExposure)

@@ -9,6 +9,7 @@
 ///     visit(field, value)            a number, a flag, a text, a colour, a place, or a few numbers of another kind
 ///     visit.direction(field, value)  three numbers of which only the direction matters
 ///     visit.word(field, value, words)
+///     visit.labels(field, value)     a set of labels (segment/labels.h)
 ///     visit.object(field, value)     another described struct; std::optional: it may be absent
 ///     visit.list(field, values)      a std::vector of described structs
 ///     Visit::kReads                  whether it sets values

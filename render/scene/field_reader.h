@@ -2,6 +2,8 @@
 /// Reads described structs (field.h) from JSON objects. Fields that are absent and not required keep their value.
 
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "render/scene/field.h"
@@ -34,6 +36,7 @@ class FieldReader {
         if (field.required || fields_.has(field.name))
             fields_.required(field.name, value, words);
     }
+    void labels(const Field& field, std::set<std::string, std::less<>>& value) { (*this)(field, value); }
     template <class T>
     void object(const Field& field, T& value) {
         if (field.required || fields_.has(field.name))

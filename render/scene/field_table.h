@@ -2,6 +2,7 @@
 /// Makes the manual's table of a described struct (field.h), in Markdown.
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,9 @@ class FieldTable {
                 mine = "`" + std::string(word) + "`";
         }
         row(field, all, mine);
+    }
+    void labels(const Field& field, const std::set<std::string, std::less<>>&) {
+        row(field, "a list of `bones`, `lungs`", "`[]`");
     }
     template <class T>
     void object(const Field& field, T&) {

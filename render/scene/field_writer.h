@@ -5,6 +5,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,11 @@ class FieldWriter {
         for (const auto& [word, meaning] : words)
             if (meaning == value)
                 object_[std::string(field.name)] = std::string(word);
+    }
+    /// Writes the labels; an empty set counts as absent.
+    void labels(const Field& field, const std::set<std::string, std::less<>>& value) {
+        if (!value.empty())
+            object_[std::string(field.name)] = value;
     }
     template <class T>
     void object(const Field& field, T& value) {

@@ -179,6 +179,19 @@ void JsonFields::required(std::string_view name, std::pair<int, int>& value) {
     value = {int(read[0]), int(read[1])};
 }
 
+void JsonFields::required(std::string_view name, std::set<std::string, std::less<>>& value) {
+    const json& found = field(name);
+    const Text shape = phrase("must be a list of different texts in quotes");
+    if (!found.is_array())
+        fail(name, shape);
+    std::set<std::string, std::less<>> read;
+    for (const json& element : found)
+        if (!element.is_string() || element.get_ref<const std::string&>().empty() ||
+            !read.insert(element.get<std::string>()).second)
+            fail(name, shape);
+    value = std::move(read);
+}
+
 std::vector<double> JsonFields::numbers(std::string_view name, std::size_t count, const Text& shape) {
     const json& found = field(name);
     if (!found.is_array() || found.size() != count)

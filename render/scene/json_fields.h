@@ -45,6 +45,7 @@ class JsonFields {
     void required(std::string_view name, dvec3& value);  ///< a place or a direction: [x, y, z]
     void required(std::string_view name, vec3& value);   ///< a colour: [r, g, b], or one number for all three
     void required(std::string_view name, std::pair<int, int>& value);
+    void required(std::string_view name, std::set<std::string, std::less<>>& value);  ///< a list of different texts
 
     /// Reads a field that holds one of a few words.
     template <class T, std::size_t N>

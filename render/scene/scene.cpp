@@ -57,10 +57,6 @@ const char* filteringName(Filtering filtering) {
     return wordFor(filtering, kFilteringWords);
 }
 
-const char* bodyPartName(BodyPart part) {
-    return wordFor(part, kBodyPartWords);
-}
-
 Result<void> check(const HuWindow& window) {
     if (auto ok = FieldCheck::check(window, "window"); !ok)
         return ok;

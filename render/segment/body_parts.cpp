@@ -10,6 +10,7 @@
 #include "render/segment/bone_cells.h"
 #include "render/segment/distance.h"
 #include "render/segment/for_each_slice.h"
+#include "render/segment/labels.h"
 #include "render/segment/lung_cells.h"
 
 namespace pdr::segment {
@@ -186,21 +187,36 @@ PartMask BodyParts::peeled(double depthMm, const VolumeGeometry& on, const Progr
                   progress, [&](double mm) { return edgeWeight(mm - depthMm); });
 }
 
-PartMask BodyParts::lungs(const VolumeGeometry& on, const Progress& progress) const {
-    return maskOn(on, inLungs(partOf(progress, 0, 0.8)),
-                  phrase("Only the lungs are shown; %1 mm at the pleura are missing.", numberOf(kPleuraMm)), progress,
-                  [](double mm) { return edgeWeight(mm - kVesselMm - kPleuraMm); });
+PartMask BodyParts::lungs(Use use, const VolumeGeometry& on, const Progress& progress) const {
+    const Distance distance = inLungs(partOf(progress, 0, 0.8));
+    if (use == Use::shown)
+        return maskOn(on, distance,
+                      phrase("Only the lungs are shown; %1 mm at the pleura are missing.", numberOf(kPleuraMm)),
+                      progress, [](double mm) { return edgeWeight(mm - kVesselMm - kPleuraMm); });
+    return maskOn(on, distance, phrase("The lungs are not shown; %1 mm at the pleura remain.", numberOf(kPleuraMm)),
+                  progress, [](double mm) { return edgeWeight(kVesselMm + kPleuraMm - mm); });
 }
 
-PartMask BodyParts::bones(Bones wanted, const VolumeGeometry& on, const Progress& progress) const {
+PartMask BodyParts::bones(Use use, const VolumeGeometry& on, const Progress& progress) const {
     const Distance distance = fromBones(partOf(progress, 0, 0.8));
-    if (wanted == Bones::shown)
+    if (use == Use::shown)
         return maskOn(on, distance, phrase("Only bones are shown, as far as they hold dense bone."), progress,
                       [](double mm) { return edgeWeight(kAroundBoneMm - mm); });
     return maskOn(on, distance,
                   phrase("Bones are not shown, nor is what lies within 2 mm of them; dense vessels may be missing with "
                          "them."),
                   progress, [](double mm) { return edgeWeight(mm - kAroundBoneMm); });
+}
+
+PartMask BodyParts::labelled(std::string_view label, Use use, const VolumeGeometry& on,
+                             const Progress& progress) const {
+    if (label == kBones)
+        return bones(use, on, progress);
+    if (label == kLungs)
+        return lungs(use, on, progress);
+    return Error{phrase("this scan has no part called \"%1\"", std::string(label)), "",
+                 phrase("Known parts: %1.", listed(Labels(std::begin(kFoundLabels), std::end(kFoundLabels)))),
+                 ErrorKind::refused};
 }
 
 }  // namespace pdr::segment

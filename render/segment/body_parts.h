@@ -10,6 +10,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "render/base/progress.h"
@@ -23,8 +24,8 @@ namespace pdr::segment {
 
 using PartMask = Result<std::shared_ptr<const Mask>>;
 
-/// Whether the bones are shown, or all but the bones.
-enum class Bones { shown, hidden };
+/// Whether a part is shown alone, or all but that part.
+enum class Use { shown, hidden };
 
 /// A result that is computed once, unless that is refused or cancelled; threads take turns.
 template <typename T>
@@ -44,8 +45,10 @@ class BodyParts {
     /// The masks of the parts. `on`: the voxels that the mask is for: the volume's own, or other ones in the same
     /// patient. `depthMm`: [0, 50].
     PartMask peeled(double depthMm, const VolumeGeometry& on, const Progress& progress) const;
-    PartMask lungs(const VolumeGeometry& on, const Progress& progress) const;
-    PartMask bones(Bones wanted, const VolumeGeometry& on, const Progress& progress) const;
+    PartMask lungs(Use use, const VolumeGeometry& on, const Progress& progress) const;
+    PartMask bones(Use use, const VolumeGeometry& on, const Progress& progress) const;
+    /// Returns the mask of the part with that label (labels.h); an error of kind refused if there is no such part.
+    PartMask labelled(std::string_view label, Use use, const VolumeGeometry& on, const Progress& progress) const;
 
     /// Frees most of the memory of the results, for when many parts have been requested and few will be soon. The next
     /// ones take a little longer then.

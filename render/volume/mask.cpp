@@ -53,6 +53,12 @@ double Mask::at(dvec3 place) const {
     return sum / kSeen;
 }
 
+/// Returns the grid that is, along each axis, the finer of the two masks' grids.
+static MaskGrid finerGrid(const Mask& a, const Mask& b) {
+    assert(a.grid().voxels == b.grid().voxels);
+    return {a.grid().voxels, glm::min(a.grid().shift, b.grid().shift)};
+}
+
 std::shared_ptr<const Mask> maskOf(const MaskGrid& grid, Text hidden,
                                    const std::function<std::int16_t(dvec3 place)>& weightAt) {
     const ivec3 size = grid.size();
@@ -69,10 +75,13 @@ std::shared_ptr<const Mask> maskOf(const MaskGrid& grid, Text hidden,
 std::shared_ptr<const Mask> combined(const std::shared_ptr<const Mask>& a, const std::shared_ptr<const Mask>& b) {
     if (!a || !b)
         return a ? a : b;
-    assert(a->grid().voxels == b->grid().voxels);
-    const MaskGrid grid{a->grid().voxels, glm::min(a->grid().shift, b->grid().shift)};
-    return maskOf(grid, joined(a->hidden(), b->hidden()),
+    return maskOf(finerGrid(*a, *b), joined(a->hidden(), b->hidden()),
                   [&](dvec3 place) { return std::int16_t(std::lround(kSeen * a->at(place) * b->at(place))); });
+}
+
+std::shared_ptr<const Mask> united(const Mask& a, const Mask& b, Text hidden) {
+    return maskOf(finerGrid(a, b), std::move(hidden),
+                  [&](dvec3 place) { return std::int16_t(std::lround(kSeen * std::max(a.at(place), b.at(place)))); });
 }
 
 }  // namespace pdr

@@ -73,4 +73,8 @@ std::shared_ptr<const Mask> maskOf(const MaskGrid& grid, Text hidden,
 /// axis. Null stands for "everything is visible". Both must belong to volumes of one size.
 std::shared_ptr<const Mask> combined(const std::shared_ptr<const Mask>& a, const std::shared_ptr<const Mask>& b);
 
+/// Returns the mask of what either mask shows: the larger of their weights, on the finer grid of the two along each
+/// axis. Neither may be null, and both must belong to volumes of one size. `hidden`: see Mask::hidden().
+std::shared_ptr<const Mask> united(const Mask& a, const Mask& b, Text hidden);
+
 }  // namespace pdr

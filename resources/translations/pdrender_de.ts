@@ -110,6 +110,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 MB</translation>
     </message>
     <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
         <source>%1 and %2 are %3 mm apart, the others %4 mm</source>
         <translation>%1 und %2 liegen %3 mm auseinander, die anderen %4 mm</translation>
     </message>
@@ -814,8 +818,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Fügt eine Fläche wie die gewählte hinzu, als eigene Lampe</translation>
     </message>
     <message>
-        <source>All but bones</source>
-        <translation>Alles außer Knochen</translation>
+        <source>All but %1</source>
+        <translation>Alles außer %1</translation>
     </message>
     <message>
         <source>All is sharp. A lens blurs what lies before and behind its focus.</source>
@@ -1914,6 +1918,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Hier bekannt: %1.</translation>
     </message>
     <message>
+        <source>Known parts: %1.</source>
+        <translation>Bekannte Teile: %1.</translation>
+    </message>
+    <message>
         <source>Lamp</source>
         <translation>Lampe</translation>
     </message>
@@ -2260,6 +2268,18 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>One large panel: soft shadows</source>
         <translation>Eine große Fläche: weiche Schatten</translation>
+    </message>
+    <message>
+        <source>Only %1</source>
+        <translation>Nur %1</translation>
+    </message>
+    <message>
+        <source>Only %1 are shown.</source>
+        <translation>Nur %1 werden gezeigt.</translation>
+    </message>
+    <message>
+        <source>Only %1 without %2</source>
+        <translation>Nur %1 ohne %2</translation>
     </message>
     <message>
         <source>Only bones are shown, as far as they hold dense bone.</source>
@@ -3102,6 +3122,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Die letzte ist cuda:%1.</translation>
     </message>
     <message>
+        <source>The lungs are not shown; %1 mm at the pleura remain.</source>
+        <translation>Die Lungen werden nicht gezeigt; %1 mm an der Pleura bleiben stehen.</translation>
+    </message>
+    <message>
         <source>The outermost 5 mm and fat are not shown. The brain lies behind the skull.</source>
         <translation>Die äußersten 5 mm und Fett sind nicht zu sehen. Das Gehirn liegt hinter dem Schädel.</translation>
     </message>
@@ -3765,6 +3789,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     </message>
     <message>
         <source>bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>bones</source>
         <translation>Knochen</translation>
     </message>
     <message>
@@ -4440,6 +4468,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>muss eine Liste von 1 bis 64 Leuchtflächen sein</translation>
     </message>
     <message>
+        <source>must be a list of different texts in quotes</source>
+        <translation>muss eine Liste verschiedener Texte in Anführungszeichen sein</translation>
+    </message>
+    <message>
         <source>must be a number</source>
         <translation>muss eine Zahl sein</translation>
     </message>
@@ -5072,6 +5104,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>der Verweis führt ins Leere</translation>
     </message>
     <message>
+        <source>the lungs</source>
+        <translation>die Lungen</translation>
+    </message>
+    <message>
         <source>the lungs cannot be shown</source>
         <translation>die Lungen können nicht gezeigt werden</translation>
     </message>
@@ -5434,6 +5470,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>this render node is named already</source>
         <translation>dieser Render-Rechner ist schon genannt</translation>
+    </message>
+    <message>
+        <source>this scan has no part called "%1"</source>
+        <translation>diese Aufnahme hat keinen Teil namens „%1“</translation>
     </message>
     <message>
         <source>this scene cannot be sent to render nodes: they would read another one</source>

@@ -110,6 +110,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 MB</translation>
     </message>
     <message>
+        <source>%1 and %2</source>
+        <translation>%1 y %2</translation>
+    </message>
+    <message>
         <source>%1 and %2 are %3 mm apart, the others %4 mm</source>
         <translation>%1 y %2 están a %3 mm, los demás a %4 mm</translation>
     </message>
@@ -814,8 +818,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Añade un panel como el elegido, como lámpara propia</translation>
     </message>
     <message>
-        <source>All but bones</source>
-        <translation>Todo menos los huesos</translation>
+        <source>All but %1</source>
+        <translation>Todo menos %1</translation>
     </message>
     <message>
         <source>All is sharp. A lens blurs what lies before and behind its focus.</source>
@@ -1914,6 +1918,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Conocidos aquí: %1.</translation>
     </message>
     <message>
+        <source>Known parts: %1.</source>
+        <translation>Partes conocidas: %1.</translation>
+    </message>
+    <message>
         <source>Lamp</source>
         <translation>Lámpara</translation>
     </message>
@@ -2260,6 +2268,18 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>One large panel: soft shadows</source>
         <translation>Un panel grande: sombras suaves</translation>
+    </message>
+    <message>
+        <source>Only %1</source>
+        <translation>Solo %1</translation>
+    </message>
+    <message>
+        <source>Only %1 are shown.</source>
+        <translation>Solo se muestran %1.</translation>
+    </message>
+    <message>
+        <source>Only %1 without %2</source>
+        <translation>Solo %1 sin %2</translation>
     </message>
     <message>
         <source>Only bones are shown, as far as they hold dense bone.</source>
@@ -3102,6 +3122,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>La última es cuda:%1.</translation>
     </message>
     <message>
+        <source>The lungs are not shown; %1 mm at the pleura remain.</source>
+        <translation>No se muestran los pulmones; quedan %1 mm junto a la pleura.</translation>
+    </message>
+    <message>
         <source>The outermost 5 mm and fat are not shown. The brain lies behind the skull.</source>
         <translation>No se ven los 5 mm exteriores ni la grasa. El cerebro queda detrás del cráneo.</translation>
     </message>
@@ -3766,6 +3790,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>bone</source>
         <translation>hueso</translation>
+    </message>
+    <message>
+        <source>bones</source>
+        <translation>huesos</translation>
     </message>
     <message>
         <source>bones cannot be told from the rest</source>
@@ -4440,6 +4468,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>debe ser una lista de 1 a 64 paneles</translation>
     </message>
     <message>
+        <source>must be a list of different texts in quotes</source>
+        <translation>debe ser una lista de textos distintos entre comillas</translation>
+    </message>
+    <message>
         <source>must be a number</source>
         <translation>debe ser un número</translation>
     </message>
@@ -5072,6 +5104,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el enlace no lleva a ninguna parte</translation>
     </message>
     <message>
+        <source>the lungs</source>
+        <translation>los pulmones</translation>
+    </message>
+    <message>
         <source>the lungs cannot be shown</source>
         <translation>no se pueden mostrar los pulmones</translation>
     </message>
@@ -5434,6 +5470,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>this render node is named already</source>
         <translation>este equipo de render ya está nombrado</translation>
+    </message>
+    <message>
+        <source>this scan has no part called "%1"</source>
+        <translation>este estudio no tiene ninguna parte llamada «%1»</translation>
     </message>
     <message>
         <source>this scene cannot be sent to render nodes: they would read another one</source>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,14 @@ class RandomFields {
     template <class T, std::size_t N>
     void word(const Field&, T& value, const Words<T, N>& words) {
         value = words[random_() % N].second;
+    }
+    void labels(const Field& field, std::set<std::string, std::less<>>& value) {
+        value.clear();
+        for (unsigned i = random_() % 3; i > 0; --i) {
+            std::string label;
+            (*this)(field, label);
+            value.insert(label);
+        }
     }
     template <class T>
     void object(const Field&, T& value) {

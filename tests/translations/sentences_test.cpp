@@ -129,10 +129,10 @@ void addParts(std::vector<Text>& texts) {
             return i % 23 && j % 23 && k % 23 ? hu + (i + j + k) % 2 : -1000;
         });
         const segment::BodyParts parts(volume);
-        for (const segment::PartMask& mask :
-             {parts.peeled(7.5, volume->geometry(), noProgress), parts.lungs(volume->geometry(), noProgress),
-              parts.bones(segment::Bones::shown, volume->geometry(), noProgress),
-              parts.bones(segment::Bones::hidden, volume->geometry(), noProgress)})
+        for (const segment::PartMask& mask : {parts.peeled(7.5, volume->geometry(), noProgress),
+                                              parts.lungs(segment::Use::shown, volume->geometry(), noProgress),
+                                              parts.bones(segment::Use::shown, volume->geometry(), noProgress),
+                                              parts.bones(segment::Use::hidden, volume->geometry(), noProgress)})
             texts.push_back(mask ? (*mask)->hidden() : mask.error().text());
     }
 }
@@ -303,7 +303,7 @@ class SentencesTest : public QObject {
         QVERIFY(scan && dicom::loadSeries(scan->series.at(0), dicom::Padding::maskAsAir, listening));
         const auto volume = test::makeVolume({24, 24, 24}, dvec3(2), [](int, int, int) { return 40; });
         QVERIFY(bool(segment::hideTable(*volume, listening)));
-        (void)segment::BodyParts(volume).lungs(volume->geometry(), listening);
+        (void)segment::BodyParts(volume).lungs(segment::Use::shown, volume->geometry(), listening);
         QVERIFY(steps.size() >= 6);
         ui::speak(*qApp, language);
         for (const std::string& step : steps)

@@ -2,14 +2,18 @@
 
 #include <QFormLayout>
 #include <QSignalBlocker>
+#include <algorithm>
+
+#include "ui/text/room_text.h"
 
 namespace pdr::ui {
-
 VisibleRow::VisibleRow(QWidget* parent) : QWidget(parent) {
-    part_.addItem(tr("Everything"), int(BodyPart::everything));
-    part_.addItem(tr("Lungs"), int(BodyPart::lungs));
-    part_.addItem(tr("Bones"), int(BodyPart::bones));
-    part_.addItem(tr("All but bones"), int(BodyPart::withoutBones));
+    const std::string bones(segment::kBones), lungs(segment::kLungs);
+    for (const Visible& parts : {Visible{}, Visible{{lungs}}, Visible{{bones}}, Visible{{bones, lungs}},
+                                 Visible{{}, {bones}}, Visible{{}, {lungs}}})
+        indexOf(parts);
+    part_.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // long choices widen the list only
+    part_.setMinimumContentsLength(8);
     part_.setAccessibleName(tr("Part that is shown"));
     part_.setToolTip(tr("The part of the patient that is shown; the scan itself is not changed"));
     connect(&part_, &QComboBox::activated, this, &VisibleRow::choose);
@@ -39,7 +43,7 @@ VisibleRow::VisibleRow(QWidget* parent) : QWidget(parent) {
 
 void VisibleRow::setChoice(const Visible& visible) {
     const QSignalBlocker noPart(part_), noPeel(peel_);
-    part_.setCurrentIndex(part_.findData(int(visible.part)));
+    part_.setCurrentIndex(indexOf({visible.shown, visible.hidden}));
     peel_.setValue(visible.peelMm);
 }
 
@@ -48,7 +52,30 @@ void VisibleRow::setNotShown(const QString& sentences) {
 }
 
 void VisibleRow::choose() {
-    emit chosen({BodyPart(part_.currentData().toInt()), peel_.value()});
+    Visible visible = choices_[std::size_t(part_.currentIndex())];
+    visible.peelMm = peel_.value();
+    emit chosen(visible);
+}
+
+QString VisibleRow::choiceText(const Visible& parts) {
+    if (parts.all())
+        return tr("Everything");
+    if (parts.shown.empty())
+        return tr("All but %1").arg(inWords(segment::partNames(parts.hidden)));
+    if (parts.hidden.empty())
+        return tr("Only %1").arg(inWords(segment::partNames(parts.shown)));
+    return tr("Only %1 without %2")
+        .arg(inWords(segment::partNames(parts.shown)), inWords(segment::partNames(parts.hidden)));
+}
+
+int VisibleRow::indexOf(const Visible& parts) {
+    const auto known = std::ranges::find(choices_, parts);
+    const int index = int(known - choices_.begin());
+    if (known == choices_.end()) {
+        choices_.push_back(parts);
+        part_.addItem(choiceText(parts));
+    }
+    return index;
 }
 
 }  // namespace pdr::ui

@@ -20,8 +20,8 @@
 namespace pdr::app {
 namespace {
 
-constexpr Visible kLungs{BodyPart::lungs, 0};
-constexpr Visible kPeeled{BodyPart::everything, 7};
+const Visible kLungs{{"lungs"}};
+const Visible kPeeled{{}, {}, 7};
 
 /// A document, and what it wanted masks of.
 struct Wanting : Told {
@@ -172,7 +172,7 @@ class VisibleTest : public QObject {
         Trial trial;
         trial.openAndWait(series_);
         auto* part = test::the<ui::VisibleRow>(trial.desktop.window()).findChild<QComboBox*>();
-        part->setCurrentIndex(part->findText("Lungs"));
+        part->setCurrentIndex(part->findText("Only the lungs"));
         emit part->activated(part->currentIndex());
         QTRY_VERIFY_WITH_TIMEOUT(trial.desktop.window().message().text().contains("150 ml"), test::kPatience);
         const Document& document = trial.desktop.document();
@@ -194,7 +194,8 @@ class VisibleTest : public QObject {
         QCOMPARE(run({}).code, 0);
         QVERIFY(QImage(file).text("pdrender/notShown").isEmpty());
         QVERIFY(run({"--show", "lungs"}).err.contains("150 ml"));
-        QVERIFY(run({"--show", "liver"}).err.contains("withoutBones"));
+        QVERIFY(run({"--show", "liver"}).err.contains("bones, lungs"));
+        QVERIFY(run({"--hide", "lungs"}).err.contains("150 ml"));
         QVERIFY(run({"--peel", "51"}).code != 0);
     }
 

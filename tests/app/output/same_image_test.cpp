@@ -62,7 +62,7 @@ void TestSameImage::theWindowsImageIsThatOfTheCommandLine() {
         if (document.looks()[i].name == look.toStdString())
             document.chooseLook(i);
     if (options.contains("--show"))
-        document.setVisible({BodyPart::bones, 0});
+        document.setVisible({{"bones"}});
     document.setSmoothed(denoised);
     QTRY_VERIFY_WITH_TIMEOUT(!document.scene().maskAwaited, test::kPatience);
     document.setNextFilm({150, 120});

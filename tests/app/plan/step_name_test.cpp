@@ -140,7 +140,7 @@ void TestStepName::namesThatBeginAlikeAreTwoLooks() {
     QCOMPARE(undoText(alone, bone), Text("Undo choosing a look"));
     Plan changed = bone;
     changed.picture.lookChanged = true;
-    changed.picture.look.visible.part = BodyPart::bones;
+    changed.picture.look.visible.shown = {"bones"};
     QCOMPARE(undoText(bone, changed), Text("Undo choosing the visible part"));
 }
 

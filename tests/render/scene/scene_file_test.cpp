@@ -22,6 +22,7 @@ static const char* kFull = R"({
   "estimator": "kroesMarch",
   "filtering": "fast",
   "window": { "lowHu": -50, "highHu": 350 },
+  "visible": { "shown": ["lungs", "bones"], "hidden": ["liver"], "peelMm": 5 },
   "toleranceLevels": 0.5,
   "phase": { "g": 0.3 },
   "surface": { "gradientFactor": 6 },
@@ -91,6 +92,7 @@ class SceneFileTest : public QObject {
         QVERIFY((scene.transferFunction.nodes[1] ==
                  TransferNode{100, 0.5f, {0.1f, 0.2f, 0.3f}, vec3(4), vec3(0.25f), 0.75f}));
         QVERIFY((scene.window == HuWindow{-50, 350}));
+        QVERIFY((scene.visible == Visible{{"bones", "lungs"}, {"liver"}, 5}));
         QVERIFY(scene.estimator == Estimator::kroesMarch);
         QVERIFY(scene.filtering == Filtering::fast);
         QCOMPARE(scene.toleranceLevels, 0.5f);
@@ -172,6 +174,10 @@ class SceneFileTest : public QObject {
         row("model", "emission", "estimator");
         row("estimator", "quick", "estimator");
         row("filtering", "nearest", "filtering");
+        row("visible.shown", "lungs", "visible.shown");
+        row("visible.shown", QJsonArray{"lungs", "lungs"}, "visible.shown");
+        row("visible.hidden", QJsonArray{"bones", 1}, "visible.hidden");
+        row("visible.hidden", QJsonArray{""}, "visible.hidden");
         row("filtering", true, "filtering");
         row("window.lowHu", removed, "window.lowHu");
         row("window.lowHu", 350, "window.highHu");
@@ -264,7 +270,7 @@ class SceneFileTest : public QObject {
         QVERIFY(!refused(QByteArray("[]").repeated(100), "deeper than"));
     }
 
-    void aPictureOfTheSurroundingsKnowsItsField() {
+    void anImageOfTheSurroundingsKnowsItsField() {
         const auto file =
             read(QByteArray(kFull).replace("\"radiance\": [0.1, 0.2, 0.3], \"nadir\": 7", "\"image\": \"sky.exr\""));
         QVERIFY2(bool(file), file ? "" : file.error().text().c_str());

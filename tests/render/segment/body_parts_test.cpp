@@ -109,7 +109,7 @@ class BodyPartsTest : public QObject {
                 return kTissueHu;
             return lung(p) ? -850 : gas(p) ? -1000 : trunkHu(p);
         });
-        const auto mask = partsOf(volume).lungs(volume->geometry(), noProgress);
+        const auto mask = partsOf(volume).lungs(segment::Use::shown, volume->geometry(), noProgress);
         QVERIFY2(mask, mask ? "" : mask.error().text().c_str());
         QCOMPARE(at(**mask, {-28, 0, 0}), 1.0);    // a vessel
         QCOMPARE(at(**mask, {-28, 15, 10}), 1.0);  // beside it
@@ -126,8 +126,8 @@ class BodyPartsTest : public QObject {
                 return bone(p, inBall(p, {-25, 0, 0}, 9) ? 300 : 900);  // marrow in its cortex
             return inTube(p, {25, 0}, 12) ? 420 : trunkHu(p);           // an aorta
         });
-        const auto shown = partsOf(volume).bones(segment::Bones::shown, volume->geometry(), noProgress);
-        const auto hidden = partsOf(volume).bones(segment::Bones::hidden, volume->geometry(), noProgress);
+        const auto shown = partsOf(volume).bones(segment::Use::shown, volume->geometry(), noProgress);
+        const auto hidden = partsOf(volume).bones(segment::Use::hidden, volume->geometry(), noProgress);
         QVERIFY(shown && hidden);
         for (const auto& [place, bone] : {std::pair(dvec3(-25, 0, 0), 1.0), std::pair(dvec3(-25, 0, 12), 1.0),
                                           std::pair(dvec3(25, 0, 0), 0.0), std::pair(dvec3(0, 30, 10), 0.0)}) {
@@ -142,7 +142,7 @@ class BodyPartsTest : public QObject {
         const auto volume = patient([](dvec3 p) {
             return inBall(p, {-25, 0, 0}, 14) ? bone(p, 800) : inTube(p, {25, 0}, 9) ? 800 : trunkHu(p);
         });
-        const auto hidden = partsOf(volume).bones(segment::Bones::hidden, volume->geometry(), noProgress);
+        const auto hidden = partsOf(volume).bones(segment::Use::hidden, volume->geometry(), noProgress);
         QVERIFY(hidden);
         QCOMPARE(at(**hidden, {25, 0, 0}), 1.0);
         QCOMPARE(at(**hidden, {25, 8, 0}), 1.0);
@@ -158,7 +158,7 @@ class BodyPartsTest : public QObject {
                 return bone(p, 1000);
             return inTube(p, {25, 0}, 12) ? 420 : trunkHu(p);
         });
-        const auto hidden = partsOf(volume).bones(segment::Bones::hidden, volume->geometry(), noProgress);
+        const auto hidden = partsOf(volume).bones(segment::Use::hidden, volume->geometry(), noProgress);
         QVERIFY(hidden);
         QCOMPARE(at(**hidden, {25, 12, 0}), 1.0);
         QCOMPARE(at(**hidden, {-25, 0, 0}), 0.0);
@@ -166,8 +166,9 @@ class BodyPartsTest : public QObject {
 
     void whatIsNotThereIsRefusedWithAReason() {
         const auto volume = patient(trunkHu);
-        QVERIFY(refusal(partsOf(volume).lungs(volume->geometry(), noProgress)).find("150 ml") != std::string::npos);
-        QVERIFY(refusal(partsOf(volume).bones(segment::Bones::shown, volume->geometry(), noProgress)).find("dense") !=
+        QVERIFY(refusal(partsOf(volume).lungs(segment::Use::shown, volume->geometry(), noProgress)).find("150 ml") !=
+                std::string::npos);
+        QVERIFY(refusal(partsOf(volume).bones(segment::Use::shown, volume->geometry(), noProgress)).find("dense") !=
                 std::string::npos);
         const auto thin = patient([](dvec3 p) { return std::abs(p.y) < 5 ? kTissueHu : kAirHu; });
         QVERIFY(refusal(partsOf(thin).peeled(5, thin->geometry(), noProgress)).find("20 mm") != std::string::npos);
@@ -176,13 +177,45 @@ class BodyPartsTest : public QObject {
     void aChoiceMakesTheMaskOfBoth() {
         const auto volume = patient([](dvec3 p) { return inBall(p, {-25, 0, 0}, 30) ? bone(p, 900) : trunkHu(p); });
         QCOMPARE(*visibleMask(partsOf(volume), {}, volume->geometry(), noProgress), nullptr);
-        const auto both = visibleMask(partsOf(volume), {BodyPart::bones, 15}, volume->geometry(), noProgress);
+        const auto both = visibleMask(partsOf(volume), Visible{{"bones"}, {}, 15}, volume->geometry(), noProgress);
         QVERIFY(both);
         QCOMPARE(at(**both, {-25, 0, 0}), 1.0);
         QCOMPARE(at(**both, {-25, 28, 0}), 0.0);  // bone that is peeled off
         QCOMPARE(at(**both, {20, 0, 0}), 0.0);    // deep, but no bone
         const std::string& text = (*both)->hidden();
         QVERIFY(text.find("Only bones") != std::string::npos && text.find("Peeled 15 mm") != std::string::npos);
+    }
+
+    void severalPartsAreShownTogetherOrLeftOut() {
+        const auto volume = patient([](dvec3 p) {
+            const bool lung = inTube(p, {-28, 0}, 24) && std::abs(p.z) < 50;
+            return inBall(p, {20, 0, 0}, 12) ? bone(p, 900) : lung ? -850 : trunkHu(p);
+        });
+        const segment::BodyParts parts = partsOf(volume);
+        const VolumeGeometry& own = volume->geometry();
+        const auto bones = parts.bones(segment::Use::shown, own, noProgress),
+                   lungs = parts.lungs(segment::Use::shown, own, noProgress),
+                   noBones = parts.bones(segment::Use::hidden, own, noProgress),
+                   noLungs = parts.lungs(segment::Use::hidden, own, noProgress);
+        const auto both = visibleMask(parts, {{"bones", "lungs"}}, own, noProgress),
+                   neither = visibleMask(parts, {{}, {"bones", "lungs"}}, own, noProgress),
+                   onlyBones = visibleMask(parts, {{"bones"}, {"lungs"}}, own, noProgress);
+        QVERIFY(both && neither && onlyBones);
+        const auto near = [](double a, double b) { return std::abs(a - b) <= 2.0 / kSeen; };
+        for (int i = 0; i < 2000; ++i) {
+            const dvec3 node = (*both)->grid().place(ivec3(i, 3 * i, 7 * i) % (*both)->grid().size());
+            QCOMPARE((*lungs)->at(node) + (*noLungs)->at(node), 1.0);
+            QVERIFY(near((*both)->at(node), std::max((*bones)->at(node), (*lungs)->at(node))));
+            QVERIFY(near((*neither)->at(node), (*noBones)->at(node) * (*noLungs)->at(node)));
+            QVERIFY(near((*onlyBones)->at(node), (*bones)->at(node) * (*noLungs)->at(node)));
+        }
+        QCOMPARE((*both)->hidden(), Text("Only bones and the lungs are shown."));
+    }
+
+    void aLabelThatNothingHasIsRefused() {
+        const auto volume = patient(trunkHu);
+        const std::string why = refusal(visibleMask(partsOf(volume), {{"liver"}}, volume->geometry(), noProgress));
+        QVERIFY(why.find("liver") != std::string::npos);
     }
 
     /// The voxels of small images are coarser and lie elsewhere.
@@ -213,22 +246,23 @@ class BodyPartsTest : public QObject {
         const VolumeGeometry& own = volume->geometry();
         const segment::BodyParts parts = partsOf(volume);
         QVERIFY(!parts.peeled(3, own, [](double fraction, std::string_view) { return fraction < 0.2; }));
-        QVERIFY(!refusal(parts.lungs(own, noProgress)).empty());
+        QVERIFY(!refusal(parts.lungs(segment::Use::shown, own, noProgress)).empty());
         for (const double depth : {3.0, 30.0, 12.0, 3.0}) {
             const auto again = parts.peeled(depth, own, noProgress);
             const auto fresh = partsOf(volume).peeled(depth, own, noProgress);
             QVERIFY(again && fresh && (*again)->weights() == (*fresh)->weights());
         }
-        QVERIFY(parts.bones(segment::Bones::shown, own, noProgress));
-        const auto again = parts.bones(segment::Bones::hidden, own, noProgress);
-        const auto fresh = partsOf(volume).bones(segment::Bones::hidden, own, noProgress);
+        QVERIFY(parts.bones(segment::Use::shown, own, noProgress));
+        const auto again = parts.bones(segment::Use::hidden, own, noProgress);
+        const auto fresh = partsOf(volume).bones(segment::Use::hidden, own, noProgress);
         QVERIFY(again && fresh && (*again)->weights() == (*fresh)->weights());
     }
 
     void allCanBeCancelled() {
         const auto volume = patient([](dvec3 p) { return inBall(p, {0, 0, 0}, 20) ? bone(p, 900) : trunkHu(p); });
-        for (const Visible& visible : {Visible{BodyPart::lungs, 0}, Visible{BodyPart::bones, 0},
-                                       Visible{BodyPart::everything, 5}, Visible{BodyPart::withoutBones, 5}}) {
+        for (const Visible& visible :
+             {Visible{{"lungs"}}, Visible{{"bones"}}, Visible{{}, {}, 5}, Visible{{}, {"bones"}, 5},
+              Visible{{"bones", "lungs"}}, Visible{{"bones"}, {"lungs"}, 5}}) {
             int calls = 0;
             double last = 0;
             const auto all =
