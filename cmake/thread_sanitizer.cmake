@@ -22,4 +22,4 @@ pdr_watch_threads(${PROJECT_SOURCE_DIR}/app rendering/*.cpp jobs/background_job.
                   presenters/series_presenter.cpp presenters/image_presenter.cpp desktop/desktop.cpp)
 pdr_watch_threads(${PROJECT_SOURCE_DIR}/tests/render session/session_test.cpp session/first_look_test.cpp
                   session/faults_test.cpp device/exceptions_test.cpp tiles/shared_device_test.cpp)
-pdr_watch_threads(${PROJECT_SOURCE_DIR}/tests/app jobs/import_job_test.cpp desktop/picture_on_screen_test.cpp)
+pdr_watch_threads(${PROJECT_SOURCE_DIR}/tests/app jobs/import_job_test.cpp desktop/image_on_screen_test.cpp)

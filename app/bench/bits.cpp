@@ -26,13 +26,13 @@ class Digest {
     std::uint64_t value_ = 0xcbf29ce484222325ull;
 };
 
-Result<Digest> pictureDigest(Device& device, const Scene& scene, int samples) {
-    const auto picture = startFilm(device, scene);
-    if (!picture)
-        return picture.error();
-    if (const Result<void> done = (*picture)->accumulate(std::uint32_t(samples), {}); !done)
+Result<Digest> imageDigest(Device& device, const Scene& scene, int samples) {
+    const auto image = startFilm(device, scene);
+    if (!image)
+        return image.error();
+    if (const Result<void> done = (*image)->accumulate(std::uint32_t(samples), {}); !done)
         return done.error();
-    const auto film = (*picture)->film();
+    const auto film = (*image)->film();
     if (!film)
         return film.error();
     Digest digest;
@@ -64,11 +64,10 @@ int bits(const Arguments& arguments) {
     std::printf("reference tiles %016llx\n", digest.value());
     for (const std::string& file : options->files) {
         const Result<Scene> scene = loadScene(file);
-        const Result<Digest> picture =
-            scene ? pictureDigest(**device, *scene, *samples) : Result<Digest>(scene.error());
-        if (!picture)
-            return fail(picture.error());
-        std::printf("%s %016llx\n", file.substr(file.find_last_of('/') + 1).c_str(), picture->value());
+        const Result<Digest> image = scene ? imageDigest(**device, *scene, *samples) : Result<Digest>(scene.error());
+        if (!image)
+            return fail(image.error());
+        std::printf("%s %016llx\n", file.substr(file.find_last_of('/') + 1).c_str(), image->value());
     }
     return 0;
 }

@@ -5,7 +5,7 @@ namespace pdr::bench {
 namespace {
 
 constexpr Command kCommands[] = {
-    {"picture", picture, "SCENE.json [--samples N] [--device D] [--threads N] [--pfm FILE]",
+    {"picture", image, "SCENE.json [--samples N] [--device D] [--threads N] [--pfm FILE]",
      "Renders an image and says how fast and how noisy it is, as one line of JSON.\n",
      "  --samples N   samples per pixel, from 1; default 64\n"
      "  --device D    cpu (default), cuda, cuda:1, auto, or emulated: a GPU's kernels, emulated on the CPU\n"

@@ -13,9 +13,9 @@ inline constexpr int kExplained = -2;
 
 using Arguments = std::vector<std::string>;
 
-/// picture SCENE.json [--samples N] [--device D] [--threads N] [--pfm FILE]: renders an image and prints how fast and
+/// image SCENE.json [--samples N] [--device D] [--threads N] [--pfm FILE]: renders an image and prints how fast and
 /// how noisy it is.
-int picture(const Arguments& arguments);
+int image(const Arguments& arguments);
 
 /// frames SCENE.json [--frames N] [--threads N] [--colours FILE]: renders one sample per pixel N times and prints the
 /// time of a frame, by the clock and on all cores together. FILE gets the linear mean of all frames as a colour PFM.

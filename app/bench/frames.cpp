@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "app/bench/commands.h"
-#include "app/bench/live_picture.h"
+#include "app/bench/live_image.h"
 #include "app/bench/load_scene.h"
 #include "app/bench/median.h"
 #include "app/bench/options.h"

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "app/bench/commands.h"
-#include "app/bench/live_picture.h"
+#include "app/bench/live_image.h"
 #include "app/bench/load_scene.h"
 #include "app/bench/options.h"
 #include "app/bench/pfm.h"
@@ -31,7 +31,7 @@ std::string errorInJson(double relativeError) {
 
 }  // namespace
 
-int picture(const Arguments& arguments) {
+int image(const Arguments& arguments) {
     const auto options = Options::read(arguments, {"--samples", "--threads", "--pfm", "--device"});
     const auto samples = options ? options->number("--samples", 64, 1) : std::nullopt;
     const auto threads = options ? options->number("--threads", 0, 0) : std::nullopt;
@@ -48,7 +48,7 @@ int picture(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     const auto accumulated = film->live->accumulate(std::uint32_t(*samples), {});
     const auto ordered = accumulated ? film->live->resolve({}) : accumulated;
-    const auto shown = ordered ? film->live->readback() : Result<Picture>(ordered.error());
+    const auto shown = ordered ? film->live->readback() : Result<Image>(ordered.error());
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!shown)
         return fail(shown.error());

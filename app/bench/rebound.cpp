@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/bench/commands.h"
-#include "app/bench/live_picture.h"
+#include "app/bench/live_image.h"
 #include "app/bench/load_scene.h"
 #include "app/bench/median.h"
 #include "app/bench/options.h"
@@ -79,7 +79,7 @@ Milliseconds boundsOnDevice(Edits edits, int count, Device& device) {
 }
 
 /// Measures the time from the edited scene to its first image of one sample, in the film of the scene before it.
-Milliseconds pictures(Edits edits, int count, Device& device) {
+Milliseconds images(Edits edits, int count, Device& device) {
     auto film = startFilm(device, edits.next());
     if (!film)
         return film.error();
@@ -93,8 +93,8 @@ Milliseconds pictures(Edits edits, int count, Device& device) {
         done = done ? (*film)->resolve({}) : done;
         if (!done)
             return done.error();
-        if (const auto picture = (*film)->readback(); !picture)
-            return picture.error();
+        if (const auto image = (*film)->readback(); !image)
+            return image.error();
         if (i > 0)
             took.push_back(wallMilliseconds() - start);
     }
@@ -125,12 +125,12 @@ int rebound(const Arguments& arguments) {
     // Measure the majorants, then the images
     const bool onHost = (*device)->info().hostMemory;
     const Milliseconds bounds = onHost ? boundsOnHost(first, *edits) : boundsOnDevice(first, *edits, **device);
-    const Milliseconds shown = bounds ? pictures(first, *edits, **device) : bounds;
+    const Milliseconds shown = bounds ? images(first, *edits, **device) : bounds;
     if (!shown)
         return fail(shown.error());
     std::printf(
         "{\"size\": %d, \"edits\": %d, \"medianMs\": %.4f, \"slowestMs\": %.4f, \"width\": %d, \"height\": %d, "
-        "\"pictureMs\": %.2f}\n",
+        "\"imageMs\": %.2f}\n",
         *size, *edits, median(*bounds), *std::ranges::max_element(*bounds), *width, *height, median(*shown));
     return 0;
 }

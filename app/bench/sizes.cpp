@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "app/bench/commands.h"
-#include "app/bench/live_picture.h"
+#include "app/bench/live_image.h"
 #include "app/bench/load_scene.h"
 #include "app/bench/median.h"
 #include "app/bench/options.h"
@@ -19,7 +19,7 @@ constexpr ivec2 kFilm{480, 320};
 /// A head and the measured cost of its samples.
 struct Head {
     int edge;  ///< voxels along an edge
-    LivePicture picture;
+    LiveImage image;
     std::vector<double> nanoseconds;  ///< time per sample in each round
 };
 
@@ -28,15 +28,15 @@ Result<Head> startHead(int edge) {
     if (!shown)
         return shown.error();
     shown->scene.film = kFilm;
-    auto picture = startFilm(shown->scene, "cpu", 1);
-    if (!picture)
-        return picture.error();
-    return Head{edge, *std::move(picture), {}};
+    auto image = startFilm(shown->scene, "cpu", 1);
+    if (!image)
+        return image.error();
+    return Head{edge, *std::move(image), {}};
 }
 
 Result<void> takeSamples(Head& head, int samples) {
     const double start = processorSeconds();
-    if (const auto taken = head.picture.live->accumulate(std::uint32_t(samples), {}); !taken)
+    if (const auto taken = head.image.live->accumulate(std::uint32_t(samples), {}); !taken)
         return taken.error();
     head.nanoseconds.push_back(1e9 * (processorSeconds() - start) / (double(samples) * kFilm.x * kFilm.y));
     return {};

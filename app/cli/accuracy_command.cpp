@@ -69,14 +69,14 @@ Result<KeptFilm> reference(const Scene& scene, double seconds, const fs::path& f
 }
 
 /// Renders the reference, then each way in turn, in `seconds` of rendering time in all.
-Result<AccuracyPicture> measured(const std::string& name, const std::vector<AccuracyWay>& ways, double seconds,
-                                 const fs::path& folder, const Work& work) {
+Result<AccuracyImage> measured(const std::string& name, const std::vector<AccuracyWay>& ways, double seconds,
+                               const fs::path& folder, const Work& work) {
     const auto truth = reference(referenceScene(ways.front().scene), kReferenceShare * seconds, folder, work);
     if (!truth)
         return truth.error();
-    AccuracyPicture picture{name, truth->film->samplesPerPixel()};
+    AccuracyImage image{name, truth->film->samplesPerPixel()};
     if (const auto judgement = SmoothingJudgement::of(*truth->film))
-        picture.referenceError = judgement->overAll(work.display.exposure);
+        image.referenceError = judgement->overAll(work.display.exposure);
     // Give each way the same time: a crossing of two curves shows only in the time that both cover.
     const double each = (1 - kReferenceShare) * seconds / double(ways.size());
     for (std::size_t i = 0; i < ways.size() && !work.stop.stop_requested(); ++i) {
@@ -84,9 +84,9 @@ Result<AccuracyPicture> measured(const std::string& name, const std::vector<Accu
         auto curves = measureAccuracy(ways[i], *truth->film, plan, work.device, work.stop, work.progress);
         if (!curves)
             return curves.error();
-        std::ranges::move(*curves, std::back_inserter(picture.curves));
+        std::ranges::move(*curves, std::back_inserter(image.curves));
     }
-    return picture;
+    return image;
 }
 
 Result<AccuracyReport> measured(const Scene& scene, const Work& work) {
@@ -101,15 +101,15 @@ Result<AccuracyReport> measured(const Scene& scene, const Work& work) {
     if (!own)
         return own.error();
     report.scene = *std::move(own);
-    const std::vector<AccuracyWay> others = otherPictures(scene);
+    const std::vector<AccuracyWay> others = otherImages(scene);
     for (const AccuracyWay& other : others) {
         if (work.stop.stop_requested())
             break;
         const double seconds = (1 - kSceneShare) * work.options.seconds / double(others.size());
-        auto picture = measured(other.name, {{"as it is", "", other.scene}}, seconds, {}, work);
-        if (!picture)
-            return picture.error();
-        report.others.push_back(*std::move(picture));
+        auto image = measured(other.name, {{"as it is", "", other.scene}}, seconds, {}, work);
+        if (!image)
+            return image.error();
+        report.others.push_back(*std::move(image));
     }
     report.complete = !work.stop.stop_requested();
     return report;

@@ -16,20 +16,20 @@ constexpr double kModelSeconds = 3;  ///< processor time for all models
 /// Measures what the scene costs under each model. The models take turns. The list of all models shows if the code of
 /// the slowest makes the simplest one slower.
 Result<std::vector<TriedModel>> triedModels(const Scene& scene, Device& device) {
-    std::vector<TrialPicture> pictures;
-    pictures.reserve(std::size(kModels));
+    std::vector<TrialImage> images;
+    images.reserve(std::size(kModels));
     for (const Model model : kModels) {
         Scene other = scene;
         other.model = model;
         if (!other.check())
             other.estimator = Estimator::unbiased;  // the other models have no other estimator
-        pictures.emplace_back(std::move(other), device, TrialPicture::Use::shared);
+        images.emplace_back(std::move(other), device, TrialImage::Use::shared);
     }
     std::vector<Iterate> iterates;
-    iterates.reserve(pictures.size());
-    for (TrialPicture& picture : pictures)
+    iterates.reserve(images.size());
+    for (TrialImage& image : images)
         iterates.push_back(
-            [&picture](std::uint32_t n, const std::stop_token& stop) { return picture.accumulate(n, stop); });
+            [&image](std::uint32_t n, const std::stop_token& stop) { return image.accumulate(n, stop); });
     CostsInTurn costs(std::move(iterates), kModelSeconds);
     while (!costs.isDone())
         if (auto ok = costs.step(); !ok)
@@ -55,7 +55,7 @@ Result<EffectsReport> listEffects(const EffectsOptions& options) {
     auto models = triedModels(calibration.scene(), *device);
     if (!models)
         return models.error();
-    return EffectsReport{calibration.ledger(), *std::move(models)};
+    return EffectsReport{calibration.effectCosts(), *std::move(models)};
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include <cstdio>
 
-#include "render/accuracy/ledger_text.h"
+#include "render/accuracy/effect_cost_text.h"
 
 namespace pdr::app {
 namespace {
@@ -65,34 +65,35 @@ std::string verdictText(const TriedEffect& tried) {
 }
 
 std::string plainText(const EffectsReport& report) {
-    const EffectLedger& ledger = report.ledger;
-    std::string text = line("%d x %d pixels on %s, %s, %.0f s of processor time\n", ledger.film.x, ledger.film.y,
-                            ledger.device.name.c_str(), ledger.device.details.c_str(), ledger.seconds);
+    const EffectCosts& effectCosts = report.effectCosts;
+    std::string text =
+        line("%d x %d pixels on %s, %s, %.0f s of processor time\n", effectCosts.film.x, effectCosts.film.y,
+             effectCosts.device.name.c_str(), effectCosts.device.details.c_str(), effectCosts.seconds);
     text +=
         "ms and share: of an iteration, median (smallest to largest of six); change: of the image without it, in\n"
         "levels of 255, mean and what 95 % stay below; time: to any target without it (95 % interval)\n\n";
     text += line(kRow, "effect", "", "ms", "share", "mean change", "95 % below", "time without", "because");
-    for (const TriedEffect& tried : ledger.effects)
+    for (const TriedEffect& tried : effectCosts.effects)
         text += row(tried);
     text += line("\n%-24s %s\n", "model", "ms");
     for (const TriedModel& tried : report.models)
         text += line("%-24s %s%s\n", modelName(tried.model), costText(tried.milliseconds).c_str(),
-                     tried.model == ledger.model ? "  (this one)" : "");
+                     tried.model == effectCosts.model ? "  (this one)" : "");
     return text;
 }
 
 std::string jsonText(const EffectsReport& report) {
-    const EffectLedger& ledger = report.ledger;
+    const EffectCosts& effectCosts = report.effectCosts;
     QJsonArray effects, models;
-    for (const TriedEffect& tried : ledger.effects)
+    for (const TriedEffect& tried : effectCosts.effects)
         effects.append(object(tried));
     for (const TriedModel& tried : report.models)
         models.append(QJsonObject{{"name", modelName(tried.model)}, {"milliseconds", object(tried.milliseconds)}});
-    const QJsonObject all{{"width", ledger.film.x},
-                          {"height", ledger.film.y},
-                          {"device", ledger.device.name.c_str()},
-                          {"model", modelName(ledger.model)},
-                          {"seconds", ledger.seconds},
+    const QJsonObject all{{"width", effectCosts.film.x},
+                          {"height", effectCosts.film.y},
+                          {"device", effectCosts.device.name.c_str()},
+                          {"model", modelName(effectCosts.model)},
+                          {"seconds", effectCosts.seconds},
                           {"effects", effects},
                           {"models", models}};
     return QJsonDocument(all).toJson().toStdString();

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/session/effect_ledger.h"
+#include "render/session/effect_costs.h"
 
 namespace pdr::app {
 
@@ -14,7 +14,7 @@ struct TriedModel {
 };
 
 struct EffectsReport {
-    EffectLedger ledger;
+    EffectCosts effectCosts;
     std::vector<TriedModel> models;  ///< costs of the scene under each model
 };
 

@@ -3,7 +3,7 @@
 
 #include <QCommandLineParser>
 
-#include "app/cli/node_crew.h"
+#include "app/cli/command_nodes.h"
 
 namespace pdr::app {
 

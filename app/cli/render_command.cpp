@@ -32,7 +32,7 @@ ui::Annotate annotateOf(const RenderOptions& options) {
 
 FinalOrder orderOf(const RenderOptions& options, const LoadedScene& work, std::optional<ui::Annotations> annotations) {
     return {work.scene,
-            {work.display.exposure, options.smoothed},
+            {work.display.exposure, options.denoised},
             options.stops,
             WhenStopped::keep,
             options.outputs,
@@ -42,7 +42,7 @@ FinalOrder orderOf(const RenderOptions& options, const LoadedScene& work, std::o
 
 /// Returns the callbacks of the render. Before the first sample, memory is checked and nodes are awaited; after the
 /// last, what the nodes have done is reported.
-FinalSteps stepsOf(const LoadedScene& work, const Device& device, NodeCrew* crew, ProgressLine& line,
+FinalSteps stepsOf(const LoadedScene& work, const Device& device, CommandNodes* crew, ProgressLine& line,
                    const std::stop_token& stop) {
     return {[&work, &device, crew, stop]() -> Result<void> {
                 if (auto room = roomForFilm(work.scene.film, device.info()); !room)
@@ -76,9 +76,9 @@ Result<Finished> renderAll(const RenderOptions& options, const Interrupt& interr
     auto opened = openDeviceToTheEnd(options.device, options.threads, tellOfCpu);
     if (!opened)
         return opened.error();
-    std::unique_ptr<NodeCrew> crew;
+    std::unique_ptr<CommandNodes> crew;
     if (options.nodes.any()) {
-        auto gathered = NodeCrew::gather(options.nodes, *opened);
+        auto gathered = CommandNodes::gather(options.nodes, *opened);
         if (!gathered)
             return gathered.error();
         crew = *std::move(gathered);

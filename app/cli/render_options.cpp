@@ -5,7 +5,7 @@
 #include "app/cli/node_options.h"
 #include "app/cli/scene_options.h"
 #include "app/command_line/option_reader.h"
-#include "render/film/file/picture_format.h"
+#include "render/film/file/image_format.h"
 
 namespace pdr::app {
 namespace {
@@ -27,7 +27,7 @@ void describeRender(QCommandLineParser& parser) {
          "four times as long.",
          "E"},
         kDeviceOption,
-        {"smoothed",
+        {"denoised",
          "Take the noise out of PNG files, and fine detail that it hides; their error is written into them."},
         {"annotations",
          "What is written over PNG files: none; sides (default): the patient's sides, look, part, cut, scale, and what "
@@ -64,7 +64,7 @@ std::vector<std::filesystem::path> readOutputs(const QCommandLineParser& parser)
     std::vector<std::filesystem::path> outputs;
     for (const QString& name : parser.values("output")) {
         outputs.emplace_back(name.toStdString());
-        if (!pictureFormat(outputs.back()))
+        if (!imageFormat(outputs.back()))
             usageError("-o", "must end in .png or .exr, not be " + name.toStdString());
     }
     if (outputs.empty())
@@ -112,7 +112,7 @@ void readRender(const QCommandLineParser& parser, RenderOptions& options) {
     options.outputs = readOutputs(parser);
     options.stops = readStops(Reader(parser));
     options.threads = readThreads(parser);
-    options.smoothed = parser.isSet("smoothed");
+    options.denoised = parser.isSet("denoised");
     options.annotate = readAnnotate(parser);
     options.json = parser.isSet("json");
     options.device = readDevice(parser);
@@ -212,7 +212,7 @@ std::string renderHelp() {
 
 std::string accuracyHelp() {
     return "Usage: pdrender-cli accuracy FOLDER|SCENE.json -o DIR [--time-limit T] [options]\n"
-           "Measures what accuracy costs in time: the image as it is, smoothed, and in every way that Exposure "
+           "Measures what accuracy costs in time: the image as it is, denoised, and in every way that Exposure "
            "Render\n"
            "or a fast filter would make it, each against an image of more samples with other random numbers, which\n"
            "takes most of the time; then the other models, and slices interpolated, against theirs. 512x512 pixels\n"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/node_crew.h"
+#include "app/cli/command_nodes.h"
 #include "app/cli/scene_input.h"
 #include "render/base/result.h"
 #include "render/session/batch_render.h"
@@ -24,7 +24,7 @@ struct RenderOptions {
     std::string device = "auto";                  ///< name as openDevice() takes it
     int threads = 0;                              ///< 0 = one per core
     NodesWanted nodes;                            ///< other machines that help
-    bool smoothed = false;                        ///< PNG files are denoised
+    bool denoised = false;                        ///< PNG files are denoised
     ui::Annotate annotate = ui::Annotate::sides;  ///< annotations over PNG files
     bool json = false;
     bool help = false;

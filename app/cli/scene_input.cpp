@@ -8,7 +8,7 @@
 #include "app/looks/fitted_looks.h"
 #include "app/looks/looks.h"
 #include "app/looks/small_image.h"
-#include "app/scan/environment_picture.h"
+#include "app/scan/environment_image.h"
 #include "app/scan/scene_volume.h"
 #include "render/base/file_ending.h"
 #include "render/prepare/flatten.h"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/coordinator/node_desk.h"
+#include "app/coordinator/node_connections.h"
 #include "app/coordinator/reference_bits.h"
 
 namespace pdr::nodes {
@@ -12,7 +12,7 @@ constexpr unsigned long kFarewellMs = 1000;
 
 /// Calls `ask` in the thread of `desk`, waits for it, and returns its result.
 template <class Ask>
-auto in(NodeDesk* desk, Ask&& ask) {
+auto in(NodeConnections* desk, Ask&& ask) {
     using Answer = decltype(ask());
     std::optional<Answer> answer;
     QMetaObject::invokeMethod(
@@ -23,27 +23,27 @@ auto in(NodeDesk* desk, Ask&& ask) {
 }  // namespace
 
 RenderNodes::RenderNodes(std::shared_ptr<LeaseServer> leases, const std::vector<std::byte>& bits, QObject* parent)
-    : QObject(parent), leases_(std::move(leases)), desk_(new NodeDesk(leases_, bitsOf(bits))) {
+    : QObject(parent), leases_(std::move(leases)), desk_(new NodeConnections(leases_, bitsOf(bits))) {
     qRegisterMetaType<NodeStatus>();
     qRegisterMetaType<std::vector<NodeStatus>>();
     desk_->moveToThread(&thread_);
-    connect(desk_, &NodeDesk::changed, this, [this](const std::vector<NodeStatus>& nodes) {
+    connect(desk_, &NodeConnections::changed, this, [this](const std::vector<NodeStatus>& nodes) {
         nodes_ = nodes;
         emit changed();
     });
     // Direct connections: the thread that owns this object may be too busy to pass signals on.
-    connect(desk_, &NodeDesk::joined, this, &RenderNodes::joined, Qt::DirectConnection);
-    connect(desk_, &NodeDesk::lost, this, &RenderNodes::lost, Qt::DirectConnection);
-    connect(desk_, &NodeDesk::changed, this, &RenderNodes::seen, Qt::DirectConnection);
-    connect(desk_, &NodeDesk::turnedAway, this, &RenderNodes::turnedAway, Qt::DirectConnection);
+    connect(desk_, &NodeConnections::joined, this, &RenderNodes::joined, Qt::DirectConnection);
+    connect(desk_, &NodeConnections::lost, this, &RenderNodes::lost, Qt::DirectConnection);
+    connect(desk_, &NodeConnections::changed, this, &RenderNodes::seen, Qt::DirectConnection);
+    connect(desk_, &NodeConnections::turnedAway, this, &RenderNodes::turnedAway, Qt::DirectConnection);
     connect(&thread_, &QThread::finished, desk_, &QObject::deleteLater);
-    connect(desk_, &NodeDesk::empty, &thread_, &QThread::quit, Qt::DirectConnection);
+    connect(desk_, &NodeConnections::empty, &thread_, &QThread::quit, Qt::DirectConnection);
     thread_.setObjectName("nodes");
     thread_.start();
 }
 
 RenderNodes::~RenderNodes() {
-    QMetaObject::invokeMethod(desk_, &NodeDesk::close, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(desk_, &NodeConnections::close, Qt::QueuedConnection);
     if (!thread_.wait(kFarewellMs)) {
         thread_.quit();
         thread_.wait();

@@ -13,7 +13,7 @@
 
 namespace pdr::nodes {
 
-class NodeDesk;
+class NodeConnections;
 
 class RenderNodes : public QObject {
     Q_OBJECT
@@ -57,7 +57,7 @@ class RenderNodes : public QObject {
   private:
     std::shared_ptr<LeaseServer> leases_;
     QThread thread_;
-    NodeDesk* desk_;  ///< lives in thread_
+    NodeConnections* desk_;  ///< lives in thread_
     std::vector<NodeStatus> nodes_;
 };
 

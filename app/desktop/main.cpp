@@ -30,11 +30,11 @@ constexpr const char* kNoDisplay =
     "which needs none.\n";
 
 /// Saves `picture` as a PNG. It shows a patient, so only the owner may read a new file.
-bool saveForOwner(const QPixmap& picture, const QString& path) {
+bool saveForOwner(const QPixmap& image, const QString& path) {
     QFile file(path);
     const bool isNew = !file.exists();
     return file.open(QFile::WriteOnly) && (!isNew || file.setPermissions(QFile::ReadOwner | QFile::WriteOwner)) &&
-           picture.save(&file, "PNG") && file.flush();
+           image.save(&file, "PNG") && file.flush();
 }
 
 void takeScreenshot(ui::MainWindow& window, const QString& file) {

@@ -8,8 +8,8 @@
 namespace pdr::app {
 
 Document::Document(std::vector<NamedLook> looks) : looks_(std::move(looks)) {
-    plan_.picture = withNamedLook(setup(), looks_[0], {});
-    plan_.picture.clip = {};
+    plan_.image = withNamedLook(setup(), looks_[0], {});
+    plan_.image.clip = {};
 }
 
 void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenTable& table,
@@ -20,10 +20,10 @@ void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenT
     table_ = table;
     hidden_ = std::move(hidden);
     parts_ = std::make_shared<const segment::BodyParts>(volume_);
-    plan_.picture.table = Table::hidden;
-    plan_.picture.clip = {};  // its coordinates belong to another patient
+    plan_.image.table = Table::hidden;
+    plan_.image.clip = {};  // its coordinates belong to another patient
     fitLooksTo(findings);
-    plan_.picture.camera = cameraOf(firstView(framed().box), {});
+    plan_.image.camera = cameraOf(firstView(framed().box), {});
     show(false);
     report(before, Changes::series | Changes::looks);
 }
@@ -39,8 +39,8 @@ void Document::fitLooksTo(const std::optional<segment::Findings>& findings) {
     looks_.fitTo(findings);
     if (shown < 0)
         return;
-    plan_.picture = withNamedLook(setup(), looks_[looks_.suitedOr(shown)], table_.bodyBox);
-    plan_.picture.stops = 0;
+    plan_.image = withNamedLook(setup(), looks_[looks_.suitedOr(shown)], table_.bodyBox);
+    plan_.image.stops = 0;
 }
 
 void Document::suggestBrightness(int look, double stops) {
@@ -50,20 +50,20 @@ void Document::suggestBrightness(int look, double stops) {
         return;
     const Plan before = plan_;
     history_.brighten(setup().lookName, stops);  // so that undo does not lead back to a brightness that nobody chose
-    plan_.picture.stops = stops;
+    plan_.image.stops = stops;
     report(before);
 }
 
 /// Returns the setup without the cut of `look`; -1: no look, nothing is removed.
-PictureSetup Document::withoutCutOf(int look) const {
-    PictureSetup setup = this->setup();
+ImageSetup Document::withoutCutOf(int look) const {
+    ImageSetup setup = this->setup();
     if (look >= 0 && looks_[look].cut && hasVolume())
         std::erase(setup.clip.planes, planeOf(*looks_[look].cut, table_.bodyBox));
     return setup;
 }
 
-PictureSetup Document::setupWith(int look) const {
-    PictureSetup setup = withNamedLook(withoutCutOf(this->look()), looks_[look], table_.bodyBox);
+ImageSetup Document::setupWith(int look) const {
+    ImageSetup setup = withNamedLook(withoutCutOf(this->look()), looks_[look], table_.bodyBox);
     setup.stops = looks_.stops(look);
     if (!hasVolume())
         setup.clip = {};  // open() applies the look's cut
@@ -85,7 +85,7 @@ void Document::close() {
 void Document::closeVolume() {
     if (hasVolume())
         emit closing();
-    plan_.picture = withoutCutOf(look());
+    plan_.image = withoutCutOf(look());
     history_.forget();
     volume_.reset();
     table_ = {};
@@ -98,7 +98,7 @@ void Document::closeVolume() {
 
 void Document::setCamera(const Camera& camera, bool moving) {
     if (hasVolume())
-        setField(&PictureSetup::camera, camera, Changes::camera, moving);
+        setField(&ImageSetup::camera, camera, Changes::camera, moving);
 }
 
 void Document::setView(StandardView view) {
@@ -115,7 +115,7 @@ void Document::resetView() {
 }
 
 void Document::setBackground(const std::optional<vec3>& radiance) {
-    PictureSetup setup = plan_.picture;
+    ImageSetup setup = plan_.image;
     setup.background = radiance;
     if (!radiance)
         setup.look.environment.visible = true;
@@ -125,16 +125,16 @@ void Document::setBackground(const std::optional<vec3>& radiance) {
 /// Resets the estimator with any model but single scattering: Exposure Render's estimators know one event per path
 /// only.
 void Document::setModel(Model model) {
-    PictureSetup setup = plan_.picture;
+    ImageSetup setup = plan_.image;
     setup.model = model;
-    if (model != plan_.picture.model && model != Model::singleScattering)
+    if (model != plan_.image.model && model != Model::singleScattering)
         setup.estimator = Estimator::unbiased;
     edit(std::move(setup));
 }
 
 void Document::setTable(Table table) {
     if (hasTable())
-        setField(&PictureSetup::table, table);
+        setField(&ImageSetup::table, table);
 }
 
 void Document::chooseLook(int index) {
@@ -144,14 +144,14 @@ void Document::chooseLook(int index) {
 }
 
 void Document::setLook(const Look& look, bool moving) {
-    PictureSetup setup = plan_.picture;
+    ImageSetup setup = plan_.image;
     setup.look = look;
-    edit(looks_.named(std::move(setup), plan_.picture.lookName), Changes::look, moving);
+    edit(looks_.named(std::move(setup), plan_.image.lookName), Changes::look, moving);
 }
 
 void Document::setClip(const Clip& clip, bool moving) {
     if (hasVolume())
-        setField(&PictureSetup::clip, clip, Changes::clip, moving);
+        setField(&ImageSetup::clip, clip, Changes::clip, moving);
 }
 
 void Document::giveUpGesture() {
@@ -185,23 +185,23 @@ void Document::fallBackTo(const Visible& visible) {
     if (visible == setup().look.visible)
         return;
     const Plan before = plan_;
-    plan_.picture.look.visible = visible;
-    plan_.picture = looks_.named(setup(), setup().lookName);
+    plan_.image.look.visible = visible;
+    plan_.image = looks_.named(setup(), setup().lookName);
     history_.forgetStepTo(plan_);
     show(false);
     report(before, Changes::mask);
 }
 
-void Document::setSetup(const PictureSetup& setup) {
-    edit(looks_.named(setup, plan_.picture.lookName));
+void Document::setSetup(const ImageSetup& setup) {
+    edit(looks_.named(setup, plan_.image.lookName));
 }
 
 void Document::setEstimator(Estimator estimator) {
-    setField(&PictureSetup::estimator, estimator);
+    setField(&ImageSetup::estimator, estimator);
 }
 
 void Document::setSchedule(const Schedule& schedule) {
-    setField(&PictureSetup::schedule, schedule);
+    setField(&ImageSetup::schedule, schedule);
 }
 
 void Document::setBrightness(double stops, bool moving) {
@@ -209,20 +209,20 @@ void Document::setBrightness(double stops, bool moving) {
         return;
     const Plan before = plan_;
     remember(Changes::brightness, moving);
-    plan_.picture.stops = stops;
+    plan_.image.stops = stops;
     report(before);
 }
 
 Display Document::display() const {
     Display display = displayOf(setup());
-    display.smoothed = smoothed_;
+    display.denoised = denoised_;
     return display;
 }
 
-void Document::setSmoothed(bool smoothed) {
-    if (smoothed == smoothed_)
+void Document::setDenoised(bool denoised) {
+    if (denoised == denoised_)
         return;
-    smoothed_ = smoothed;
+    denoised_ = denoised;
     report(plan_, Changes::display);
 }
 
@@ -261,15 +261,15 @@ void Document::remember(Changes gesture, bool moving) {
 }
 
 template <typename Field>
-void Document::setField(Field PictureSetup::*field, const Field& value, Changes gesture, bool moving) {
-    PictureSetup setup = plan_.picture;
+void Document::setField(Field ImageSetup::*field, const Field& value, Changes gesture, bool moving) {
+    ImageSetup setup = plan_.image;
     setup.*field = value;
     edit(std::move(setup), gesture, moving);
 }
 
-void Document::edit(PictureSetup picture, Changes gesture, bool moving) {
+void Document::edit(ImageSetup image, Changes gesture, bool moving) {
     Plan plan = plan_;
-    plan.picture = std::move(picture);
+    plan.image = std::move(image);
     edit(std::move(plan), gesture, moving);
 }
 
@@ -283,7 +283,7 @@ void Document::edit(Plan plan, Changes gesture, bool moving) {
     }
     remember(gesture, moving);
     const Plan before = std::exchange(plan_, std::move(plan));
-    if (plan_.picture != before.picture || (moving && plan_ == before))
+    if (plan_.image != before.image || (moving && plan_ == before))
         show(moving);
     report(before);
 }
@@ -301,7 +301,7 @@ void Document::comeBackTo(Plan plan) {
 
 /// Emits what an operation has changed since the plan was `before`, and `also`.
 void Document::report(const Plan& before, Changes also) {
-    if (displayOf(before.picture) != displayOf(setup()) || has(also, Changes::display | Changes::series))
+    if (displayOf(before.image) != displayOf(setup()) || has(also, Changes::display | Changes::series))
         emit displayChanged(display());
     emit changed(changesBetween(before, plan_) | also);
 }

@@ -27,7 +27,7 @@ class Document : public QObject {
     /// The looks to choose from, fitted to the volume.
     const FittedLooks& looks() const { return looks_; }
     /// Returns the setup that choosing `look` would lead to.
-    PictureSetup setupWith(int look) const;
+    ImageSetup setupWith(int look) const;
     /// The volume that is rendered, with or without the table as set up; null without a volume. With the table it is
     /// built anew once nobody holds it any longer.
     std::shared_ptr<const Volume> seen() const;
@@ -36,7 +36,7 @@ class Document : public QObject {
     /// The part of the scan's grid that the body fills.
     const VolumeGeometry& bodyBox() const { return table_.bodyBox; }
     const Plan& plan() const { return plan_; }
-    const PictureSetup& setup() const { return plan_.picture; }
+    const ImageSetup& setup() const { return plan_.image; }
     bool hasVolume() const { return volume_ != nullptr; }
     /// The scene that is rendered. Without a volume its content is meaningless.
     const Scene& scene() const { return scene_; }
@@ -46,7 +46,7 @@ class Document : public QObject {
     int look() const { return looks_.indexOf(setup()); }
     Display display() const;
     /// Whether the image is shown denoised.
-    bool smoothed() const { return smoothed_; }
+    bool denoised() const { return denoised_; }
     /// The box that cuts begin with: the smallest box along the patient's axes around what is framed; none without a
     /// volume.
     std::optional<ClipBox> uncut() const;
@@ -108,14 +108,14 @@ class Document : public QObject {
     /// Reports that the requested mask will not come: the choice returns to what the scene shows. No step to undo.
     void keepVisible();
     /// Replaces the setup of the image. One step to undo.
-    void setSetup(const pdr::PictureSetup& setup);
+    void setSetup(const pdr::ImageSetup& setup);
     void setEstimator(pdr::Estimator estimator);
     void setSchedule(const pdr::Schedule& schedule);
     /// Sets the brightness [stops against the look's]. It changes the display only, not what is computed. One gesture
     /// is one step to undo.
     void setBrightness(double stops, bool moving = false);
     /// Sets whether the image is shown denoised. It changes the display only; no step to undo.
-    void setSmoothed(bool smoothed);
+    void setDenoised(bool denoised);
     /// Sets the size [pixels] of films that begin from now on. The current film stays, with all its samples.
     void setNextFilm(pdr::ivec2 pixels);
     /// Sets the view's size in physical screen pixels, which becomes the film's size. If it differs from the current
@@ -142,8 +142,8 @@ class Document : public QObject {
     void closeVolume();
     void remember(Changes gesture = Changes::none, bool moving = false);
     template <typename Field>
-    void setField(Field PictureSetup::*field, const Field& value, Changes gesture = Changes::none, bool moving = false);
-    void edit(PictureSetup picture, Changes gesture = Changes::none, bool moving = false);
+    void setField(Field ImageSetup::*field, const Field& value, Changes gesture = Changes::none, bool moving = false);
+    void edit(ImageSetup image, Changes gesture = Changes::none, bool moving = false);
     void comeBackTo(Plan plan);
     void report(const Plan& before, Changes also = Changes::none);
     void show(bool moving);
@@ -152,7 +152,7 @@ class Document : public QObject {
     void show(Scene scene, bool moving);
     Framed framed() const;
     Camera cameraOf(StandardView view, const Camera& lens) const;
-    PictureSetup withoutCutOf(int look) const;
+    ImageSetup withoutCutOf(int look) const;
     void fitLooksTo(const std::optional<segment::Findings>& findings);
 
     FittedLooks looks_;
@@ -165,7 +165,7 @@ class Document : public QObject {
     Plan plan_;  ///< everything that undo restores
     History history_;
     PartMasks masks_;
-    bool smoothed_ = true;
+    bool denoised_ = true;
     ivec2 film_ = Scene{}.film;      ///< size of the scene's film [pixels]
     ivec2 nextFilm_ = Scene{}.film;  ///< size of the next film [pixels]
     Scene scene_;                    ///< built from the volume with or without its table, the plan and the film's size

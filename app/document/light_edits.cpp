@@ -1,6 +1,6 @@
 #include "app/document/light_edits.h"
 
-#include "render/scene/sky_picture.h"
+#include "render/scene/sky_image.h"
 
 namespace pdr::app {
 
@@ -16,8 +16,8 @@ void LightEdits::setLighting(const Lighting& lighting, bool moving) {
     document_.setLook(look, moving);
 }
 
-void LightEdits::setSky(const std::shared_ptr<const EnvironmentImage>& picture) {
-    setLighting(litBy(lighting(), picture), false);
+void LightEdits::setSky(const std::shared_ptr<const EnvironmentImage>& image) {
+    setLighting(litBy(lighting(), image), false);
 }
 
 void LightEdits::turn(QPointF inHeights, bool moving) {

@@ -16,8 +16,8 @@ class SkyJob : public BackgroundJob {
     void read(const QString& file);
 
   signals:
-    /// Reports the environment image, scaled to a mean luminance of 1; see render/scene/sky_picture.h.
-    void found(const std::shared_ptr<const pdr::EnvironmentImage>& picture);
+    /// Reports the environment image, scaled to a mean luminance of 1; see render/scene/sky_image.h.
+    void found(const std::shared_ptr<const pdr::EnvironmentImage>& image);
 };
 
 }  // namespace pdr::app

@@ -42,14 +42,14 @@ int FittedLooks::suitedOr(int look) const {
     return look;
 }
 
-int FittedLooks::indexOf(const PictureSetup& setup) const {
+int FittedLooks::indexOf(const ImageSetup& setup) const {
     const auto shown = std::ranges::find_if(fitted_, [&](const NamedLook& one) {
         return one.name == setup.lookName && one.look == setup.look && one.model == setup.model;
     });
     return shown == fitted_.end() ? -1 : int(shown - fitted_.begin());
 }
 
-PictureSetup FittedLooks::named(PictureSetup setup, const std::string& before) const {
+ImageSetup FittedLooks::named(ImageSetup setup, const std::string& before) const {
     const auto shown = std::ranges::find_if(
         fitted_, [&](const NamedLook& one) { return one.look == setup.look && one.model == setup.model; });
     setup.lookChanged = shown == fitted_.end();

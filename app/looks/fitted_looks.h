@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "render/scene/image_setup.h"
 #include "render/scene/named_look.h"
-#include "render/scene/picture_setup.h"
 #include "render/segment/findings.h"
 
 namespace pdr::app {
@@ -33,12 +33,12 @@ class FittedLooks {
     int suitedOr(int look) const;
 
     /// Returns the index of the look that a setup shows; -1 if it is a changed look.
-    int indexOf(const PictureSetup& setup) const;
+    int indexOf(const ImageSetup& setup) const;
     /// Returns `setup` under the name of the look that it shows, or as a changed version of `before`, the name of the
     /// look that it was made from. An image must not bear the name of a look that it does not show.
-    PictureSetup named(PictureSetup setup, const std::string& before) const;
+    ImageSetup named(ImageSetup setup, const std::string& before) const;
     /// Returns the look that a setup shows or was changed from; null if there is none.
-    const NamedLook* beginningOf(const PictureSetup& setup) const { return lookCalled(setup.lookName); }
+    const NamedLook* beginningOf(const ImageSetup& setup) const { return lookCalled(setup.lookName); }
     /// Returns the look named `name`; null if there is none.
     const NamedLook* lookCalled(const std::string& name) const;
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <random>
 
-#include "app/coordinator/node_link.h"
+#include "app/coordinator/node_connection.h"
 #include "app/coordinator/reference_bits.h"
 #include "app/node/node_service.h"
 #include "app/program/interrupt.h"

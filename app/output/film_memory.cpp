@@ -9,8 +9,8 @@
 namespace pdr::app {
 
 std::uint64_t filmBytes(ivec2 size, const DeviceInfo& device) {
-    constexpr std::uint64_t kPicture = 4, kFilm = sizeof(PixelSums) + sizeof(Moments);
-    return std::uint64_t(size.x) * std::uint64_t(size.y) * ((device.hostMemory ? 2 : 1) * kFilm + kPicture);
+    constexpr std::uint64_t kImage = 4, kFilm = sizeof(PixelSums) + sizeof(Moments);
+    return std::uint64_t(size.x) * std::uint64_t(size.y) * ((device.hostMemory ? 2 : 1) * kFilm + kImage);
 }
 
 Result<void> checkFilmFits(ivec2 size, const DeviceInfo& device, const Text& hint) {

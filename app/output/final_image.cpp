@@ -9,9 +9,9 @@ namespace {
 
 /// Returns FinalImage::denoisingNote of a judged image.
 const char* denoisingNote(const FinalOrder& order, JudgedImage& image) {
-    if (!order.display.smoothed)
+    if (!order.display.denoised)
         return nullptr;
-    if (!canBeSmoothed(order.scene))
+    if (!canBeDenoised(order.scene))
         return "the image is not denoised: this model has no noise but at the pixels' edges.";
     if (!anyPng(order.outputs))
         return "nothing is denoised: OpenEXR files hold the film as it is.";
@@ -31,7 +31,7 @@ FinalImage finished(const FinalOrder& order, const Film& film, const BatchResult
                             bias ? *bias : MeasuredBiases()};
     const bool keeps = order.whenStopped == WhenStopped::keep;
     const std::stop_token discarded = keeps ? std::stop_token() : stop;
-    const Display display{order.display.exposure, order.display.smoothed && anyPng(order.outputs)};
+    const Display display{order.display.exposure, order.display.denoised && anyPng(order.outputs)};
     JudgedImage image(film, order.scene, display, rendered, discarded);
     const PaintOver paintOver = order.painter ? order.painter(image.shown()) : PaintOver();
     WrittenFiles written =

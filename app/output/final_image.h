@@ -20,7 +20,7 @@ namespace pdr::app {
 /// A request for a final render.
 struct FinalOrder {
     Scene scene;      ///< has passed Scene::check(); its film sets the size
-    Display display;  ///< display of PNG files; smoothed: denoised if that is known to be better
+    Display display;  ///< display of PNG files; `denoised`: the denoised image if that is known to be better
     Stops stops;
     WhenStopped whenStopped = WhenStopped::keep;
     Paths outputs;  ///< file names, each ".png" or ".exr"

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "render/base/replacing_file.h"
-#include "render/film/file/picture_format.h"
+#include "render/film/file/image_format.h"
 
 namespace pdr::app {
 namespace {
@@ -64,7 +64,7 @@ Result<void> checkSpared(const Paths& inputs, const Paths& outputs) {
 }
 
 bool anyPng(const Paths& outputs) {
-    return std::ranges::any_of(outputs, [](const fs::path& path) { return pictureFormat(path) == PictureFormat::png; });
+    return std::ranges::any_of(outputs, [](const fs::path& path) { return imageFormat(path) == ImageFormat::png; });
 }
 
 WrittenFiles writeFiles(const Paths& outputs, const std::function<Result<void>(const fs::path&)>& write) {

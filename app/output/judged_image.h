@@ -20,7 +20,7 @@ class JudgedImage {
     /// `onScreen`: what is known of the denoised image of the same film on the screen; null: it is on no screen. It
     /// must outlive this object, and is judged anew if it is stale, so that screen and file agree.
     JudgedImage(const Film& film, const Scene& scene, const Display& wanted, Rendered rendered,
-                const std::stop_token& stop, SmoothedView* onScreen = nullptr);
+                const std::stop_token& stop, DenoisedView* onScreen = nullptr);
     JudgedImage(const JudgedImage&) = delete;
     JudgedImage& operator=(const JudgedImage&) = delete;
 
@@ -35,14 +35,14 @@ class JudgedImage {
     Result<void> write(const std::filesystem::path& file, const PaintOver& paintOver, const std::stop_token& stop);
 
   private:
-    std::optional<SmoothedError> error() { return denoiser_->error(double(wanted_.exposure)); }
+    std::optional<DenoisedError> error() { return denoiser_->error(double(wanted_.exposure)); }
 
     const Film& film_;
     const Scene& scene_;
     Display wanted_;
     Rendered rendered_;
-    SmoothedView own_;
-    SmoothedView* denoiser_;
+    DenoisedView own_;
+    DenoisedView* denoiser_;
     bool denoised_ = false;
 };
 

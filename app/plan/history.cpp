@@ -48,9 +48,9 @@ Plan History::redo(const Plan& now) {
 
 void History::brighten(const std::string& lookName, double stops) {
     for (Plan& earlier : past_) {
-        PictureSetup& picture = earlier.picture;
-        if (picture.lookName == lookName && !picture.lookChanged && picture.stops == 0)
-            picture.stops = stops;
+        ImageSetup& image = earlier.image;
+        if (image.lookName == lookName && !image.lookChanged && image.stops == 0)
+            image.stops = stops;
     }
 }
 

@@ -32,42 +32,39 @@ bool agreeOtherwise(Look a, const Look& b) {
 const std::vector<Part>& parts() {
     static const std::vector<Part> all{
         {Changes::lookName,
-         [](const Plan& a, const Plan& b) { return a.picture.lookName != b.picture.lookName; },
+         [](const Plan& a, const Plan& b) { return a.image.lookName != b.image.lookName; },
          {phrase("Undo choosing a look"), phrase("Redo choosing a look")}},
         {Changes::tissue,
-         [](const Plan& a, const Plan& b) {
-             return a.picture.look.transferFunction != b.picture.look.transferFunction;
-         },
+         [](const Plan& a, const Plan& b) { return a.image.look.transferFunction != b.image.look.transferFunction; },
          {phrase("Undo editing the tissue"), phrase("Redo editing the tissue")}},
         {Changes::light,
          [](const Plan& a, const Plan& b) {
-             return a.picture.look.rig != b.picture.look.rig ||
-                    a.picture.look.environment != b.picture.look.environment;
+             return a.image.look.rig != b.image.look.rig || a.image.look.environment != b.image.look.environment;
          },
          {phrase("Undo changing the light"), phrase("Redo changing the light")}},
         {Changes::visible,
-         [](const Plan& a, const Plan& b) { return a.picture.look.visible != b.picture.look.visible; },
+         [](const Plan& a, const Plan& b) { return a.image.look.visible != b.image.look.visible; },
          {phrase("Undo choosing the visible part"), phrase("Redo choosing the visible part")}},
         {Changes::otherLook,
-         [](const Plan& a, const Plan& b) { return !agreeOtherwise(a.picture.look, b.picture.look); },
+         [](const Plan& a, const Plan& b) { return !agreeOtherwise(a.image.look, b.image.look); },
          {}},
         {Changes::brightness,
-         [](const Plan& a, const Plan& b) { return a.picture.stops != b.picture.stops; },
+         [](const Plan& a, const Plan& b) { return a.image.stops != b.image.stops; },
          {phrase("Undo changing the brightness"), phrase("Redo changing the brightness")}},
-        {Changes::camera, [](const Plan& a, const Plan& b) { return a.picture.camera != b.picture.camera; }, {}},
+        {Changes::camera, [](const Plan& a, const Plan& b) { return a.image.camera != b.image.camera; }, {}},
         {Changes::background,
-         [](const Plan& a, const Plan& b) { return a.picture.background != b.picture.background; },
+         [](const Plan& a, const Plan& b) { return a.image.background != b.image.background; },
          {phrase("Undo changing the background"), phrase("Redo changing the background")}},
-        {Changes::table, [](const Plan& a, const Plan& b) { return a.picture.table != b.picture.table; }, {}},
+        {Changes::table, [](const Plan& a, const Plan& b) { return a.image.table != b.image.table; }, {}},
         {Changes::clip,
-         [](const Plan& a, const Plan& b) { return a.picture.clip != b.picture.clip; },
+         [](const Plan& a, const Plan& b) { return a.image.clip != b.image.clip; },
          {phrase("Undo cutting"), phrase("Redo cutting")}},
         {Changes::model,
-         [](const Plan& a, const Plan& b) { return a.picture.model != b.picture.model; },
+         [](const Plan& a, const Plan& b) { return a.image.model != b.image.model; },
          {phrase("Undo choosing an optical model"), phrase("Redo choosing an optical model")}},
         {Changes::rendering,
          [](const Plan& a, const Plan& b) {
-             return a.picture.estimator != b.picture.estimator || a.picture.schedule != b.picture.schedule;
+             return a.image.estimator != b.image.estimator || a.image.schedule != b.image.schedule;
          },
          {phrase("Undo changing the rendering"), phrase("Redo changing the rendering")}},
     };
@@ -110,8 +107,8 @@ StepName nameOf(const Plan& before, const Plan& after) {
     if (changes == Changes::none)
         return {phrase("Undo"), phrase("Redo")};
     if (changes == Changes::camera)
-        return nameOf(before.picture.camera, after.picture.camera);
-    if (changes == Changes::table && after.picture.table == Table::shown)
+        return nameOf(before.image.camera, after.image.camera);
+    if (changes == Changes::table && after.image.table == Table::shown)
         return {phrase("Undo showing the table"), phrase("Redo showing the table")};
     if (changes == Changes::table)
         return {phrase("Undo hiding the table"), phrase("Redo hiding the table")};

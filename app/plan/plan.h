@@ -2,12 +2,12 @@
 /// The plan: everything that a user sets and can undo. A document holds one, with a history of earlier ones.
 
 #include "render/base/text.h"
-#include "render/scene/picture_setup.h"
+#include "render/scene/image_setup.h"
 
 namespace pdr::app {
 
 struct Plan {
-    PictureSetup picture;  ///< how the volume is shown and rendered
+    ImageSetup image;  ///< how the volume is shown and rendered
     bool operator==(const Plan&) const = default;
 };
 

@@ -27,7 +27,7 @@ AccuracyPresenter::AccuracyPresenter(const Workspace& workspace, std::filesystem
 }
 
 void AccuracyPresenter::connectTarget() {
-    const ui::AccuracyStrip& strip = window().foot().strip();
+    const ui::AccuracyStrip& strip = window().accuracyStatus().strip();
     connect(&bridge(), &RenderBridge::stopChanged, this, &AccuracyPresenter::showStop);
     connect(&strip, &ui::AccuracyStrip::targetChosen, this, [this](double levels) {
         bridge().setTarget(levels);
@@ -60,12 +60,12 @@ void AccuracyPresenter::showFrame(const std::shared_ptr<const Frame>& frame) {
 }
 
 void AccuracyPresenter::clearImage() {
-    window().foot().clear();
+    window().accuracyStatus().clear();
     panel_->clear();
 }
 
 void AccuracyPresenter::showStop(const StopRule& rule) {
-    window().foot().strip().setTarget(rule.levels);
+    window().accuracyStatus().strip().setTarget(rule.levels);
     panel_->stop().setRule(rule);
     showStatus();
 }
@@ -99,15 +99,15 @@ void AccuracyPresenter::showStatus() {
                                            frame->status.samplesPerPixel, frame->iterationsPerSecond});
     const QStringList remarks = remarksOn(*frame, window().viewport().sizeInPixels());
     QStringList beside = remarks;
-    for (const QString& text : smoothedTexts(*frame))  // they are shown on the image already
+    for (const QString& text : denoisedTexts(*frame))  // they are shown on the image already
         beside.removeAll(text);
     if (battery_.rests())
         beside.prepend(ui::MainWindow::tr("Paused on battery (Space: continue)"));
-    ui::Foot& foot = window().foot();
-    foot.setAccuracy(accuracy);
-    foot.setMaking(making);
-    foot.setRemarks(beside);
-    foot.setLimit(ui::gridText(document().scene().volume->geometry().spacingMm()));
+    ui::AccuracyStatus& accuracyStatus = window().accuracyStatus();
+    accuracyStatus.setAccuracy(accuracy);
+    accuracyStatus.setMaking(making);
+    accuracyStatus.setRemarks(beside);
+    accuracyStatus.setLimit(ui::gridText(document().scene().volume->geometry().spacingMm()));
     panel_->setAccuracy(accuracy, bridge().stop());
     panel_->setBias(remarks);
     panel_->setMaking(making);

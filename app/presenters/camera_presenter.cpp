@@ -33,7 +33,7 @@ void CameraPresenter::setBackground(const std::optional<QColor>& colour) {
 
 /// Returns the background's colour on the screen; none if the environment is visible.
 std::optional<QColor> CameraPresenter::background() const {
-    const PictureSetup& setup = document().setup();
+    const ImageSetup& setup = document().setup();
     if (!setup.background && setup.look.environment.visible)
         return std::nullopt;
     return shownColour(setup.background.value_or(vec3(0)), document().display());

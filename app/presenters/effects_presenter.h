@@ -2,7 +2,8 @@
 /// The cost table of the effects, and leaving out those that nobody would see.
 
 #include "app/presenters/presenter.h"
-#include "ui/accuracy/effect_ledger.h"
+#include "app/rendering/effects_watch.h"
+#include "ui/accuracy/effect_costs.h"
 
 namespace pdr::app {
 
@@ -13,12 +14,14 @@ class EffectsPresenter : public Presenter {
     explicit EffectsPresenter(const Workspace& workspace);
 
     void showDocument(Changes changes) override;
+    EffectsWatch& watch() { return watch_; }
 
   private:
-    void showLedger();
+    void showEffectCosts();
     void leaveOutUnseen();
 
-    ui::EffectLedger* panel_;
+    ui::EffectCosts* panel_;
+    EffectsWatch watch_;
 };
 
 }  // namespace pdr::app

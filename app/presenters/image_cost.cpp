@@ -29,12 +29,12 @@ std::optional<double> lastPlanningTime(const Settings& settings, const Frame& fr
     return perPixel ? std::optional(*perPixel * pixelsOf(film)) : std::nullopt;
 }
 
-std::optional<ui::PictureCost> costOf(const Settings& settings, const Frame& frame) {
+std::optional<ui::ImageCost> costOf(const Settings& settings, const Frame& frame) {
     const double error = frame.status.displayError;
     if (!frame.coarse && std::isfinite(error) && error > 0 && frame.seconds > 0)
-        return ui::PictureCost{frame.seconds * error * error / pixelsOf(frame.size)};
+        return ui::ImageCost{frame.seconds * error * error / pixelsOf(frame.size)};
     if (const std::optional<double> last = settings.planningSeconds(kindOf(frame)))
-        return ui::PictureCost{*last * kPlanningLevels * kPlanningLevels};
+        return ui::ImageCost{*last * kPlanningLevels * kPlanningLevels};
     return std::nullopt;
 }
 

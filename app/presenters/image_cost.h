@@ -5,7 +5,7 @@
 
 #include "app/presenters/settings.h"
 #include "render/session/session.h"
-#include "ui/output/picture_order.h"
+#include "ui/output/image_order.h"
 
 namespace pdr::app {
 
@@ -18,6 +18,6 @@ std::optional<double> lastPlanningTime(const Settings& settings, const Frame& fr
 
 /// Estimates the cost of an image from the time that this one took, or else the last one of its kind; none if neither
 /// is known.
-std::optional<ui::PictureCost> costOf(const Settings& settings, const Frame& frame);
+std::optional<ui::ImageCost> costOf(const Settings& settings, const Frame& frame);
 
 }  // namespace pdr::app

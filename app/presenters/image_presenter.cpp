@@ -30,7 +30,7 @@ QImage errorMapOf(const std::shared_ptr<const Frame>& frame) {
 /// Returns the lines that denoising has removed from the image; the film itself has them.
 QList<QLineF> lostLinesOf(const Frame& frame) {
     QList<QLineF> lines;
-    if (!frame.smoothed)
+    if (!frame.denoised)
         return lines;
     for (const denoise::LostLine& line : frame.lostLines)
         lines << QLineF(double(line.begin.x), double(line.begin.y), double(line.end.x), double(line.end.y));
@@ -61,15 +61,14 @@ void ImagePresenter::showDocument(Changes changes) {
 }
 
 void ImagePresenter::showFrame(const std::shared_ptr<const Frame>& frame) {
-    window().viewport().setPicture({imageOf(frame, frame->rgba, frame->size, QImage::Format_RGBX8888), frame->camera,
-                                    annotationsOf(workspace(), *frame).texts.join('\n'),
-                                    smoothedTexts(*frame).join('\n'), lostLinesOf(*frame),
-                                    ui::previewText(shownOf(*frame), frame->stop.levels), errorMapOf(frame),
-                                    shownOf(*frame).of == ErrorOf::beforeDenoising});
+    window().viewport().setImage({imageOf(frame, frame->rgba, frame->size, QImage::Format_RGBX8888), frame->camera,
+                                  annotationsOf(workspace(), *frame).texts.join('\n'), denoisedTexts(*frame).join('\n'),
+                                  lostLinesOf(*frame), ui::previewText(shownOf(*frame), frame->stop.levels),
+                                  errorMapOf(frame), shownOf(*frame).of == ErrorOf::beforeDenoising});
 }
 
 void ImagePresenter::clearImage() {
-    window().viewport().clearPicture();
+    window().viewport().clearImage();
 }
 
 void ImagePresenter::showErrorAt(QPointF place, const LevelErrorsAt& errors) {

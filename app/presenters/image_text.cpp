@@ -11,8 +11,8 @@
 
 namespace pdr::app {
 
-QStringList smoothedTexts(const Frame& frame) {
-    return frame.smoothed ? ui::smoothedTexts(frame.smoothedError, frame.lostLines.size()) : QStringList();
+QStringList denoisedTexts(const Frame& frame) {
+    return frame.denoised ? ui::denoisedTexts(frame.denoisedError, frame.lostLines.size()) : QStringList();
 }
 
 QStringList remarksOn(const Frame& frame, QSize view) {
@@ -21,13 +21,13 @@ QStringList remarksOn(const Frame& frame, QSize view) {
         remarks << ui::boxText(frame.region->status, !frame.region->reached, shownOf(frame).status);
     if (!frame.coarse)
         remarks << ui::unseenText(frame.status);
-    remarks << smoothedTexts(frame);
-    if (frame.smoothed && frame.smoothedError)
-        remarks << ui::hiddenDetailTexts(*frame.smoothedError);
+    remarks << denoisedTexts(frame);
+    if (frame.denoised && frame.denoisedError)
+        remarks << ui::hiddenDetailTexts(*frame.denoisedError);
     remarks << ui::stretchedText(frame.size, view);
     const std::vector<Bias> known = biases(frame.bias);
     for (const Bias& bias : known)
-        if (bias.cause != BiasCause::smoothing)  // smoothedTexts() says more
+        if (bias.cause != BiasCause::smoothing)  // denoisedTexts() says more
             remarks << ui::inWords(bias.text);
     if (noneOfComputing(known))
         remarks << ui::MainWindow::tr("No known systematic error");

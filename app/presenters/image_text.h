@@ -8,7 +8,7 @@
 namespace pdr::app {
 
 /// Returns the remarks on a denoised image; nothing for another.
-QStringList smoothedTexts(const Frame& frame);
+QStringList denoisedTexts(const Frame& frame);
 
 /// Returns remarks on what may mislead about the image: comparison modes, stretching and known bias; or that no bias is
 /// known. `view`: the size at which the image is shown [screen pixels].

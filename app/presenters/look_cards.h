@@ -2,7 +2,7 @@
 /// The gallery's cards, and the requests for their small images.
 
 #include "app/document/document.h"
-#include "app/jobs/look_pictures.h"
+#include "app/jobs/look_images.h"
 #include "ui/looks/look_gallery.h"
 
 namespace pdr::app {

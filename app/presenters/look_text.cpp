@@ -34,7 +34,7 @@ QString doesNotShowText(const NamedLook& look) {
     return inWindow(look, look.doesNotShow);
 }
 
-QString doesNotShowText(const FittedLooks& looks, const PictureSetup& setup) {
+QString doesNotShowText(const FittedLooks& looks, const ImageSetup& setup) {
     const NamedLook* look = looks.beginningOf(setup);
     const bool same = look && look->look.transferFunction == setup.look.transferFunction &&
                       look->look.visible == setup.look.visible && look->model == setup.model;

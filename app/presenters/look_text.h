@@ -16,7 +16,7 @@ QString nameText(const FittedLooks& looks, const std::string& title);
 QString doesNotShowText(const NamedLook& look);
 /// Returns what a setup does not show, in sentences; empty unless it shows the same tissue and part, with the same
 /// model, as the look that it began with.
-QString doesNotShowText(const FittedLooks& looks, const PictureSetup& setup);
+QString doesNotShowText(const FittedLooks& looks, const ImageSetup& setup);
 /// Returns a reason given by pdr::whyUnsuited(), a clause, in the window's language; empty for none.
 QString unsuitedText(const std::string& reason);
 

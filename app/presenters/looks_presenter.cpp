@@ -6,7 +6,7 @@
 #include "app/looks/look_files.h"
 #include "app/presenters/look_cards.h"
 #include "app/presenters/look_text.h"
-#include "render/scene/sky_picture.h"
+#include "render/scene/sky_image.h"
 
 namespace pdr::app {
 namespace {
@@ -24,7 +24,7 @@ QWidget* stacked(QWidget* above, QWidget* below) {
 
 /// Returns the look that is shown, with its brightness, under `name`.
 NamedLook shownLook(const Document& document, const std::string& name) {
-    const PictureSetup& setup = document.setup();
+    const ImageSetup& setup = document.setup();
     NamedLook named;
     if (const NamedLook* begun = document.looks().beginningOf(setup)) {
         named.doesNotShow = begun->doesNotShow;
@@ -35,7 +35,7 @@ NamedLook shownLook(const Document& document, const std::string& name) {
     named.model = setup.model;
     named.look = setup.look;
     named.look.display.exposure = displayOf(setup).exposure;
-    named.look.environment = withoutPicture(named.look.environment);  // look files contain no environment images
+    named.look.environment = withoutImage(named.look.environment);  // look files contain no environment images
     return named;
 }
 
@@ -62,7 +62,7 @@ LooksPresenter::LooksPresenter(const Workspace& workspace, const QString& ownLoo
       own_(ownLooks.isEmpty() ? OwnLooks::usualFolder() : ownLooks) {
     window().addPanel(stacked(panel_, visible_),
                       {"Look", ui::WindowDocks::tr("Appearance"), Qt::Key_F3, ui::PanelPlace::looks});
-    pictures_.setImageStands(false);
+    images_.setImageStands(false);
     connectPanel();
     connectMenu();
     offerOwnLooks();
@@ -80,9 +80,9 @@ void LooksPresenter::connectPanel() {
     opens(&ui::LookPanel::tissueWanted, "Tissue");
     opens(&ui::LookPanel::lightWanted, "Light");
     opens(&ui::LookPanel::cameraWanted, "Camera");
-    connect(&document(), &Document::sceneChanged, this, [this](const Scene&, bool moving) { requestPictures(moving); });
-    connect(&pictures_, &LookPictures::made, this, [this](int look, const QImage& picture, double stops) {
-        panel_->gallery().setPicture(look, picture);
+    connect(&document(), &Document::sceneChanged, this, [this](const Scene&, bool moving) { requestImages(moving); });
+    connect(&images_, &LookImages::made, this, [this](int look, const QImage& picture, double stops) {
+        panel_->gallery().setImage(look, picture);
         document().suggestBrightness(look, stops);
     });
 }
@@ -101,7 +101,7 @@ void LooksPresenter::showDocument(Changes changes) {
     if (has(changes, Changes::series)) {
         panel_->setEnabled(document().hasVolume());
         if (!document().hasVolume())
-            pictures_.setImageStands(false);
+            images_.setImageStands(false);
     }
     if (has(changes, Changes::looks))
         panel_->gallery().setLooks(lookCards(document()));
@@ -113,14 +113,14 @@ void LooksPresenter::showDocument(Changes changes) {
 }
 
 void LooksPresenter::showFrame(const std::shared_ptr<const Frame>&) {
-    pictures_.setImageStands(true);
+    images_.setImageStands(true);
 }
 
-void LooksPresenter::requestPictures(bool moving) {
+void LooksPresenter::requestImages(bool moving) {
     if (moving)
-        pictures_.cancel();
+        images_.cancel();
     else if (document().hasVolume())
-        pictures_.make(document().seen(), document().parts(), document().bodyBox(), lookTasks(document()));
+        images_.make(document().seen(), document().parts(), document().bodyBox(), lookTasks(document()));
 }
 
 /// Offers the user's own looks after the bundled ones.
@@ -132,7 +132,7 @@ void LooksPresenter::offerOwnLooks() {
     for (NamedLook& look : own.looks)
         looks.push_back(std::move(look));
     document().setLooks(std::move(looks));
-    requestPictures(false);
+    requestImages(false);
 }
 
 /// Shows the looks after a change, or its error, and chooses the look `name` if it exists.

@@ -1,7 +1,7 @@
 #pragma once
 /// The looks: gallery with small images, brightness, and the user's own looks.
 
-#include "app/jobs/look_pictures.h"
+#include "app/jobs/look_images.h"
 #include "app/looks/own_looks.h"
 #include "app/presenters/presenter.h"
 #include "ui/looks/look_panel.h"
@@ -18,16 +18,16 @@ class LooksPresenter : public Presenter {
 
     void showDocument(Changes changes) override;
     void showFrame(const std::shared_ptr<const Frame>& frame) override;
-    void releaseVolume() override { pictures_.forget(); }
+    void releaseVolume() override { images_.forget(); }
     /// The row below the looks, for the presenter of the visible parts.
     ui::VisibleRow& visibleRow() { return *visible_; }
-    LookPictures& pictures() { return pictures_; }
+    LookImages& images() { return images_; }
 
   private:
     void connectPanel();
     void connectMenu();
     void offerOwnLooks();
-    void requestPictures(bool moving);
+    void requestImages(bool moving);
     void save(const QString& name);
     void rename(const QString& from, const QString& to);
     void importFrom(const QString& file);
@@ -38,7 +38,7 @@ class LooksPresenter : public Presenter {
     ui::LookPanel* panel_;
     ui::VisibleRow* visible_;
     OwnLooks own_;
-    LookPictures pictures_;
+    LookImages images_;
 };
 
 }  // namespace pdr::app

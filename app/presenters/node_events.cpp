@@ -38,10 +38,10 @@ QString goneText(const ui::NodeRow& node) {
 
 }  // namespace
 
-void NodeEvents::follow(const QList<ui::NodeRow>& nodes, std::uint64_t picture, double seconds) {
-    if (picture != picture_)
+void NodeEvents::follow(const QList<ui::NodeRow>& nodes, std::uint64_t image, double seconds) {
+    if (image != image_)
         events_.clear();
-    picture_ = picture;
+    image_ = image;
     QHash<quint64, ui::NodeRow> gone = takingPart_;
     for (const ui::NodeRow& node : nodes) {
         if (takesPart(node)) {

@@ -15,7 +15,7 @@ class NodeEvents {
   public:
     /// Records changes. `nodes`: all current nodes. `picture`: the revision being rendered, on which `seconds` have
     /// been spent; a new revision starts without events.
-    void follow(const QList<ui::NodeRow>& nodes, std::uint64_t picture, double seconds);
+    void follow(const QList<ui::NodeRow>& nodes, std::uint64_t image, double seconds);
     /// The last events, at most kMost, in order of time.
     const ui::PlotEvents& events() const { return events_; }
 
@@ -25,7 +25,7 @@ class NodeEvents {
     void add(double seconds, const QString& text, bool joined);
 
     QHash<quint64, ui::NodeRow> takingPart_;  ///< by id, as last reported
-    std::uint64_t picture_ = 0;
+    std::uint64_t image_ = 0;
     ui::PlotEvents events_;
 };
 

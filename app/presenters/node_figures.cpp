@@ -34,14 +34,14 @@ ui::NodeState stateOf(nodes::NodeState state, bool rendering) {
 
 }  // namespace
 
-void NodeFigures::follow(const std::vector<nodes::NodeStatus>& nodes, const PictureInHand& picture, double now) {
+void NodeFigures::follow(const std::vector<nodes::NodeStatus>& nodes, const ImageInHand& image, double now) {
     // Begin another image
-    const bool another = picture.revision != picture_.revision || picture.purpose != picture_.purpose;
+    const bool another = image.revision != image_.revision || image.purpose != image_.purpose;
     const bool windowEnds = now - windowBegan_ >= kWindow;
     if (another)
-        ownWorkAtPicture_ = picture.ownWork;
-    picture_ = picture;
-    workOfPicture_ = picture.ownWork - ownWorkAtPicture_;
+        ownWorkAtImage_ = image.ownWork;
+    image_ = image;
+    workOfImage_ = image.ownWork - ownWorkAtImage_;
     // Update the counters of every node
     QHash<nodes::NodeId, Followed> followed;
     for (const nodes::NodeStatus& node : nodes) {
@@ -50,7 +50,7 @@ void NodeFigures::follow(const std::vector<nodes::NodeStatus>& nodes, const Pict
         if (count.work < one.now.work)  // the node has reconnected, and its counters have restarted
             one = {};
         if (another)
-            one.atPicture = one.now;
+            one.atImage = one.now;
         one.now = count;
         if (windowEnds) {
             one.efficiency =
@@ -58,7 +58,7 @@ void NodeFigures::follow(const std::vector<nodes::NodeStatus>& nodes, const Pict
             one.rendering = count.work > one.atWindow.work;
             one.atWindow = count;
         }
-        workOfPicture_ += one.now.work - one.atPicture.work;
+        workOfImage_ += one.now.work - one.atImage.work;
         followed[node.id] = one;
     }
     nodes_ = std::move(followed);
@@ -83,10 +83,10 @@ ui::NodeRow NodeFigures::rowOf(const nodes::NodeStatus& node) const {
     row.faults = {int(node.losses), int(node.work.overdue)};
     if (row.state == ui::NodeState::rendering) {
         row.efficiency = followed.efficiency;
-        row.iterationsPerSecond = picture_.pixels > 0 ? node.work.workPerSecond / picture_.pixels : 0;
+        row.iterationsPerSecond = image_.pixels > 0 ? node.work.workPerSecond / image_.pixels : 0;
     }
-    if (workOfPicture_ > 0)
-        row.share = (followed.now.work - followed.atPicture.work) / workOfPicture_;
+    if (workOfImage_ > 0)
+        row.share = (followed.now.work - followed.atImage.work) / workOfImage_;
     return row;
 }
 

@@ -14,7 +14,7 @@
 namespace pdr::app {
 
 /// The image that the nodes are rendering.
-struct PictureInHand {
+struct ImageInHand {
     std::uint64_t revision = 0;  ///< unique among images of the same purpose
     double pixels = 0;           ///< number of pixels; 0: there is no image
     double ownWork = 0;          ///< work that this machine has done, for all images
@@ -23,7 +23,7 @@ struct PictureInHand {
 
 class NodeFigures {
   public:
-    void follow(const std::vector<nodes::NodeStatus>& nodes, const PictureInHand& picture, double now);
+    void follow(const std::vector<nodes::NodeStatus>& nodes, const ImageInHand& image, double now);
     /// Returns the row of a node that follow() has seen, complete but for its id.
     ui::NodeRow rowOf(const nodes::NodeStatus& node) const;
 
@@ -34,16 +34,16 @@ class NodeFigures {
         double work = 0, busySeconds = 0;
     };
     struct Followed {
-        Count now, atWindow, atPicture;
+        Count now, atWindow, atImage;
         double efficiency = 0;
         bool rendering = false;
     };
 
     QHash<nodes::NodeId, Followed> nodes_;
-    PictureInHand picture_;
-    double ownWorkAtPicture_ = 0;
+    ImageInHand image_;
+    double ownWorkAtImage_ = 0;
     double windowBegan_ = 0;
-    double workOfPicture_ = 0;  ///< work for the image by this machine and all nodes
+    double workOfImage_ = 0;  ///< work for the image by this machine and all nodes
 };
 
 }  // namespace pdr::app

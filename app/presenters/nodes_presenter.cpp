@@ -5,15 +5,15 @@ namespace pdr::app {
 NodesPresenter::NodesPresenter(const Workspace& workspace)
     : Presenter(workspace), panel_(new ui::NodesPanel), job_(bridge()) {
     window().addPanel(panel_, {"Nodes", ui::WindowDocks::tr("Render nodes"), Qt::Key_F12, ui::PanelPlace::below});
-    connect(panel_, &ui::NodesPanel::bundleRequested, &job_, &NodesJob::setBundle);
-    connect(panel_, &ui::NodesPanel::listenRequested, &job_, &NodesJob::listen);
-    connect(panel_, &ui::NodesPanel::addRequested, &job_, &NodesJob::add);
-    connect(panel_, &ui::NodesPanel::pauseRequested, &job_, &NodesJob::setPaused);
-    connect(panel_, &ui::NodesPanel::removeRequested, &job_, &NodesJob::remove);
-    connect(panel_, &ui::NodesPanel::splitRequested, &job_, &NodesJob::setSplit);
-    connect(&job_, &NodesJob::failed, panel_, &ui::NodesPanel::setProblem);
-    connect(&job_, &NodesJob::changed, this, &NodesPresenter::showNodes);
-    connect(&job_, &NodesJob::wantedChanged, this, [this] {
+    connect(panel_, &ui::NodesPanel::bundleRequested, &job_, &DesktopNodes::setBundle);
+    connect(panel_, &ui::NodesPanel::listenRequested, &job_, &DesktopNodes::listen);
+    connect(panel_, &ui::NodesPanel::addRequested, &job_, &DesktopNodes::add);
+    connect(panel_, &ui::NodesPanel::pauseRequested, &job_, &DesktopNodes::setPaused);
+    connect(panel_, &ui::NodesPanel::removeRequested, &job_, &DesktopNodes::remove);
+    connect(panel_, &ui::NodesPanel::splitRequested, &job_, &DesktopNodes::setSplit);
+    connect(&job_, &DesktopNodes::failed, panel_, &ui::NodesPanel::setProblem);
+    connect(&job_, &DesktopNodes::changed, this, &NodesPresenter::showNodes);
+    connect(&job_, &DesktopNodes::wantedChanged, this, [this] {
         showRequested();
         keepRequested();
     });

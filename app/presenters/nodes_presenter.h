@@ -1,7 +1,7 @@
 #pragma once
 /// The panel of render nodes, and which of them are requested again at the next start.
 
-#include "app/presenters/nodes_job.h"
+#include "app/presenters/desktop_nodes.h"
 #include "app/presenters/presenter.h"
 #include "ui/nodes/nodes_panel.h"
 
@@ -13,7 +13,7 @@ class NodesPresenter : public Presenter {
   public:
     explicit NodesPresenter(const Workspace& workspace);
 
-    NodesJob& job() { return job_; }
+    DesktopNodes& job() { return job_; }
 
   signals:
     /// Reports what happened to nodes, for the plot of the error.
@@ -26,7 +26,7 @@ class NodesPresenter : public Presenter {
     void keepRequested();
 
     ui::NodesPanel* panel_;
-    NodesJob job_;
+    DesktopNodes job_;
 };
 
 }  // namespace pdr::app

@@ -25,27 +25,27 @@ bool showsSkin(const TransferFunction& function) {
 
 }  // namespace
 
-SavingPresenter::SavingPresenter(const Workspace& workspace) : Presenter(workspace) {
+SavingPresenter::SavingPresenter(const Workspace& workspace) : Presenter(workspace), saver_(bridge()) {
     const ui::WindowActions& actions = window().menuActions();
     actions.captioned->setChecked(settings().captioned());
     connect(actions.captioned, &QAction::triggered, this,
             [this](bool captioned) { settings().keepCaptioned(captioned); });
     connect(actions.save, &QAction::triggered, this, &SavingPresenter::ask);
     connect(actions.copy, &QAction::triggered, this, &SavingPresenter::copy);
-    connect(&bridge(), &RenderBridge::saved, this, &SavingPresenter::showSaved);
-    connect(&bridge(), &RenderBridge::saveFailed, this, &SavingPresenter::showError);
+    connect(&saver_, &ImageSaver::saved, this, &SavingPresenter::showSaved);
+    connect(&saver_, &ImageSaver::failed, this, &SavingPresenter::showError);
     connectJob();
 }
 
 void SavingPresenter::connectJob() {
     showProgressOf(job_);
-    connect(&job_, &PictureJob::progressed, this, [this] {
+    connect(&job_, &ImageJob::progressed, this, [this] {
         window().setQuestionOnClosing(ui::MainWindow::tr("An image is still rendering. Quit and discard it?"));
     });
-    connect(&job_, &PictureJob::finished, this, [this] { window().setQuestionOnClosing({}); });
-    connect(&job_, &PictureJob::saved, this, &SavingPresenter::showSaved);
-    connect(&job_, &PictureJob::failed, this, &SavingPresenter::showError);
-    connect(&job_, &PictureJob::cancelled, this,
+    connect(&job_, &ImageJob::finished, this, [this] { window().setQuestionOnClosing({}); });
+    connect(&job_, &ImageJob::saved, this, &SavingPresenter::showSaved);
+    connect(&job_, &ImageJob::failed, this, &SavingPresenter::showError);
+    connect(&job_, &ImageJob::cancelled, this,
             [this] { window().status().showForAWhile(ui::MainWindow::tr("Cancelled: no image was saved")); });
 }
 
@@ -78,8 +78,8 @@ ui::Annotate SavingPresenter::usualAnnotate() const {
 void SavingPresenter::ask() {
     const bool patientKnown = !window().patient().isEmpty() && !window().namesHidden();
     const auto order =
-        ui::askForPicture(&window(), *window().menuActions().save,
-                          {window().viewport().sizeInPixels(), name_, folder_, cost_, usualAnnotate(), patientKnown});
+        ui::askForImage(&window(), *window().menuActions().save,
+                        {window().viewport().sizeInPixels(), name_, folder_, cost_, usualAnnotate(), patientKnown});
     if (!order)
         return;
     folder_ = QFileInfo(order->file).absolutePath();
@@ -89,7 +89,7 @@ void SavingPresenter::ask() {
         save(order->file, order->annotate);
 }
 
-void SavingPresenter::render(const ui::PictureOrder& order) {
+void SavingPresenter::render(const ui::ImageOrder& order) {
     if (!document().hasVolume() || !order.size)
         return;
     Scene scene = document().scene();
@@ -100,7 +100,7 @@ void SavingPresenter::render(const ui::PictureOrder& order) {
 
 void SavingPresenter::save(const QString& file, ui::Annotate annotate) {
     const auto& frame = bridge().lastFrame();
-    bridge().save(file, frame ? leaving(annotationsOf(workspace(), *frame), annotate) : std::nullopt);
+    saver_.save(file, frame ? leaving(annotationsOf(workspace(), *frame), annotate) : std::nullopt);
 }
 
 void SavingPresenter::copy() {

@@ -1,9 +1,10 @@
 #pragma once
 /// Images that leave the window: saved as they are on the screen, rendered anew for a file, or copied to the clipboard.
 
-#include "app/jobs/picture_job.h"
+#include "app/jobs/image_job.h"
 #include "app/presenters/presenter.h"
-#include "ui/output/picture_order.h"
+#include "app/rendering/image_saver.h"
+#include "ui/output/image_order.h"
 
 namespace pdr::app {
 
@@ -18,10 +19,11 @@ class SavingPresenter : public Presenter {
     void releaseVolume() override;
     bool cancelJob() override { return cancel(job_); }
     /// Renders an image for a file.
-    void render(const ui::PictureOrder& order);
+    void render(const ui::ImageOrder& order);
     /// Saves the image on the screen as it is.
     void save(const QString& file, ui::Annotate annotate);
-    PictureJob& job() { return job_; }
+    ImageSaver& saver() { return saver_; }
+    ImageJob& job() { return job_; }
 
   private:
     void connectJob();
@@ -32,11 +34,12 @@ class SavingPresenter : public Presenter {
     void showWhoCanBeKnown();
     void setImageAvailable(bool available);
 
-    PictureJob job_;
-    QString folder_;                       ///< where the last image was saved; kept while the program runs
-    QString name_;                         ///< proposed file name of the image on the screen
-    std::optional<ui::PictureCost> cost_;  ///< cost of an image like the one on the screen; none: unknown
-    bool saidSkin_ = false;                ///< the notice on skin has been shown for this series
+    ImageSaver saver_;
+    ImageJob job_;
+    QString folder_;                     ///< where the last image was saved; kept while the program runs
+    QString name_;                       ///< proposed file name of the image on the screen
+    std::optional<ui::ImageCost> cost_;  ///< cost of an image like the one on the screen; none: unknown
+    bool saidSkin_ = false;              ///< the notice on skin has been shown for this series
 };
 
 }  // namespace pdr::app

@@ -53,7 +53,7 @@ void SeriesPresenter::connectImport() {
     });
     connect(&import_, &ImportJob::scanned, this, &SeriesPresenter::showScan);
     connect(&import_, &ImportJob::loaded, this, &SeriesPresenter::showVolume);
-    connect(&pictures_, &SeriesPictures::made, panel_, &ui::SeriesPanel::setPicture);
+    connect(&images_, &SeriesImages::made, panel_, &ui::SeriesPanel::setImage);
 }
 
 void SeriesPresenter::close() {
@@ -61,7 +61,7 @@ void SeriesPresenter::close() {
     window().viewport().setMessage({});
     window().start().show();
     window().setChoosing(false);
-    pictures_.cancel();
+    images_.cancel();
     window().setSubject({});
     window().setPatient({});
     panel_->setNothingShown();
@@ -83,7 +83,7 @@ void SeriesPresenter::showScan(const dicom::ScanResult& scan, const QString& fol
 void SeriesPresenter::showChoice(const dicom::ScanResult& scan, const QString& folder) {
     window().setChoosing(true);
     window().start().hide();
-    pictures_.make(scan);
+    images_.make(scan);
     if (firstLoadable(scan) >= 0)
         return window().viewport().setMessage(ui::MainWindow::tr("Choose a series from the list on the left."));
     panel_->setCurrent(scan.series.empty() ? -1 : 0);

@@ -3,7 +3,7 @@
 /// series and its patient.
 
 #include "app/jobs/import_job.h"
-#include "app/jobs/series_pictures.h"
+#include "app/jobs/series_images.h"
 #include "app/presenters/presenter.h"
 #include "ui/series/series_panel.h"
 
@@ -38,7 +38,7 @@ class SeriesPresenter : public Presenter {
 
     ui::SeriesPanel* panel_;
     ImportJob import_;
-    SeriesPictures pictures_;
+    SeriesImages images_;
 };
 
 }  // namespace pdr::app

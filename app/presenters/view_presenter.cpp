@@ -13,7 +13,7 @@ ViewPresenter::ViewPresenter(const Workspace& workspace) : Presenter(workspace) 
             [this](bool shown) { document().setTable(shown ? Table::shown : Table::hidden); });
     connect(&window().message(), &ui::MessageBar::offerTaken, &document(),
             [this] { document().setTable(Table::shown); });
-    connect(actions.smoothed, &QAction::triggered, &document(), &Document::setSmoothed);
+    connect(actions.denoised, &QAction::triggered, &document(), &Document::setDenoised);
     connect(actions.undo, &QAction::triggered, &document(), &Document::undo);
     connect(actions.redo, &QAction::triggered, &document(), &Document::redo);
 }
@@ -52,14 +52,14 @@ void ViewPresenter::showDocument(Changes changes) {
         window().message().withdraw();
     actions.table->setChecked(shown.setup().table == Table::shown);
     actions.table->setEnabled(shown.hasTable());
-    actions.smoothed->setChecked(shown.smoothed());
+    actions.denoised->setChecked(shown.denoised());
     actions.undo->setEnabled(shown.canUndo());
     actions.undo->setText('&' + ui::inWords(shown.undoText()));
     actions.redo->setEnabled(shown.canRedo());
     actions.redo->setText('&' + ui::inWords(shown.redoText()));
     for (QAction* view : actions.views)
         view->setEnabled(shown.hasVolume());
-    for (QAction* action : {actions.firstView, actions.fit, actions.smoothed})
+    for (QAction* action : {actions.firstView, actions.fit, actions.denoised})
         action->setEnabled(shown.hasVolume());
 }
 

@@ -29,7 +29,8 @@ struct ChannelLimits {
     std::chrono::milliseconds unheard{5000};    ///< time without an acknowledgement by the peer's TCP
     DripLimits drip;                            ///< minimum speed of incoming messages
     /// Limit on incoming messages except chunks, leases and answers to leases: twice the rate of a coordinator's scenes
-    /// (nodes::NodeLink), each of which has one answer; the burst is twice what queues up in the 10 s of the heartbeat.
+    /// (nodes::NodeConnection), each of which has one answer; the burst is twice what queues up in the 10 s of the
+    /// heartbeat.
     RateLimit messages{.perSecond = 500, .burst = 5000};
 };
 

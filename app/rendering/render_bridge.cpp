@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/output/picture_writing.h"
 #include "render/scene/scene.h"
 #include "ui/text/room_text.h"
 
@@ -64,13 +63,11 @@ void RenderBridge::setRegion(const std::optional<QRectF>& box) {
 void RenderBridge::askErrorAt(QPointF place) {
     if (!lastFrame_ || lastFrame_->coarse)
         return;
-    session_.requestSnapshot(
-        lastFrame_->revision, [this, place, exposure = display_.exposure](const Result<FilmView>& view) {
-            if (!view)
-                return;
-            const LevelErrorsAt errors = errorsAt(*view, place, exposure);
-            QMetaObject::invokeMethod(this, [this, place, errors] { emit errorFound(place, errors); });
-        });
+    lookAtImage([this, place, exposure = display_.exposure](const Result<FilmView>& view) -> std::function<void()> {
+        if (!view)
+            return [] {};
+        return [this, place, errors = errorsAt(*view, place, exposure)] { emit errorFound(place, errors); };
+    });
 }
 
 void RenderBridge::setPace(const FrameBudget& pace) {
@@ -125,46 +122,19 @@ void RenderBridge::clear() {
     lastFrame_.reset();
 }
 
-void RenderBridge::watchEffects(bool watch) {
-    watching_ = watch;
-    takeLedger(nullptr);
-    if (!watch)
+void RenderBridge::lookAtImage(ImageLook look) {
+    session_.requestSnapshot(lastFrame_->revision, [this, look = std::move(look)](const Result<FilmView>& view) {
+        QMetaObject::invokeMethod(this, look(view));
+    });
+}
+
+void RenderBridge::observeEffects(EffectsObserver observer) {
+    if (!observer)
         return session_.watchEffects({});
-    session_.watchEffects({devices_.cpuAlone(), [this](std::shared_ptr<const EffectLedger> ledger) {
-                               QMetaObject::invokeMethod(this, [this, ledger = std::move(ledger)]() mutable {
-                                   takeLedger(std::move(ledger));
-                               });
-                           }});
-}
-
-/// Takes a new cost table. One that arrives after watching has ended is dropped.
-void RenderBridge::takeLedger(std::shared_ptr<const EffectLedger> ledger) {
-    if (!watching_)
-        ledger = nullptr;
-    if (std::exchange(lastLedger_, ledger) != ledger)
-        emit ledgerChanged();
-}
-
-void RenderBridge::save(const QString& file, const std::optional<ui::Annotations>& annotations) {
-    if (auto named = checkPictureName(file); !named) {
-        emit saveFailed(named.error());
-        return;
-    }
-    if (!lastFrame_) {
-        emit saveFailed(notSaved(file, {phrase("there is no image"), "", phrase("Wait until there is one.")}));
-        return;
-    }
-    session_.requestSnapshot(
-        lastFrame_->revision, [this, file, annotations, display = display_](const Result<FilmView>& view) {
-            const Result<void> written =
-                view ? writePicture(*view, display, annotations, file) : notSaved(file, view.error());
-            QMetaObject::invokeMethod(this, [this, file, written] {
-                if (written)
-                    emit saved(file);
-                else
-                    emit saveFailed(written.error());
-            });
-        });
+    session_.watchEffects(
+        {devices_.cpuAlone(), [this, observer = std::move(observer)](std::shared_ptr<const EffectCosts> table) {
+             QMetaObject::invokeMethod(this, [observer, table = std::move(table)] { observer(table); });
+         }});
 }
 
 /// Passes a frame on to the window's thread, in place of one that still waits. Called on the render thread.

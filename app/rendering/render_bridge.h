@@ -6,15 +6,15 @@
 #include <QPointF>
 #include <QRectF>
 #include <QString>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 
 #include "app/rendering/device_choice.h"
 #include "render/scene/scene.h"
-#include "render/session/effect_ledger.h"
+#include "render/session/effect_costs.h"
 #include "render/session/session.h"
-#include "ui/annotation/annotations.h"
 
 namespace pdr::app {
 
@@ -39,8 +39,19 @@ class RenderBridge : public QObject {
     /// Returns an opener of a device for an image that goes into a file: another device of the kind in use. See
     /// DeviceChoice::forFinalRender().
     DeviceOpener finalRenderDevice() const { return devices_.forFinalRender(device_.toStdString()); }
-    /// The cost table of the effects, as far as it is known; null while it is not watched.
-    const std::shared_ptr<const EffectLedger>& lastLedger() const { return lastLedger_; }
+    /// How radiance becomes display levels, as set last.
+    const Display& display() const { return display_; }
+
+    /// Looks at the film of the image on the screen once it has samples: on the render thread, between two launches.
+    /// Returns what is then to be done on the window's thread.
+    using ImageLook = std::function<std::function<void()>(const Result<FilmView>& view)>;
+    /// Calls `look` once. Errors: another image replaced this one, or it was closed or could not be rendered. There
+    /// must be an image.
+    void lookAtImage(ImageLook look);
+    /// Receives cost tables of the effects, on the window's thread.
+    using EffectsObserver = std::function<void(const std::shared_ptr<const EffectCosts>& table)>;
+    /// Measures what effects cost, on the CPU, while there is an observer.
+    void observeEffects(EffectsObserver observer);
 
   public slots:
     /// Renders `scene`. `moving`: the user is dragging; such scenes are taken one at a time, so that each of them is
@@ -69,17 +80,9 @@ class RenderBridge : public QObject {
     void setUnseen(bool unseen);
     /// Stops rendering and releases everything of the scenes so far.
     void clear();
-    /// Starts or ends measuring what effects cost, on the CPU.
-    void watchEffects(bool watch);
-    /// Writes the image on the screen, with the samples that it has by then, and with `annotations` over it, if there
-    /// are any. The file name extension chooses the format: ".exr" or ".png". Ends with saved() or saveFailed(), the
-    /// latter also if another image has taken its place.
-    void save(const QString& file, const std::optional<ui::Annotations>& annotations = {});
 
   signals:
     void frameReady(const std::shared_ptr<const pdr::Frame>& frame);
-    /// Emitted when lastLedger() has changed.
-    void ledgerChanged();
     void pausedChanged(bool paused);
     void stopChanged(const pdr::StopRule& rule);
     /// Emitted when frames come from another device, and again with each notice.
@@ -89,21 +92,16 @@ class RenderBridge : public QObject {
     /// Answers askErrorAt(). The square of `errors` is 1 mm large in the plane of focus; its side is 0 if 1 mm is less
     /// than half a pixel.
     void errorFound(QPointF place, const pdr::LevelErrorsAt& errors);
-    void saved(const QString& file);
-    void saveFailed(const pdr::Error& error);
 
   private:
     void take(std::shared_ptr<const Frame> frame);
     void deliver();
-    void takeLedger(std::shared_ptr<const EffectLedger> ledger);
     void openAndGoOn(const QString& device);
 
     DeviceChoice devices_;
     std::mutex mutex_;
     std::shared_ptr<const Frame> waiting_;  ///< guarded by mutex_: the newest frame that the window has not seen
     std::shared_ptr<const Frame> lastFrame_;
-    std::shared_ptr<const EffectLedger> lastLedger_;
-    bool watching_ = false;
     std::optional<Scene> next_;      ///< newest scene of a drag, until the one before has been seen
     bool movingUnseen_ = false;      ///< a scene of a drag has been submitted and not been seen yet
     std::uint64_t submitted_ = 0;    ///< revision of the scene submitted last

@@ -19,7 +19,7 @@ constexpr std::uint32_t kSamplesPerLaunch = 16;  ///< few, so that Ctrl-C is not
 
 /// Returns the mean over an image and its standard error. The pixels are independent, and so are the draws of their
 /// errors.
-Measurement pictureMean(const Film& film) {
+Measurement imageMean(const Film& film) {
     Measurement result;
     double squares = 0;
     for (int y = 0; y < film.size().y; ++y)
@@ -58,7 +58,7 @@ Result<Measurement> rendered(Device& device, const Scene& scene, std::uint64_t s
     const auto film = (*live)->film();
     if (!film)
         return film.error();
-    return pictureMean(**film);
+    return imageMean(**film);
 }
 
 /// Converts the mean of the image to the quantity of the case by an affine map.

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <new>
 
-#include "dicom/read/compressed_picture.h"
+#include "dicom/read/compressed_image.h"
 #include "dicom/read/parsed_object.h"
 #include "dicom/read/refusal.h"
 #include "dicom/read/slice_header.h"

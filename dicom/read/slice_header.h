@@ -64,7 +64,7 @@ struct HeaderRead {
     };
     Kind kind = Kind::notDicom;
     SliceHeader header;
-    Text damage;  ///< a phrase ("it ends inside the compressed picture")
+    Text damage;  ///< a phrase ("it ends inside the compressed image")
 };
 
 /// Reads the header of `object`. Never throws because of its content, and never prints it. `goOn`: see

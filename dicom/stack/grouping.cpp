@@ -46,7 +46,7 @@ bool sameBytes(const NamedBytes& a, const NamedBytes& b) {
     return true;
 }
 
-bool samePicture(const SeriesSource& source, const SliceHeader& a, const SliceHeader& b) {
+bool sameImage(const SeriesSource& source, const SliceHeader& a, const SliceHeader& b) {
     const auto first = source.open(a.file), second = source.open(b.file);
     if (!first || !second)
         return false;
@@ -63,7 +63,7 @@ std::set<int> copiesAmong(const Headers& headers, const StackAnalysis& analysis,
     for (const auto& [first, other] : analysis.samePlace) {
         const double done = double(copies.size()) / double(analysis.samePlace.size());
         if (!progress(done, "comparing slices at the same place") ||
-            !samePicture(source, *headers[first], *headers[other]))
+            !sameImage(source, *headers[first], *headers[other]))
             return {};
         copies.insert(other);
     }

@@ -51,7 +51,7 @@ Bias faultBias(Fault fault, const BiasFacts& facts) {
     return bias;
 }
 
-Bias smoothingBias(const std::optional<SmoothedError>& error) {
+Bias smoothingBias(const std::optional<DenoisedError>& error) {
     if (!error)
         return {BiasCause::smoothing, phrase("denoised: how much is not known yet")};
     return {.cause = BiasCause::smoothing,
@@ -93,8 +93,8 @@ void addOfComputing(const BiasFacts& facts, std::vector<Bias>& all) {
     for (int i = 0; i < kFaults; ++i)
         if (facts.health.of(Fault(i)).count > 0)
             all.push_back(faultBias(Fault(i), facts));
-    if (facts.isSmoothed)
-        all.push_back(smoothingBias(facts.smoothed));
+    if (facts.isDenoised)
+        all.push_back(smoothingBias(facts.denoised));
 }
 
 }  // namespace
@@ -128,9 +128,9 @@ bool sumsToATolerance(const BiasFacts& facts) {
 std::vector<Bias> biases(const BiasFacts& facts) {
     std::vector<Bias> all;
     addOfComputing(facts, all);
-    if (facts.view != ivec2(0) && facts.picture != facts.view)
-        all.push_back({BiasCause::resolution,
-                       phrase("%1 pixels stretched to %2", sizeText(facts.picture), sizeText(facts.view))});
+    if (facts.view != ivec2(0) && facts.image != facts.view)
+        all.push_back(
+            {BiasCause::resolution, phrase("%1 pixels stretched to %2", sizeText(facts.image), sizeText(facts.view))});
     if (facts.slicesInterpolated)
         all.push_back({BiasCause::interpolatedSlices,
                        phrase("slices between the scan's own are a cubic's: a choice, and no error of the computing")});

@@ -68,9 +68,9 @@ struct BiasFacts {
     Health health;
     std::uint64_t tissuePixels = 0;  ///< pixels that show tissue; 0: nothing is known of all pixels
     MeasuredBiases measured;
-    std::optional<SmoothedError> smoothed;  ///< error of the denoised image, if `isSmoothed`
-    bool isSmoothed = false;
-    ivec2 picture{0}, view{0};  ///< sizes of image and view [pixels]; 0: the image is not stretched
+    std::optional<DenoisedError> denoised;  ///< error of the denoised image, if `isDenoised`
+    bool isDenoised = false;
+    ivec2 image{0}, view{0};  ///< sizes of image and view [pixels]; 0: the image is not stretched
     bool slicesInterpolated = false;
 };
 

@@ -24,7 +24,7 @@ std::vector<dvec3> radianceOf(const Film& film, bool smooth) {
 }  // namespace
 
 TrueError trueError(const Film& film, const Display& display, const Film& reference) {
-    const std::vector<dvec3> radiance = radianceOf(film, display.smoothed);
+    const std::vector<dvec3> radiance = radianceOf(film, display.denoised);
     const float* curve = displayCurve();
     // Compare all tissue pixels
     double squares = 0, mean = 0;

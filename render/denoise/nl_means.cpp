@@ -30,12 +30,12 @@ float likeness(float distance) {
 /// Denoises some rows of the image, one neighbour (dx, dy) of all their pixels after the other.
 class Band {
   public:
-    Band(const NoisyPicture& picture, Colours& out, int begin, int end)
-        : in_(picture),
+    Band(const NoisyImage& image, Colours& out, int begin, int end)
+        : in_(image),
           out_(out),
           begin_(begin),
           rows_(end - begin),
-          width_(picture.luminance.size().x),
+          width_(image.luminance.size().x),
           distances_(std::size_t(width_ + 2 * kReach)),
           likenesses_(std::size_t(width_ + 2 * kSpread)),
           across_(std::size_t(rows_ + 2 * kReach) * likenesses_.size()),
@@ -117,7 +117,7 @@ class Band {
     float* sharedRow(int y) { return &shared_[std::size_t(y + kSpread) * std::size_t(width_)]; }
     float* totalRow(int y) { return &total_[std::size_t(y) * std::size_t(width_)]; }
 
-    const NoisyPicture& in_;
+    const NoisyImage& in_;
     Colours& out_;
     int begin_, rows_, width_;
     std::vector<float> distances_, likenesses_;  ///< values of one row
@@ -126,11 +126,11 @@ class Band {
 
 }  // namespace
 
-Colours nonLocalMeans(const NoisyPicture& picture, const std::stop_token& stop) {
-    const ivec2 size = picture.luminance.size();
+Colours nonLocalMeans(const NoisyImage& image, const std::stop_token& stop) {
+    const ivec2 size = image.luminance.size();
     Colours out = coloursOf(size);
     eachBand(size.y, stop, [&](int begin, int end) {
-        Band band(picture, out, begin, end);
+        Band band(image, out, begin, end);
         for (int dy = -kSearch; dy <= kSearch && !stop.stop_requested(); ++dy)
             for (int dx = -kSearch; dx <= kSearch; ++dx)
                 if (windowWeight(dx, dy) > 0)

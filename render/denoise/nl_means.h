@@ -8,13 +8,13 @@
 namespace pdr::denoise {
 
 /// An image and its noise: planes of one size, not owned.
-struct NoisyPicture {
+struct NoisyImage {
     const Colours& mean;
     const Plane& luminance;  ///< luminance of the mean
     const Plane& variance;   ///< variance of that luminance; > 0, in images whose radiances are about 1
 };
 
 /// Returns the denoised image, which is constant where `picture` is, to the bit. Worthless after a stop request.
-Colours nonLocalMeans(const NoisyPicture& picture, const std::stop_token& stop);
+Colours nonLocalMeans(const NoisyImage& image, const std::stop_token& stop);
 
 }  // namespace pdr::denoise

@@ -12,15 +12,15 @@ constexpr int kVarianceRadius = 2, kRatioRadius = 10;
 constexpr float kMostRatio = 2, kLeastVariance = 1e-6f, kTiny = 1e-9f;
 
 /// Denoises on several scales: the coarser scale replaces the low frequencies of this one.
-Colours onScales(const NoisyPicture& picture, int scales, const std::stop_token& stop) {
-    Colours fine = nonLocalMeans(picture, stop);
-    const ivec2 size = picture.luminance.size();
+Colours onScales(const NoisyImage& image, int scales, const std::stop_token& stop) {
+    Colours fine = nonLocalMeans(image, stop);
+    const ivec2 size = image.luminance.size();
     if (scales <= 1 || stop.stop_requested() || std::min(size.x, size.y) < kSmallest)
         return fine;
-    const Colours& mean = picture.mean;
+    const Colours& mean = image.mean;
     const Colours half{halved(mean[0], 0.25f), halved(mean[1], 0.25f), halved(mean[2], 0.25f)};
     const Colours coarse =
-        onScales({half, halved(picture.luminance, 0.25f), halved(picture.variance, 0.0625f)}, scales - 1, stop);
+        onScales({half, halved(image.luminance, 0.25f), halved(image.variance, 0.0625f)}, scales - 1, stop);
     for (int c = 0; c < 3; ++c)
         addDoubled(combined([](float better, float here) { return better - here; }, coarse[c], halved(fine[c], 0.25f)),
                    fine[c]);
@@ -47,7 +47,7 @@ Plane realVariance(const Plane& variance, const Plane& ratio) {
     return combined([](float presumed, float r) { return presumed * r; }, boxed(variance, kVarianceRadius), ratio);
 }
 
-Colours smoothed(const Colours& mean, const Plane& variance, const Plane& ratio, const std::stop_token& stop) {
+Colours denoised(const Colours& mean, const Plane& variance, const Plane& ratio, const std::stop_token& stop) {
     const Plane noise = realVariance(variance, ratio);
     const Plane counted = combined([](float real) { return real + kLeastVariance; }, noise);
     Colours out = onScales({mean, luminance(mean), counted}, kScales, stop);

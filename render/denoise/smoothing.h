@@ -22,6 +22,6 @@ Plane realVariance(const Plane& variance, const Plane& ratio);
 /// Returns `mean` denoised, never below 0. `variance`: presumed for its luminance; where the real one is 0 the image
 /// stays as it is. Radiances should be about 1: less than 0.1 % of that counts as noise. Worthless after a stop
 /// request.
-Colours smoothed(const Colours& mean, const Plane& variance, const Plane& ratio, const std::stop_token& stop = {});
+Colours denoised(const Colours& mean, const Plane& variance, const Plane& ratio, const std::stop_token& stop = {});
 
 }  // namespace pdr::denoise

@@ -49,7 +49,7 @@ class Accumulator {
     virtual Result<void> resolve(const Display& display, std::stop_token stop) = 0;
     Result<void> resolve(const Display& display) { return resolve(display, {}); }
     /// Returns the oldest image that was requested; waits for it. At least one must have been requested.
-    virtual Result<Picture> readback() = 0;
+    virtual Result<Image> readback() = 0;
     /// Returns how many images may be requested before the first is read back: 1 if nothing runs asynchronously, else
     /// more.
     virtual int maxInFlight() const = 0;

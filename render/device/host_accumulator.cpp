@@ -6,13 +6,13 @@
 namespace pdr {
 
 Result<void> HostAccumulator::resolve(const Display& display, std::stop_token stop) {
-    shown_.push_back(development_.picture(film_, display, stop));
+    shown_.push_back(development_.image(film_, display, stop));
     return {};
 }
 
-Result<Picture> HostAccumulator::readback() {
+Result<Image> HostAccumulator::readback() {
     assert(!shown_.empty());
-    Picture oldest = std::move(shown_.front());
+    Image oldest = std::move(shown_.front());
     shown_.pop_front();
     return oldest;
 }

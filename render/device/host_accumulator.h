@@ -18,7 +18,7 @@ class HostAccumulator : public Accumulator {
 
     Tile area() const override { return film_.area(); }
     Result<void> resolve(const Display& display, std::stop_token stop) override;
-    Result<Picture> readback() override;
+    Result<Image> readback() override;
     int maxInFlight() const override { return 1; }
     Result<std::shared_ptr<const Film>> film() override { return std::make_shared<const Film>(film_); }
     Result<void> look(const std::function<void(const Film&)>& use) override {
@@ -33,7 +33,7 @@ class HostAccumulator : public Accumulator {
 
   private:
     Development development_;
-    std::deque<Picture> shown_;
+    std::deque<Image> shown_;
 };
 
 }  // namespace pdr

@@ -76,7 +76,7 @@ class SpareFilm final : public Accumulator {
     Result<void> resolve(const Display& display, std::stop_token stop) override {
         return film_->resolve(display, std::move(stop));
     }
-    Result<Picture> readback() override { return film_->readback(); }
+    Result<Image> readback() override { return film_->readback(); }
     int maxInFlight() const override { return film_->maxInFlight(); }
     Result<std::shared_ptr<const Film>> film() override { return film_->film(); }
     Result<void> look(const std::function<void(const Film&)>& use) override { return film_->look(use); }

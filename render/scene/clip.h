@@ -32,15 +32,15 @@ struct ClipPlane {
 inline constexpr std::size_t kMostPlanes = 8;
 
 /// A point of an image, relative to the image's middle, in units of the image's height.
-struct PicturePoint {
+struct ImagePoint {
     double x = 0, y = 0;  ///< x to the right, y downwards; each in [-1000, 1000]
-    bool operator==(const PicturePoint&) const = default;
+    bool operator==(const ImagePoint&) const = default;
 };
 
 /// A cut along the view through a closed line drawn on an image: a cone behind the line, or a prism in a parallel view.
 struct FreehandCut {
-    Camera camera;                      ///< camera of the image that the line was drawn on; its lens is ignored
-    std::vector<PicturePoint> outline;  ///< corners of the line, at least three; it returns from the last to the first
+    Camera camera;                    ///< camera of the image that the line was drawn on; its lens is ignored
+    std::vector<ImagePoint> outline;  ///< corners of the line, at least three; it returns from the last to the first
     bool keepInside = false;  ///< true: what lies behind the inside stays, all else is cut away; false: the reverse
     bool operator==(const FreehandCut&) const = default;
 };

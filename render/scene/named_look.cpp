@@ -45,14 +45,14 @@ dvec3 directionOf(CutHint::Plane plane) {
     return {0, 0, 1};
 }
 
-/// Sets model, estimator and cut of `picture`, a PictureSetup or a Scene.
-template <typename Picture>
-void takeModelAndCut(Picture& picture, const NamedLook& look, const VolumeGeometry& bodyBox) {
-    picture.model = look.model;
-    if (picture.model != Model::singleScattering)
-        picture.estimator = Estimator::unbiased;  // kroesMarch supports no other model
-    if (look.cut && picture.clip.empty())
-        picture.clip.planes = {planeOf(*look.cut, bodyBox)};
+/// Sets model, estimator and cut of `picture`, a ImageSetup or a Scene.
+template <typename Image>
+void takeModelAndCut(Image& image, const NamedLook& look, const VolumeGeometry& bodyBox) {
+    image.model = look.model;
+    if (image.model != Model::singleScattering)
+        image.estimator = Estimator::unbiased;  // kroesMarch supports no other model
+    if (look.cut && image.clip.empty())
+        image.clip.planes = {planeOf(*look.cut, bodyBox)};
 }
 
 }  // namespace
@@ -108,7 +108,7 @@ ClipPlane planeOf(const CutHint& cut, const VolumeGeometry& bodyBox) {
     return {bodyBox.centreMm() + away * (reach * (1 - 2 * double(cut.at))), away};
 }
 
-PictureSetup withNamedLook(PictureSetup setup, const NamedLook& look, const VolumeGeometry& bodyBox) {
+ImageSetup withNamedLook(ImageSetup setup, const NamedLook& look, const VolumeGeometry& bodyBox) {
     setup.look = look.look;
     setup.lookName = look.name;
     setup.lookChanged = false;

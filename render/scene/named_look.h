@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "render/base/result.h"
+#include "render/scene/image_setup.h"
 #include "render/scene/look.h"
-#include "render/scene/picture_setup.h"
 #include "render/segment/findings.h"
 
 namespace pdr {
@@ -62,7 +62,7 @@ ClipPlane planeOf(const CutHint& cut, const VolumeGeometry& bodyBox);
 
 /// Returns `setup` with everything that the look sets, at the brightness of `setup`. The look's cut is used only if
 /// nothing else is cut away.
-PictureSetup withNamedLook(PictureSetup setup, const NamedLook& look, const VolumeGeometry& bodyBox);
+ImageSetup withNamedLook(ImageSetup setup, const NamedLook& look, const VolumeGeometry& bodyBox);
 
 /// Returns `scene` with everything that the look sets; volume, camera, film, seed and revision stay.
 Scene withNamedLook(Scene scene, const NamedLook& look, const VolumeGeometry& bodyBox);

@@ -6,7 +6,7 @@
 
 #include "render/scene/lamp.h"
 #include "render/scene/orbit.h"
-#include "render/scene/sky_picture.h"
+#include "render/scene/sky_image.h"
 
 namespace pdr {
 namespace {
@@ -87,7 +87,7 @@ bool standsAs(const RigPanel& panel, RigPanel other) {
 Environment around(Environment environment, const Unit& unit, float strength) {
     environment.radiance = strength * unit.zenith;
     environment.nadir = unit.nadir ? std::optional(strength * *unit.nadir) : std::nullopt;
-    return withoutPicture(environment);
+    return withoutImage(environment);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ bool showsEnvironment(const Scene& scene) {
     return scene.environment.visible && !scene.background;
 }
 
-bool canBeSmoothed(const Scene& scene) {
+bool canBeDenoised(const Scene& scene) {
     return !isProjection(scene.model) && scene.schedule.kind == Schedule::Kind::pd;
 }
 

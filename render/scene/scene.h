@@ -69,6 +69,6 @@ bool showsEnvironment(const Scene& scene);
 
 /// Returns whether denoising can improve images of the scene: projections have no noise, and Exposure Render's schedule
 /// exists for comparison only.
-bool canBeSmoothed(const Scene& scene);
+bool canBeDenoised(const Scene& scene);
 
 }  // namespace pdr

@@ -74,10 +74,10 @@ Result<void> BatchRender::look() {
         return {};
     if (auto ok = film_.resolve(display_); !ok)
         return ok;
-    const auto picture = film_.readback();
-    if (!picture)
-        return picture.error();
-    status_ = picture->status;
+    const auto image = film_.readback();
+    if (!image)
+        return image.error();
+    status_ = image->status;
     return {};
 }
 

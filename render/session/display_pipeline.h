@@ -10,20 +10,20 @@
 #include <vector>
 
 #include "render/base/result.h"
-#include "render/film/display/guided_picture.h"
+#include "render/film/display/guided_image.h"
 #include "render/session/film_on_device.h"
 
 namespace pdr {
 
-struct DisplayedPicture {
-    Picture picture;
+struct DisplayedImage {
+    Image image;
     Display display;  ///< requested display that the image was made for
     ivec2 size;       ///< pixels
 };
 
 class DisplayPipeline {
   public:
-    using Pictures = std::vector<DisplayedPicture>;
+    using Images = std::vector<DisplayedImage>;
 
     /// Starts with another film, whose images so far are lost. `isEmpty`: the film has no samples, so that its first
     /// image is still to come.
@@ -50,13 +50,13 @@ class DisplayPipeline {
     bool findGuide(FilmOnDevice& place, int finer, const std::stop_token& stop);
     /// Draws the film on its guide and returns that image; a coarse film has no images in flight. `adds`: the film
     /// holds more samples than when it was last drawn.
-    Result<Pictures> makeOnGuide(FilmOnDevice& place, const Display& asked, bool adds);
+    Result<Images> makeOnGuide(FilmOnDevice& place, const Display& asked, bool adds);
     /// Requests an image with `display`, in answer to `asked`, and returns the images that are due: all, or, if not
     /// `atOnce`, all except those that may stay in flight. A denoised image that was interrupted is not among them.
-    Result<Pictures> make(FilmOnDevice& place, const Display& asked, const Display& display, bool atOnce,
-                          const std::stop_token& stop);
+    Result<Images> make(FilmOnDevice& place, const Display& asked, const Display& display, bool atOnce,
+                        const std::stop_token& stop);
     /// Reads back the images that were requested, oldest first, except for the last `left`.
-    Result<Pictures> takeAllBut(FilmOnDevice& place, std::size_t left);
+    Result<Images> takeAllBut(FilmOnDevice& place, std::size_t left);
 
     // The coarser film of the same scene.
     /// Shows `film`, the current film, until the next one has an image that is no worse.
@@ -67,14 +67,14 @@ class DisplayPipeline {
     std::optional<std::uint64_t> coarserSamples() const;
     /// Returns its image with `display`, in answer to `asked`; nothing after a stop request. There must be a coarser
     /// film.
-    std::optional<DisplayedPicture> coarserPicture(const Display& asked, const Display& display,
-                                                   const std::stop_token& stop);
+    std::optional<DisplayedImage> coarserImage(const Display& asked, const Display& display,
+                                               const std::stop_token& stop);
 
   private:
     struct Coarser {
         std::shared_ptr<const Film> film;
         std::shared_ptr<const GuidedFilm> guided;  ///< the film drawn on its guide; null if it has none
-        Development pictures;
+        Development images;
     };
 
     bool first_ = false, fresh_ = false, broken_ = false;  ///< see awaitsFirst(), isFresh() and isBroken()

@@ -28,26 +28,26 @@ Scene leanScene(const Effect& effect, Scene scene) {
 
 }  // namespace
 
-CostsInTurn::CostsInTurn(std::vector<Iterate> pictures, double budgetSeconds, std::uint32_t fewest)
-    : pictures_(std::move(pictures)), budgetSeconds_(budgetSeconds), fewest_(fewest) {}
+CostsInTurn::CostsInTurn(std::vector<Iterate> images, double budgetSeconds, std::uint32_t fewest)
+    : images_(std::move(images)), budgetSeconds_(budgetSeconds), fewest_(fewest) {}
 
-Result<void> CostsInTurn::first(std::size_t picture, const std::stop_token& stop) {
-    const auto seconds = pictures_[picture](1, stop);
+Result<void> CostsInTurn::first(std::size_t image, const std::stop_token& stop) {
+    const auto seconds = images_[image](1, stop);
     if (!seconds)
         return seconds.error();
     firstSeconds_ += *seconds;
-    if (++begun_ == pictures_.size())
+    if (++begun_ == images_.size())
         iterations_ = std::max(fewest_, iterationsFor(firstSeconds_, budgetSeconds_ - firstSeconds_));
     return {};
 }
 
 Result<void> CostsInTurn::step(const std::stop_token& stop) {
-    if (begun_ < pictures_.size())
+    if (begun_ < images_.size())
         return first(begun_, stop);
-    if (rounds_.empty() || rounds_.back().size() == pictures_.size())
+    if (rounds_.empty() || rounds_.back().size() == images_.size())
         rounds_.emplace_back();
     const std::size_t turn = rounds_.back().size();
-    const auto seconds = pictures_[rounds_.size() % 2 == 1 ? turn : pictures_.size() - 1 - turn](iterations_, stop);
+    const auto seconds = images_[rounds_.size() % 2 == 1 ? turn : images_.size() - 1 - turn](iterations_, stop);
     if (!seconds)
         return seconds.error();
     rounds_.back().push_back(1e3 * *seconds / iterations_);
@@ -58,15 +58,14 @@ template <class Value>
 CostBand CostsInTurn::bandOfRounds(const Value& value) const {
     std::vector<double> values;
     for (std::size_t round = 0; round < rounds_.size(); ++round)
-        values.push_back(value([&](std::size_t picture) {
-            return rounds_[round][round % 2 == 0 ? picture : pictures_.size() - 1 - picture];
-        }));
+        values.push_back(value(
+            [&](std::size_t image) { return rounds_[round][round % 2 == 0 ? image : images_.size() - 1 - image]; }));
     return bandOf(std::move(values));
 }
 
 std::vector<CostBand> CostsInTurn::bands() const {
     std::vector<CostBand> bands;
-    for (std::size_t i = 0; i < pictures_.size(); ++i)
+    for (std::size_t i = 0; i < images_.size(); ++i)
         bands.push_back(bandOfRounds([i](const auto& of) { return of(i); }));
     return bands;
 }
@@ -79,7 +78,7 @@ CostBand CostsInTurn::share() const {
     return bandOfRounds([](const auto& of) { return of(0) > 0 ? 1 - of(1) / of(0) : 0; });
 }
 
-Result<void> TrialPicture::begin() {
+Result<void> TrialImage::begin() {
     if (film_ && use_ == Use::alone)
         return {};
     if (auto ok = device_.upload(scene_); !ok || film_)
@@ -91,7 +90,7 @@ Result<void> TrialPicture::begin() {
     return {};
 }
 
-Result<double> TrialPicture::accumulate(std::uint32_t n, const std::stop_token& stop) {
+Result<double> TrialImage::accumulate(std::uint32_t n, const std::stop_token& stop) {
     if (auto ok = begin(); !ok)
         return ok.error();
     const double start = processorSeconds();
@@ -109,7 +108,7 @@ Foretold timeWithout(const Foretold& samples, const CostBand& share) {
     return {std::exp(value), std::exp(value - below), std::exp(value + above)};
 }
 
-bool isUnseen(const PictureChange& change) {
+bool isUnseen(const ImageChange& change) {
     return change.ninetyFifth.high < kUnseenLevels && change.mean.high < kUnseenMean;
 }
 
@@ -117,8 +116,8 @@ EffectTrying::EffectTrying(const Effect& effect, const Scene& scene, const Devic
     : EffectTrying(scene, leanScene(effect, scene), devices, budgetSeconds) {}
 
 EffectTrying::EffectTrying(const Scene& with, const Scene& without, const DevicePair& devices, double budgetSeconds)
-    : with_(with, devices.with, TrialPicture::Use::alone),
-      without_(without, devices.without, TrialPicture::Use::alone),
+    : with_(with, devices.with, TrialImage::Use::alone),
+      without_(without, devices.without, TrialImage::Use::alone),
       costs_({[this](std::uint32_t n, const std::stop_token& stop) { return with_.accumulate(n, stop); },
               [this](std::uint32_t n, const std::stop_token& stop) { return without_.accumulate(n, stop); }},
              budgetSeconds, kFewestIterations) {}
@@ -131,7 +130,7 @@ Result<EffectTrial> EffectTrying::trial(const Display& display) const {
     const auto samples =
         samplesRatio((*a)->status(double(display.exposure), unseen), (*b)->status(double(display.exposure), unseen));
     const CostBand share = costs_.share();
-    return EffectTrial{costs_.added(), share, pictureChange(**a, **b, display),
+    return EffectTrial{costs_.added(), share, imageChange(**a, **b, display),
                        samples ? std::optional(timeWithout(*samples, share)) : std::nullopt};
 }
 
@@ -142,8 +141,8 @@ Result<ivec2> trialFilm(const Scene& scene, Device& device, int longestSide, dou
         small.film = glm::max(scene.film * side / std::max({scene.film.x, scene.film.y, side}), ivec2(1));
     };
     shrink(longestSide);
-    TrialPicture picture(small, device, TrialPicture::Use::alone);
-    const auto first = picture.accumulate(1, stop);
+    TrialImage image(small, device, TrialImage::Use::alone);
+    const auto first = image.accumulate(1, stop);
     if (!first)
         return first.error();
     if (*first > seconds)

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "render/accuracy/cost_band.h"
-#include "render/accuracy/picture_change.h"
+#include "render/accuracy/image_change.h"
 #include "render/device/device.h"
 #include "render/film/display.h"
 #include "render/film/film.h"
@@ -31,9 +31,9 @@ using Iterate = std::function<Result<double>(std::uint32_t n, const std::stop_to
 class CostsInTurn {
   public:
     /// `pictures` must not be empty.
-    CostsInTurn(std::vector<Iterate> pictures, double budgetSeconds, std::uint32_t fewest = 1);
+    CostsInTurn(std::vector<Iterate> images, double budgetSeconds, std::uint32_t fewest = 1);
 
-    bool isDone() const { return rounds_.size() == kBandMeasurements && rounds_.back().size() == pictures_.size(); }
+    bool isDone() const { return rounds_.size() == kBandMeasurements && rounds_.back().size() == images_.size(); }
     /// Takes one measurement of one image. It must not be called when done, nor after a step that was stopped.
     Result<void> step(const std::stop_token& stop = {});
     /// Results, once isDone(): the cost of each image; added(): how much more the first one takes than the second;
@@ -43,13 +43,13 @@ class CostsInTurn {
     CostBand share() const;
 
   private:
-    Result<void> first(std::size_t picture, const std::stop_token& stop);
+    Result<void> first(std::size_t image, const std::stop_token& stop);
     /// Returns the band of `value` over all rounds. `value` gets a function from an image's index to its cost in the
     /// round.
     template <class Value>
     CostBand bandOfRounds(const Value& value) const;
 
-    std::vector<Iterate> pictures_;
+    std::vector<Iterate> images_;
     double budgetSeconds_;
     std::uint32_t fewest_;
     std::size_t begun_ = 0;                    ///< images whose first iteration has been taken
@@ -66,13 +66,13 @@ struct DevicePair {
 };
 
 /// A scene of which an image is rendered for a trial.
-class TrialPicture {
+class TrialImage {
   public:
     /// Whether other scenes use the device between the first iteration and the last.
     enum class Use { alone, shared };
 
     /// `device` must outlive this object.
-    TrialPicture(Scene scene, Device& device, Use use) : scene_(std::move(scene)), device_(device), use_(use) {}
+    TrialImage(Scene scene, Device& device, Use use) : scene_(std::move(scene)), device_(device), use_(use) {}
 
     Result<double> accumulate(std::uint32_t n, const std::stop_token& stop);
     /// Returns the film. At least one iteration must have been taken.
@@ -90,7 +90,7 @@ class TrialPicture {
 struct EffectTrial {
     CostBand milliseconds;  ///< cost per iteration, with minus without the effect
     CostBand share;         ///< cost as a fraction of an iteration's time; 1 is all of it
-    PictureChange change;   ///< change of the image without the effect
+    ImageChange change;     ///< change of the image without the effect
     /// Time to any given error without the effect, relative to the time with it: from what an iteration takes and how
     /// noisy it is. None if an error is not known.
     std::optional<Foretold> time;
@@ -103,7 +103,7 @@ Foretold timeWithout(const Foretold& samples, const CostBand& share);
 /// Display levels that nobody sees, smaller than rounding. An effect could be left out if, to 95 %, it changes 95 % of
 /// the image by less than kUnseenLevels and the image on average by less than kUnseenMean.
 inline constexpr double kUnseenLevels = 0.5, kUnseenMean = 0.05;
-bool isUnseen(const PictureChange& change);
+bool isUnseen(const ImageChange& change);
 
 /// Tries an effect of `scene` that can be left out, step by step. Errors: the device's.
 class EffectTrying {
@@ -120,7 +120,7 @@ class EffectTrying {
     Result<EffectTrial> trial(const Display& display) const;
 
   private:
-    TrialPicture with_, without_;
+    TrialImage with_, without_;
     CostsInTurn costs_;
 };
 

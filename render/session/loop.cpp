@@ -48,7 +48,7 @@ void Session::Loop::take(const RenderCommands::Iteration& step) {
         begin(*step.order);
     }
     if (step.watch)
-        ledger_.watch(*step.watch);
+        effectCosts_.watch(*step.watch);
     if (place_.film() != nullptr && !step.idle)
         work(step);
     measureEffects(step);
@@ -66,13 +66,13 @@ RenderCommands::LoopState Session::Loop::state() {
         .unshown = film && hasSamples() && (scheduler_.hasIterations() || display_.hasWaiting() || display_.isFresh()),
         .unjudged = canSnapshot() && canJudge() && quality_.denoised().isStale(partSamples()),
         .canSnapshot = canSnapshot(),
-        .unmeasured = canSnapshot() && ledger_.hasWork()};
+        .unmeasured = canSnapshot() && effectCosts_.hasWork()};
 }
 
 void Session::Loop::clear() {
     goOnFrom(nullptr);
     display_.dropCoarser();
-    ledger_.forget();
+    effectCosts_.forget();
     scene_ = {};
     place_.close();
 }
@@ -98,7 +98,7 @@ void Session::Loop::begin(const RenderCommands::SceneOrder& order) {
         return fail(fits.error().text());
     }
     scene_ = order.scene;
-    ledger_.follow(scene_, commands.display());
+    effectCosts_.follow(scene_, commands.display());
     display_.dropCoarser();
     scheduler_.chooseFirst(scene_.film, moving_);
     beginFilm();

@@ -10,7 +10,7 @@
 #include "render/session/display_pipeline.h"
 #include "render/session/film_on_device.h"
 #include "render/session/frame_scheduler.h"
-#include "render/session/live_ledger.h"
+#include "render/session/live_effect_costs.h"
 #include "render/session/quality_tracker.h"
 #include "render/session/render_commands.h"
 #include "render/session/session.h"
@@ -46,8 +46,8 @@ class Session::Loop {
     Result<void> judge(const RenderCommands::Iteration& step);
     Result<void> updateQuality(const Display& asked, const std::stop_token& stop);
     Result<void> takeSnapshots();
-    void send(DisplayPipeline::Pictures pictures, std::uint32_t n);
-    std::shared_ptr<Frame> frameOf(DisplayedPicture picture, std::uint32_t n);
+    void send(DisplayPipeline::Images images, std::uint32_t n);
+    std::shared_ptr<Frame> frameOf(DisplayedImage image, std::uint32_t n);
 
     // Starting and continuing films.
     void beginFilm();
@@ -71,7 +71,7 @@ class Session::Loop {
     std::uint64_t partSamples() const { return scheduler_.sweep().partSamples(); }
     bool coarse() const { return scheduler_.isCoarse(); }
     ImageProgress progress() const { return quality_.progress(scheduler_.samples().least); }
-    bool smooths(const Display& asked) const { return asked.smoothed && canBeSmoothed(scene_); }
+    bool smooths(const Display& asked) const { return asked.denoised && canBeDenoised(scene_); }
     /// Returns whether an image in progress is postponed for another display, because an older image can be shown
     /// on that at once.
     bool givesWay() const { return !display_.awaitsFirst() || (display_.hasCoarser() && !coarse()); }
@@ -96,7 +96,7 @@ class Session::Loop {
     QualityTracker quality_{clock_};
     BiasTracker bias_{clock_};
     Checkpoint checkpoint_{clock_};
-    LiveLedger ledger_{clock_};
+    LiveEffectCosts effectCosts_{clock_};
 
     std::jthread thread_;  ///< declared last, because it uses all members above
 };

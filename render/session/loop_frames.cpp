@@ -61,9 +61,9 @@ void Session::Loop::finish(const RenderCommands::Iteration& step, Result<void> d
 void Session::Loop::measureEffects(const RenderCommands::Iteration& step) {
     if (!canSnapshot())
         return;
-    ledger_.follow(scene_, commands.display());
-    if (ledger_.hasWork() && (step.idle || ledger_.isDue()) && !step.detour.stop_requested())
-        ledger_.step(step.detour);
+    effectCosts_.follow(scene_, commands.display());
+    if (effectCosts_.hasWork() && (step.idle || effectCosts_.isDue()) && !step.detour.stop_requested())
+        effectCosts_.step(step.detour);
 }
 
 /// Returns the part of the image that the next frame samples: the region while it is not within the target, once there
@@ -81,7 +81,7 @@ Result<void> Session::Loop::beginFrame(const FrameBudget& pace) {
     scheduler_.beginFrame(nextPart(), overlaps(), display_.isFresh());
     if (!scheduler_.isTimed())
         return {};
-    Result<DisplayPipeline::Pictures> before = display_.takeAllBut(place_, 0);
+    Result<DisplayPipeline::Images> before = display_.takeAllBut(place_, 0);
     if (!before)
         return before.error();
     send(*std::move(before), scheduler_.wanted(demand(pace)));

@@ -71,10 +71,10 @@ ShownStatus QualityTracker::shown(const FilmStatus& film, bool isDenoised, float
 }
 
 /// Completes the status of an image whose errors were not counted.
-void QualityTracker::completeStatus(Picture& picture) const {
-    if (picture.surveyed)
+void QualityTracker::completeStatus(Image& image) const {
+    if (image.surveyed)
         return;
-    FilmStatus& status = picture.status;
+    FilmStatus& status = image.status;
     const FilmStatus counts = std::exchange(status, surveyed_);
     status.samplesPerPixel = counts.samplesPerPixel;
     status.meanSamplesPerPixel = counts.meanSamplesPerPixel;
@@ -82,20 +82,20 @@ void QualityTracker::completeStatus(Picture& picture) const {
     status.health = counts.health;
 }
 
-void QualityTracker::record(Picture& picture, float exposure, double secondsAhead) {
-    completeStatus(picture);
+void QualityTracker::record(Image& image, float exposure, double secondsAhead) {
+    completeStatus(image);
     shownError_.reset();
     if (isCoarse_)
         return;
-    const ShownStatus now = shown(picture.status, picture.smoothed, exposure);
+    const ShownStatus now = shown(image.status, image.denoised, exposure);
     shownError_ = now.status.displayError;
     shownOf_ = now.of;
-    if (!picture.surveyed)
+    if (!image.surveyed)
         return;
-    surveyed_ = picture.status;
+    surveyed_ = image.status;
     if (std::exchange(historyExposure_, exposure) != exposure)
         history_.forgetErrors();
-    history_.add(seconds_ - secondsAhead, picture.status, now);
+    history_.add(seconds_ - secondsAhead, image.status, now);
 }
 
 Result<void> QualityTracker::mapErrors(Accumulator& film, std::uint64_t samples, float exposure,
@@ -127,7 +127,7 @@ Result<void> QualityTracker::lookAtRegion(Accumulator& film, std::uint64_t sampl
     if (isCoarse_ || !region_.isDue(samples, display.exposure))
         return {};
     const double start = clock_();
-    SmoothedView* const denoised = denoised_.better(display).smoothed ? &denoised_ : nullptr;
+    DenoisedView* const denoised = denoised_.better(display).denoised ? &denoised_ : nullptr;
     Result<void> looked =
         film.look([&](const Film& content) { region_.look(content, display.exposure, seconds_, denoised); });
     seconds_ += clock_() - start;
@@ -154,13 +154,13 @@ void QualityTracker::describe(Frame& frame, double secondsAhead) {
     const float exposure = frame.display.exposure;
     frame.seconds = seconds_;
     frame.errorMap = errorMap_.map();
-    if (frame.smoothed) {
-        frame.smoothedError = denoised_.error(exposure);
+    if (frame.denoised) {
+        frame.denoisedError = denoised_.error(exposure);
         frame.lostLines = denoised_.lostLines();
     }
     if (isCoarse_)
         return;
-    const ErrorOf of = shown(frame.status, frame.smoothed, exposure).of;
+    const ErrorOf of = shown(frame.status, frame.denoised, exposure).of;
     frame.steps = steps(of, secondsAhead);
     frame.history = history_.points(of);
     frame.region = region_.status(frame.stop.levels);

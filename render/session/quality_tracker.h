@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "render/accuracy/shown_history.h"
-#include "render/film/display/smoothed_view.h"
+#include "render/film/display/denoised_view.h"
 #include "render/film/error/error_map_view.h"
 #include "render/session/region.h"
 #include "render/session/session.h"
@@ -35,8 +35,8 @@ class QualityTracker {
     void addSeconds(double seconds) { seconds_ += seconds; }
 
     /// What is known of the denoised image. A snapshot may judge it, too.
-    SmoothedView& denoised() { return denoised_; }
-    const SmoothedView& denoised() const { return denoised_; }
+    DenoisedView& denoised() { return denoised_; }
+    const DenoisedView& denoised() const { return denoised_; }
     /// Returns whether the denoised image is to be judged: now and then while rendering continues (`renders`), and
     /// when it stops.
     bool isJudgementDue(std::uint64_t samples, bool renders) const;
@@ -48,7 +48,7 @@ class QualityTracker {
     /// average. Until then the last counts remain valid.
     bool isSurveyDue(double meanSamples, float exposure) const;
     /// Completes the status of an image with the errors counted last, and records its error unless the film is coarse.
-    void record(Picture& picture, float exposure, double secondsAhead);
+    void record(Image& image, float exposure, double secondsAhead);
 
     /// Updates the error map of the image shown last, if it is due; a coarse film has none. Changes nothing after a
     /// stop request. Errors: the device's.
@@ -69,7 +69,7 @@ class QualityTracker {
 
   private:
     ShownStatus shown(const FilmStatus& film, bool isDenoised, float exposure);
-    void completeStatus(Picture& picture) const;
+    void completeStatus(Image& image) const;
     std::vector<QualityStep> steps(ErrorOf of, double secondsAhead) const;
 
     SessionClock clock_;
@@ -80,7 +80,7 @@ class QualityTracker {
     FilmStatus surveyed_;               ///< status of the last image whose errors were counted
     ShownHistory history_;              ///< errors of the full images
     float historyExposure_ = 0;         ///< exposure at which the errors in history_ were taken
-    SmoothedView denoised_;
+    DenoisedView denoised_;
     double judgeSeconds_ = 0;  ///< duration of the last judgement of denoised_
     double judgedAt_ = 0;      ///< seconds_ at the end of that judgement
     ErrorMapView errorMap_;

@@ -41,7 +41,7 @@ bool RegionView::isDue(std::uint64_t samples, float exposure) const {
     return region_ && (!status_ || exposure != exposure_ || 8 * samples >= 9 * status_->samplesPerPixel);
 }
 
-void RegionView::look(const Film& film, float exposure, double seconds, SmoothedView* denoised) {
+void RegionView::look(const Film& film, float exposure, double seconds, DenoisedView* denoised) {
     const Tile part = *tile(film.size());
     const FilmStatus own = film.status(double(exposure), part);
     const ShownStatus shown = shownStatus(own, denoised, denoised ? denoised->errorOver(part, exposure) : std::nullopt);

@@ -6,7 +6,7 @@
 
 #include "render/accuracy/shown_history.h"
 #include "render/accuracy/stop_rule.h"
-#include "render/film/display/smoothed_view.h"
+#include "render/film/display/denoised_view.h"
 #include "render/film/film.h"
 
 namespace pdr {
@@ -47,7 +47,7 @@ class RegionView {
     bool isDue(std::uint64_t samples, float exposure) const;
     /// Updates the status after `seconds` of rendering. `denoised`: what is known of the denoised image if that is
     /// shown; else null.
-    void look(const Film& film, float exposure, double seconds, SmoothedView* denoised = nullptr);
+    void look(const Film& film, float exposure, double seconds, DenoisedView* denoised = nullptr);
 
     /// Returns the display levels within which 95 % of the region's tissue is shown; 0 if it has no tissue, or has seen
     /// no light for long; infinite if not known yet.

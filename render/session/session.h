@@ -14,7 +14,7 @@
 #include "render/accuracy/stop_rule.h"
 #include "render/device/device.h"
 #include "render/film/display.h"
-#include "render/film/display/smoothed_view.h"
+#include "render/film/display/denoised_view.h"
 #include "render/film/error/level_error_map.h"
 #include "render/film/error/shown_status.h"
 #include "render/film/film.h"
@@ -26,7 +26,7 @@
 
 namespace pdr {
 
-struct EffectLedger;
+struct EffectCosts;
 struct Scene;
 
 /// One displayed image, or an error or notice for the user.
@@ -44,10 +44,10 @@ struct Frame {
     Display display;                 ///< requested display that the image was made for
     std::vector<std::uint8_t> rgba;  ///< 4 bytes per pixel, row by row from the top; empty with an error or a notice
     FilmStatus status;
-    bool smoothed = false;                       ///< `rgba` is denoised; the status is still that of the film
-    std::optional<SmoothedError> smoothedError;  ///< error of the denoised image; none if not known yet
+    bool denoised = false;                       ///< `rgba` is denoised; the status is still that of the film
+    std::optional<DenoisedError> denoisedError;  ///< error of the denoised image; none if not known yet
     std::vector<denoise::LostLine> lostLines;  ///< known to be missing in the denoised image; empty: none, or not known
-    BiasFacts bias;                            ///< complete except for `picture`, `view` and `smoothed`
+    BiasFacts bias;                            ///< complete except for `picture`, `view` and `denoised`
     double seconds = 0;                        ///< rendering time of the film [s]
     std::vector<QualityStep> steps;  ///< with the times when they were or will be reached; see ErrorHistory::steps()
     double iterationsPerSecond = 0;  ///< median of recent frames
@@ -67,7 +67,7 @@ struct Frame {
 
 /// Returns how good the image of a frame is.
 inline ShownStatus shownOf(const Frame& frame) {
-    return shownStatus(frame.status, frame.smoothed, frame.smoothedError);
+    return shownStatus(frame.status, frame.denoised, frame.denoisedError);
 }
 
 /// Receives each frame. Called on the render thread; must return soon.
@@ -83,7 +83,7 @@ struct FilmView {
     StopRule stop;              ///< see Frame::stop
     /// State of the denoised image that the screen shows; null if none is shown. A caller that judges the image anew
     /// also changes what the screen states.
-    SmoothedView* denoised = nullptr;
+    DenoisedView* denoised = nullptr;
 };
 
 /// Receives the film, or the reason why there is none. Called on the render thread.
@@ -93,7 +93,7 @@ using SnapshotObserver = std::function<void(const Result<FilmView>&)>;
 using DeviceOpener = std::function<Result<std::unique_ptr<Device>>()>;
 
 /// Receives the current cost table of the effects. Called on the render thread; must return soon.
-using EffectsObserver = std::function<void(std::shared_ptr<const EffectLedger>)>;
+using EffectsObserver = std::function<void(std::shared_ptr<const EffectCosts>)>;
 
 /// Observer of the costs of effects, and the device on which they are measured apart from the image. Both are empty if
 /// nobody observes.

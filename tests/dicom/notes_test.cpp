@@ -147,7 +147,7 @@ class NotesTest : public QObject {
         QCOMPARE(scan.series[1].series.id(), std::string("1.2.3.1#2"));
     }
 
-    void twoPicturesOfOnePlaceAreBothVolumes() {
+    void twoImagesOfOnePlaceAreBothVolumes() {
         test::SliceFolder folder;
         folder.addStack(12, {.size = {512, 4}}, "", [](int k, SliceFile& slice) {
             slice.position.z = 2.0 * (k / 2);

@@ -245,7 +245,7 @@ class RealSeriesTest : public QObject {
         QVERIFY(noteSays(scan.series[0], "1 slice"));
     }
 
-    void lossyPicturesAreCloseToTheirReference_data() {
+    void lossyImagesAreCloseToTheirReference_data() {
         QTest::addColumn<QString>("folder");
         QTest::addColumn<double>("mean");
         QTest::newRow("8 bit") << "JPEGProcess1" << -967.867026562;
@@ -253,7 +253,7 @@ class RealSeriesTest : public QObject {
         QTest::newRow("12 bit spectral") << "JPEGProcess6_8" << -950.108594801;
         QTest::newRow("12 bit progressive") << "JPEGProcess10_12" << -950.108594801;
     }
-    void lossyPicturesAreCloseToTheirReference() {
+    void lossyImagesAreCloseToTheirReference() {
         PDR_NEEDS_SHARED_CT();
         QFETCH(QString, folder);
         QFETCH(double, mean);

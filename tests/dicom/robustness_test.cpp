@@ -197,7 +197,7 @@ class RobustnessTest : public QObject {
         QVERIFY(!structureOf(headOf(kExplicit) + name).damage.empty());
     }
 
-    void compressedPictureMustEnd() {
+    void compressedImageMustEnd() {
         const Bytes start =
             tag(0x7FE0, 0x10) + Bytes("OB\0\0", 4) + little(0xFFFFFFFF, 4) + tag(0xFFFE, 0xE000) + little(0, 4);
         const Bytes fragment = tag(0xFFFE, 0xE000) + little(4, 4) + "abcd";
@@ -209,13 +209,13 @@ class RobustnessTest : public QObject {
                 Bytes::npos);
     }
 
-    void pictureThatClaimsToBeHugeIsNotDecoded_data() {
+    void imageThatClaimsToBeHugeIsNotDecoded_data() {
         QTest::addColumn<QString>("folder");
         for (const char* folder :
              {"JPEGProcess1", "JPEGProcess6_8", "JPEGProcess10_12", "JPEGProcess14SV1", "JPEGLSLossless"})
             QTest::newRow(folder) << folder;
     }
-    void pictureThatClaimsToBeHugeIsNotDecoded() {
+    void imageThatClaimsToBeHugeIsNotDecoded() {
         PDR_NEEDS_SHARED_CT();
         QFETCH(QString, folder);
         Bytes bytes = read(test::sharedCt() / "transfer_syntaxes" / folder.toStdString() / "CTImage.dcm");

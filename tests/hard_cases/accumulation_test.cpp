@@ -4,8 +4,8 @@
 
 #include "render/film/display/tone_map.h"
 #include "render/kernel/random.h"
+#include "tests/support/scenes/images.h"
 #include "tests/support/scenes/one_pixel.h"
-#include "tests/support/scenes/pictures.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;
@@ -204,10 +204,10 @@ class AccumulationTest : public QObject {
         const auto prepared = test::prepared(test::slab(2, {0, 0, -1}, 1));
         for (const float radiance : {NAN, INFINITY}) {
             prepared->lights[0].radiance = vec3(1, radiance, 1);
-            const Film picture = test::sampled(prepared, 64);
+            const Film image = test::sampled(prepared, 64);
             const Fault fault = std::isnan(radiance) ? Fault::notANumber : Fault::infinite;
-            QVERIFY(picture.status().health.of(fault).count > 500);
-            QVERIFY(std::isfinite(picture.status().meanLuminance));
+            QVERIFY(image.status().health.of(fault).count > 500);
+            QVERIFY(std::isfinite(image.status().meanLuminance));
         }
     }
 

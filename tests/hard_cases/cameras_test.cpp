@@ -6,7 +6,7 @@
 
 #include "render/kernel/transport/camera_ray.h"
 #include "render/kernel/volume_sampling.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;
@@ -84,7 +84,7 @@ class CamerasTest : public QObject {
         QVERIFY2(worst < 1e-5 && naiveWorst > 0.1, qPrintable(QString("%1, %2").arg(worst).arg(naiveWorst)));
     }
 
-    /// Case 26. tan(90 degrees) in single precision is a large negative number: the picture is turned round.
+    /// Case 26. tan(90 degrees) in single precision is a large negative number: the image is turned round.
     void extremeFieldsOfViewOverflow() {
         QVERIFY(std::tan(float(M_PI) / 2) < 0);
         Scene scene = test::plainScene(cube(), 1);

@@ -9,7 +9,7 @@
 #include "render/film/display/tone_map.h"
 #include "render/kernel/transport/event.h"
 #include "tests/support/devices/screen.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 
 using namespace pdr;
 
@@ -180,7 +180,7 @@ class CurvesTest : public QObject {
         }
     }
 
-    /// Case 37. The bound from the ends of a cell's range: tissue in a band is missing from the picture.
+    /// Case 37. The bound from the ends of a cell's range: tissue in a band is missing from the image.
     void bandBetweenTheEndsOfARangeIsLost() {
         const Scene scene = bumpyScene(kBand);
         const auto device = test::testedDevice();
@@ -220,7 +220,7 @@ class CurvesTest : public QObject {
         QVERIFY2(difference < -6, qPrintable(QString::number(difference)));
         QVERIFY(test::sameBits(test::sampled(edited, 32), right));
 
-        // And no sample of the scene before the edit gets into the picture after it.
+        // And no sample of the scene before the edit gets into the image after it.
         test::Screen screen;
         Session session(test::testedDevice(), screen.sink());
         session.setIterationsPerFrame(32);
@@ -278,19 +278,19 @@ class CurvesTest : public QObject {
         QVERIFY(naiveWorst > 0.4 && worst < 1e-4);
     }
 
-    /// Case 41. Every event a surface, or none: the picture is that of surfaces, or of the phase function, bit by bit.
+    /// Case 41. Every event a surface, or none: the image is that of surfaces, or of the phase function, bit by bit.
     void saturatedSurfaceProbabilityLeavesItsRange() {
         QVERIFY(std::isnan(1e6f * 1e38f * 0.0f));  // a factor that has become infinite, times no gradient
         const auto device = test::testedDevice();
-        const auto picture = [&](float gradientFactor) {
+        const auto image = [&](float gradientFactor) {
             Scene scene = bumpyScene({{.hu = 0, .opacity = 0}, {.hu = 0, .opacity = 1}});
             scene.gradientFactor = gradientFactor;
             scene.phaseG = 0.5f;
             return test::render(scene, 8, *device);
         };
-        const Film phase = picture(0), surface = picture(1e6f);
-        QVERIFY(test::sameBits(picture(1e-14f), phase));  // compiled in, and never happens
-        QVERIFY(test::sameBits(picture(1e5f), surface));
+        const Film phase = image(0), surface = image(1e6f);
+        QVERIFY(test::sameBits(image(1e-14f), phase));  // compiled in, and never happens
+        QVERIFY(test::sameBits(image(1e5f), surface));
         QVERIFY(!test::sameBits(phase, surface));
         QVERIFY(surface.status().health.perfect() && surface.status().meanLuminance > 0);
     }

@@ -11,8 +11,8 @@
 #include "render/film/display/tone_map.h"
 #include "tests/hard_cases/trusting_is_nan.h"
 #include "tests/support/devices/screen.h"
+#include "tests/support/scenes/images.h"
 #include "tests/support/scenes/one_pixel.h"
-#include "tests/support/scenes/pictures.h"
 
 using namespace pdr;
 
@@ -144,7 +144,7 @@ class EstimatorsTest : public QObject {
         }
         QVERIFY2(naive < 0.2, qPrintable(QString::number(naive)));
 
-        Film film(ivec2(edge, edge), 0);  // all pixels go on until the error of the whole picture is small
+        Film film(ivec2(edge, edge), 0);  // all pixels go on until the error of the whole image is small
         do {
             const SampleRange range = film.nextSamples(64);
             for (int pixel = 0; pixel < edge * edge; ++pixel)

@@ -1,9 +1,9 @@
-/// Extremes of volume, density, camera and model, every one with every other: each picture must come to an end, finite
+/// Extremes of volume, density, camera and model, every one with every other: each image must come to an end, finite
 /// and without a fault.
 
 #include <QTest>
 
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 
 using namespace pdr;
 

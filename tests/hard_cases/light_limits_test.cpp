@@ -1,4 +1,4 @@
-/// Hard cases 61 to 64: a sun in a picture, light at the very place of an event, lights of next to no size, and normals
+/// Hard cases 61 to 64: a sun in an image, light at the very place of an event, lights of next to no size, and normals
 /// in voxels of unlike sides. Each naive form is written out and must fail.
 
 #include <QTest>
@@ -7,7 +7,7 @@
 
 #include "render/kernel/transport/integrator.h"
 #include "tests/physics/gauss_legendre.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;
@@ -68,13 +68,13 @@ class LightLimitsTest : public QObject {
   private slots:
     /// Case 61. A sun of one texel, a million times as bright as its sky: directions that are strewn evenly meet it
     /// twice in 4096, and samples that are cut at 1000 forget it.
-    void sunInAPictureIsMetByChance_data() {
+    void sunInAnImageIsMetByChance_data() {
         QTest::addColumn<int>("row");
         QTest::newRow("high") << 7;
         QTest::newRow("at the zenith") << 0;
         QTest::newRow("at the nadir") << 31;
     }
-    void sunInAPictureIsMetByChance() {
+    void sunInAnImageIsMetByChance() {
         QFETCH(int, row);
         const ivec2 size(64, 32);
         const int column = 21;

@@ -6,7 +6,7 @@
 
 #include "render/kernel/transport/integrator.h"
 #include "render/prepare/environment_tables.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;
@@ -129,7 +129,7 @@ class LightsTest : public QObject {
         }
         QVERIFY2(tailIndex(naive) < 1.8, qPrintable(QString::number(tailIndex(naive))));
         QVERIFY(most <= 2 * M_PI * 1.000001);
-        // In the picture: of two halves of the samples each knows the other's error.
+        // In the image: of two halves of the samples each knows the other's error.
         Scene scene = test::slab(2, {0, 0, -1}, 1);
         scene.lights = {SphereLight{kMiddle, 0.05, vec3(1e4)}};
         const auto device = test::testedDevice();
@@ -241,8 +241,8 @@ class LightsTest : public QObject {
         QVERIFY(!image({2, 1}, {vec3(1), vec3(NAN)})->check() && !image({1, 1}, {vec3(-1)})->check());
     }
 
-    /// Case 48. A picture turned by very many turns: as a float the angle is infinite, and its texel lies nowhere.
-    void turnedPictureIsReadBesideItsTexels() {
+    /// Case 48. An image turned by very many turns: as a float the angle is infinite, and its texel lies nowhere.
+    void turnedImageIsReadBesideItsTexels() {
         QVERIFY(std::isinf(float(glm::radians(1e300))));
         std::vector<vec3> texels;
         for (int i = 0; i < 32; ++i)

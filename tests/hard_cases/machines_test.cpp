@@ -1,4 +1,4 @@
-/// Hard cases of pictures that several machines make: 65 and 66, and what 13, 14, 58 and 59 are between workers.
+/// Hard cases of images that several machines make: 65 and 66, and what 13, 14, 58 and 59 are between workers.
 
 #include <QtTest>
 
@@ -17,8 +17,8 @@ using namespace pdr::test;
 
 namespace {
 
-/// The picture of tissueScene() by the own device and so many workers.
-FilmContent pictureOf(int workers, std::uint32_t samples) {
+/// The image of tissueScene() by the own device and so many workers.
+FilmContent imageOf(int workers, std::uint32_t samples) {
     const auto pool = std::make_shared<WorkerPool>(1);
     std::vector<std::unique_ptr<NearbyWorker>> all;
     for (int i = 0; i < workers; ++i)
@@ -47,7 +47,7 @@ class MachinesTest : public QObject {
             return tiles;
         };
         QVERIFY(naive({0, 1, 0, 1}) != naive({0, 0, 1, 1}));
-        QVERIFY(sameBits(pictureOf(3, 70), pictureOf(0, 70)));
+        QVERIFY(sameBits(imageOf(3, 70), imageOf(0, 70)));
     }
 
     /// 14
@@ -57,7 +57,7 @@ class MachinesTest : public QObject {
         QVERIFY(bool(device->upload(scene)));
         const Tile tile{0, 0, kFilmCell, kFilmCell};
         const LeaseResult result = *traceLease(*device, {1, 1, tile, {0, kSamplesPerBlock}, {}}, {});
-        // Naive: what comes is added. The stated error shrinks by a square root of 2, and no picture is better for it.
+        // Naive: what comes is added. The stated error shrinks by a square root of 2, and no image is better for it.
         Moments once = merged({}, result.sums[0]), twice = merged(once, result.sums[0]);
         QVERIFY(once.mean == twice.mean || glm::length(once.mean - twice.mean) < 1e-12);
         QVERIFY(standardErrorOf(twice).x < 0.75 * standardErrorOf(once).x || once.m2.x == 0);
@@ -75,26 +75,26 @@ class MachinesTest : public QObject {
         const float forward = std::accumulate(parts.begin(), parts.end(), 0.0f);
         const float backward = std::accumulate(parts.rbegin(), parts.rend(), 0.0f);
         QVERIFY(forward != backward);
-        const FilmContent first = pictureOf(2, 200), again = pictureOf(2, 200);
+        const FilmContent first = imageOf(2, 200), again = imageOf(2, 200);
         QVERIFY(sameBits(first, again));
-        QVERIFY(sameBits(first, pictureOf(0, 200)));
+        QVERIFY(sameBits(first, imageOf(0, 200)));
     }
 
     /// 59
     void tilesOfTwoWorkersShowASeam() {
         // Naive: each worker smooths its tile, and knows nothing of the next one.
-        const auto smoothed = [](const std::vector<double>& row) {
+        const auto denoised = [](const std::vector<double>& row) {
             std::vector<double> result(row.size());
             for (std::size_t i = 0; i < row.size(); ++i)
                 result[i] = (row[i > 0 ? i - 1 : 0] + row[i] + row[std::min(i + 1, row.size() - 1)]) / 3;
             return result;
         };
         const std::vector<double> row{0, 1, 4, 9, 16, 25, 36, 49};
-        std::vector<double> parts = smoothed({row.begin(), row.begin() + 4});
-        const std::vector<double> right = smoothed({row.begin() + 4, row.end()});
+        std::vector<double> parts = denoised({row.begin(), row.begin() + 4});
+        const std::vector<double> right = denoised({row.begin() + 4, row.end()});
         parts.insert(parts.end(), right.begin(), right.end());
-        QVERIFY(parts != smoothed(row));
-        const FilmContent alone = pictureOf(0, 20), together = pictureOf(2, 20);
+        QVERIFY(parts != denoised(row));
+        const FilmContent alone = imageOf(0, 20), together = imageOf(2, 20);
         QVERIFY(sameBits(alone.block, together.block));
     }
 

@@ -11,7 +11,7 @@
 #include "render/device/cpu/lane_tracker.h"
 #include "render/kernel/transport/event.h"
 #include "render/volume/raw_file.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "render/kernel/transport/integrator.h"
+#include "tests/support/scenes/images.h"
 #include "tests/support/scenes/one_pixel.h"
-#include "tests/support/scenes/pictures.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;
@@ -117,7 +117,7 @@ class PublishedBugsTest : public QObject {
     }
 
     /// B5, VisRTX (PR 298): shadows that multiply by the albedo of what they cross. The light that gets through tissue
-    /// does not depend on its colour: twice the albedo is twice the picture, sample by sample.
+    /// does not depend on its colour: twice the albedo is twice the image, sample by sample.
     void shadowsAreTinted() {
         const double tau = 1, through = std::exp(-tau), naive = through * 0.4;  // at an albedo of 0.4
         QVERIFY(std::fabs(naive / through - 1) > 0.5);

@@ -9,7 +9,7 @@
 #include "render/kernel/transport/integrator.h"
 #include "tests/support/devices/fake_clock.h"
 #include "tests/support/devices/screen.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 #include "tests/support/statistics.h"
 
 using namespace pdr;
@@ -169,7 +169,7 @@ class RandomNumbersTest : public QObject {
         QVERIFY(worst([](int i) { return Random(unsigned(i), 7, 5).stream(Dimension::filter).pair().x; }) < bound);
     }
 
-    /// Case 14, two machines given the same seed: their pictures are equal bit by bit, which no two seeds' are.
+    /// Case 14, two machines given the same seed: their images are equal bit by bit, which no two seeds' are.
     void twoMachinesWithTheSameSeedAddNothing() {
         const auto device = test::testedDevice();
         Scene scene = smallScene();
@@ -188,13 +188,13 @@ class RandomNumbersTest : public QObject {
         QVERIFY2(noisy > 50 && equal == 0, qPrintable(QString("%1 of %2").arg(equal).arg(noisy)));
     }
 
-    /// Case 15. The same numbers in every frame of a drag: the grain stays on the screen while the picture moves
+    /// Case 15. The same numbers in every frame of a drag: the grain stays on the screen while the image moves
     /// beneath.
     void grainSticksToTheScreenWhileTheCameraMoves() {
         const auto device = test::testedDevice();
         QVERIFY(test::sameBits(test::render(smallScene(), 4, *device), test::render(smallScene(), 4, *device)));
         test::Screen screen;
-        // No time passes on its clock: how coarse a moving picture is must not depend on how busy the machine is.
+        // No time passes on its clock: how coarse a moving image is must not depend on how busy the machine is.
         Session session(test::testedDevice(), screen.sink(), DeviceOpener(),
                         test::readingOf(std::make_shared<test::FakeClock>()));
         session.setPaused(true);  // each scene is shown once
@@ -216,7 +216,7 @@ class RandomNumbersTest : public QObject {
         QVERIFY(first > 0 && second > 0);
         // At least 1000 noisy pixels: 5 standard errors of the correlation of independent noise.
         QVERIFY(std::fabs(product) / std::sqrt(first * second) < 5 / std::sqrt(1000.0));
-        QVERIFY(frame(5, false) == frame(6, false));  // and at rest the picture is the same every time
+        QVERIFY(frame(5, false) == frame(6, false));  // and at rest the image is the same every time
     }
 
     /// Case 16. One number, rescaled in single precision from cell to cell, has few values left deep inside; ours

@@ -6,7 +6,7 @@
 
 #include "tests/physics/hybrid_scenes.h"
 #include "tests/physics/single_scattering.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 
 using namespace pdr;
 
@@ -70,12 +70,12 @@ class HybridTest : public QObject {
         }
     }
 
-    void pictureIsTheIntegral_data() {
+    void imageIsTheIntegral_data() {
         QTest::addColumn<int>("number");
         for (int i = 0; i < int(scenes().size()); ++i)
             QTest::newRow(scenes()[i].name.c_str()) << i;
     }
-    void pictureIsTheIntegral() {
+    void imageIsTheIntegral() {
         QFETCH(int, number);
         const test::HybridScene& one = scenes()[number];
         Scene scene = one.scene();

@@ -1,4 +1,4 @@
-/// The self-test tested: its data, its verdicts, its power, and what is no picture. False alarms: every comparison here
+/// The self-test tested: its data, its verdicts, its power, and what is no image. False alarms: every comparison here
 /// is at 1e-6 or by allowedZ; seeds are fixed.
 
 #include <QTest>

@@ -1,8 +1,8 @@
 /// Render nodes under everything that goes wrong, for a long time: every 200 ms something happens to one of eight nodes
-/// or to its network, as a seed says, while pictures are made one after the other; each must be the one made alone.
+/// or to its network, as a seed says, while images are made one after the other; each must be the one made alone.
 ///   soak [--minutes M] [--nodes N] [--seed N]
-/// Prints a table at the end: pictures, wrong ones, the longest, what was done to nodes, and how this program's memory
-/// grew after the first minute. Exit code 1: a picture was wrong, or memory grew.
+/// Prints a table at the end: images, wrong ones, the longest, what was done to nodes, and how this program's memory
+/// grew after the first minute. Exit code 1: an image was wrong, or memory grew.
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
@@ -17,7 +17,7 @@
 #include <thread>
 
 #include "tests/support/network/fault_proxy.h"
-#include "tests/support/network/shared_picture.h"
+#include "tests/support/network/shared_image.h"
 
 namespace pdr::test {
 namespace {
@@ -106,14 +106,14 @@ class Soak {
     void render(const std::atomic<bool>& over) {
         std::vector<FilmContent> truths;
         for (int number = 0; number < 4; ++number)
-            truths.push_back(pictureAlone(soakScene(number), kOrders));
+            truths.push_back(imageAlone(soakScene(number), kOrders));
         while (!over) {
             QElapsedTimer took;
             took.start();
-            const FilmContent picture = trial_.picture(soakScene(pictures_), kOrders);
-            wrong_ += sameBits(picture, truths[std::size_t(pictures_ % 4)]) ? 0 : 1;
+            const FilmContent image = trial_.image(soakScene(images_), kOrders);
+            wrong_ += sameBits(image, truths[std::size_t(images_ % 4)]) ? 0 : 1;
             longest_ = std::max(longest_, took.elapsed());
-            ++pictures_;
+            ++images_;
         }
     }
 
@@ -129,13 +129,13 @@ class Soak {
     /// The table; whether all is well.
     bool tell() const {
         std::printf("%-28s %lld\n", "minutes", clock_.elapsed() / 60'000);
-        std::printf("%-28s %d\n%-28s %d\n%-28s %.1f s\n", "pictures", pictures_.load(), "wrong pictures", wrong_.load(),
+        std::printf("%-28s %d\n%-28s %d\n%-28s %.1f s\n", "pictures", images_.load(), "wrong pictures", wrong_.load(),
                     "longest picture", double(longest_) / 1000);
         for (std::size_t i = 0; i < kBlows.size(); ++i)
             std::printf("%-28s %d\n", kBlows[i], blows_[i]);
         const double mega = double(lastMemory_ - firstMemory_) / 1000;
         std::printf("%-28s %ld MB, then %+.1f MB\n", "memory after a minute", firstMemory_ / 1000, mega);
-        return wrong_ == 0 && pictures_ > 0 && mega < 32;
+        return wrong_ == 0 && images_ > 0 && mega < 32;
     }
 
   private:
@@ -164,7 +164,7 @@ class Soak {
     std::vector<Victim> victims_;
     QElapsedTimer clock_;
     std::array<int, kBlows.size()> blows_{};
-    std::atomic<int> pictures_ = 0, wrong_ = 0;
+    std::atomic<int> images_ = 0, wrong_ = 0;
     qint64 longest_ = 0;
     long firstMemory_ = 0, lastMemory_ = 0;
 };

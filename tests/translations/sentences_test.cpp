@@ -11,11 +11,11 @@
 #include "dicom/read/refusal.h"
 #include "dicom/stack/stack_geometry.h"
 #include "dicom/stack/stack_notes.h"
-#include "render/accuracy/ledger_text.h"
+#include "render/accuracy/effect_cost_text.h"
 #include "render/base/errors.h"
 #include "render/film/health_text.h"
 #include "render/prepare/needs.h"
-#include "render/scene/picture_setup.h"
+#include "render/scene/image_setup.h"
 #include "render/segment/body_parts.h"
 #include "render/segment/hidden_table.h"
 #include "render/timing/split_choice.h"
@@ -140,11 +140,11 @@ void addParts(std::vector<Text>& texts) {
 void addErrors(std::vector<Text>& texts) {
     texts.push_back(notEnoughMemory(phrase("to decode it"), "", "").what);
     texts.push_back(memoryTooSmall("cuda", 3'000'000'000, 20'000'000).what);
-    PictureSetup setup;
+    ImageSetup setup;
     setup.stops = 100;
     texts.push_back(check(setup).error().what);
-    for (const char* json : {"[", "{}", R"({"format": "x"})", R"({"format": "pdrender-session", "version": 2})",
-                             R"({"format": "pdrender-session", "version": 1, "look": {}})"})
+    for (const char* json : {"[", "{}", R"({"format": "x"})", R"({"format": "pdrender-plan", "version": 2})",
+                             R"({"format": "pdrender-plan", "version": 1, "look": {}})"})
         texts.push_back(setupFromJson(json, "plan.json").error().what);
 }
 

@@ -56,7 +56,7 @@ class WallsTest : public QObject {
             {"ui/annotation/", "^ui/(annotation|text)/" + below},
             {"ui/widgets/", "^ui/(widgets|text)/" + below},
             {"ui/view/", "^ui/(view|annotation|widgets|text)/" + below},
-            {"ui/window/", "^ui/(window|accuracy/foot.h|keys|theme|view|annotation|widgets|text)/?" + below},
+            {"ui/window/", "^ui/(window|accuracy/accuracy_status.h|keys|theme|view|annotation|widgets|text)/?" + below},
             {"app/program/", "^app/program/"},
             {"app/command_line/", "^app/command_line/|^render/(base|scene)/"},
             {"app/selftest/", "^app/selftest/|^render/"},

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# One picture of a CT series under each of some looks, as the manual shows them, to be looked at.
+# One image of a CT series under each of some looks, as the manual shows them, to be looked at.
 #   tools/manual/acceptance.sh FOLDER OUT.jpg LOOK...
 # SIZE (320, or 400x280), SAMPLES (96) and COLUMNS (4) may be set. Needs ./bootstrap build and ImageMagick.
 set -euo pipefail
@@ -15,7 +15,7 @@ trap 'rm -rf "$scratch"' EXIT
 pictures=()
 for look in "$@"; do
     picture="$scratch/${look// /-}.png"
-    build/release/bin/pdrender-cli render "$folder" -o "$picture" --annotations none --look "$look" --exposure auto --smoothed \
+    build/release/bin/pdrender-cli render "$folder" -o "$picture" --annotations none --look "$look" --exposure auto --denoised \
         --size "$size" --samples "${SAMPLES:-96}" >/dev/null 2>"$scratch/said" || { cat "$scratch/said" >&2; exit 1; }
     pictures+=(-label "$look" "$picture")
 done

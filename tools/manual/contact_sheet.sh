@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# One picture of a CT series under every optical model (rows) and four looks (columns), to be looked at.
+# One image of a CT series under every optical model (rows) and four looks (columns), to be looked at.
 #   tools/manual/contact_sheet.sh FOLDER OUT.jpg [SIZE [SAMPLES [SECONDS]]]
-# SIZE: pixels of each picture's edge; SAMPLES per pixel, but no longer than SECONDS each. Needs ./bootstrap build and
+# SIZE: pixels of each image's edge; SAMPLES per pixel, but no longer than SECONDS each. Needs ./bootstrap build and
 # ImageMagick.
 set -euo pipefail
 
@@ -23,7 +23,7 @@ for model in absorption emission emissionAbsorption singleScattering multipleSca
     for look in "Bone" "Thin bone" "Muscles and skull" "Skin over bone"; do
         picture="$scratch/$model-${look// /-}.png"
         build/release/bin/pdrender-cli render "$folder" -o "$picture" --annotations none --look "$look" --model "$model" \
-            --size "${size}x${size}" --samples "$count" --seconds "$seconds" "${exposure[@]}" --smoothed >/dev/null 2>&1
+            --size "${size}x${size}" --samples "$count" --seconds "$seconds" "${exposure[@]}" --denoised >/dev/null 2>&1
         pictures+=(-label "$model\n$look" "$picture")
     done
 done

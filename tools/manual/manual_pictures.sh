@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes pictures of the README and the manual anew, each into resources/manual/pictures.
+# Makes images of the README and the manual anew, each into resources/manual/pictures.
 #   tools/manual/manual_pictures.sh CHEST PICTURE...
 # CHEST: a folder of DICOM files of a chest with contrast. PICTURE: first looks-chest looks-head looks-phantom models table;
 # none: all of them, an hour on two cores. SAMPLES may be set; else 1024 for `first`, 64. Those of the
@@ -30,7 +30,7 @@ first() {
     local side look
     for side in left right; do
         [ $side = left ] && look="Bone" || look="Vessels and bone"
-        "$cli" render "$scratch/$side.json" -o "$scratch/$side.png" --annotations none --look "$look" --exposure auto --smoothed \
+        "$cli" render "$scratch/$side.json" -o "$scratch/$side.png" --annotations none --look "$look" --exposure auto --denoised \
             --samples "${SAMPLES:-1024}" >/dev/null 2>&1
     done
     convert "$scratch/left.png" "$scratch/right.png" +append -fuzz 3% -trim -bordercolor black -border 16 -strip -quality 92 "$out/first.jpg"
@@ -65,7 +65,7 @@ table() {
     local word
     for word in shown hidden; do
         "$cli" render "$chest" -o "$scratch/$word.png" --annotations none --look "Bone beside contrast" --view posterior --table $word \
-            --size 512x400 --exposure auto --smoothed --samples "${SAMPLES:-64}" >/dev/null 2>&1
+            --size 512x400 --exposure auto --denoised --samples "${SAMPLES:-64}" >/dev/null 2>&1
     done
     convert "$scratch/shown.png" "$scratch/hidden.png" +append -strip -quality 88 "$out/table.jpg"
 }

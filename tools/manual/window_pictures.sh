@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the manual's pictures of the window anew: the program on a chest, under an X server of its own.
+# Makes the manual's images of the window anew: the program on a chest, under an X server of its own.
 #   tools/manual/window_pictures.sh FOLDER PICTURE...
 # PICTURE: window-light window-dark window-small window-4k tissue light nodes; none: all of them. SECONDS_OPEN (45) and the number
 # of the X DISPLAY (81) may be set. Needs ./bootstrap build, Xvfb, openbox, xdotool and ImageMagick.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a change costs a scene that does not use it: the same picture by two builds of pdrender-bench, turn by turn.
+# What a change costs a scene that does not use it: the same image by two builds of pdrender-bench, turn by turn.
 #   tools/measure/against_build.sh OTHER_PDRENDER_BENCH [RUNS [SAMPLES [SCENE.json]]]
 # Prints the median of the time of this build over that of the other, pair by pair, on one thread.
 set -euo pipefail

@@ -19,7 +19,7 @@ g++ -O3 -march=native "$folder/single_scatter.cpp" -o "$scratch/plain" -lpthread
 number() {
     sed -E "s/.*\"$1\": ([-0-9.e+]+).*/\1/"
 }
-# noise PICTURE: relative error of a picture, the reference's own (2.15 %) taken out.
+# noise PICTURE: relative error of an image, the reference's own (2.15 %) taken out.
 noise() {
     "${benches[0]}" compare "$1" "$folder/reference.pfm" | number relativeRmse | awk '{ print sqrt($1 * $1 - 0.0215 * 0.0215) }'
 }

@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
             clock.start();
     });
     std::size_t made = 0;
-    QObject::connect(&desktop.presenter<LooksPresenter>().pictures(), &LookPictures::made, &application, [&](int look) {
+    QObject::connect(&desktop.presenter<LooksPresenter>().images(), &LookImages::made, &application, [&](int look) {
         std::printf("%5.2f s  %s\n", double(clock.elapsed()) / 1000, (*looks)[std::size_t(look)].name.c_str());
         if (++made == looks->size()) {
             std::printf("%5.2f s of the processor\n", double(std::clock()) / CLOCKS_PER_SEC);

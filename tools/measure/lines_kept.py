@@ -96,7 +96,7 @@ def main():
         for samples in map(int, options.samples.split(",")):
             columns = []
             for seed in range(1, options.seeds + 1):
-                images = render(samples, 1000 * seed), render(samples, 1000 * seed, "--smoothed")
+                images = render(samples, 1000 * seed), render(samples, 1000 * seed, "--denoised")
                 off = [numpy.quantile(abs(image - reference)[reference > 0], 0.95) for image in images]
                 columns.append([kept(images[0], reference), kept(images[1], reference), *off])
             mean = numpy.mean(columns, axis=0)

@@ -16,7 +16,7 @@
 #include <cstdio>
 
 #include "render/volume/phantom.h"
-#include "tests/support/network/shared_picture.h"
+#include "tests/support/network/shared_image.h"
 
 namespace pdr::test {
 namespace {

@@ -60,7 +60,7 @@ void logSteps(Desktop& desktop, const Log& log) {
     QObject::connect(&import, &ImportJob::loaded, [&log] { log("voxels and table in memory"); });
     QObject::connect(&desktop.presenter<VisiblePresenter>().masks(), &MaskJob::made,
                      [&log] { log("part told from the body"); });
-    QObject::connect(&desktop.presenter<LooksPresenter>().pictures(), &LookPictures::made,
+    QObject::connect(&desktop.presenter<LooksPresenter>().images(), &LookImages::made,
                      [&log](int look) { log("gallery: look ", QString::number(look)); });
     QObject::connect(&desktop.bridge(), &RenderBridge::frameReady,
                      [&log, coarse = false, full = false](const std::shared_ptr<const Frame>& frame) mutable {

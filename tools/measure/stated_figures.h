@@ -11,7 +11,7 @@
 
 #include "render/accuracy/forecast.h"
 #include "render/device/device.h"
-#include "render/film/display/smoothed_view.h"
+#include "render/film/display/denoised_view.h"
 #include "render/film/error/level_error_map.h"
 #include "render/film/error/likely_error.h"
 #include "render/film/error/local_error.h"
@@ -25,7 +25,7 @@ constexpr double kSigmas = 1.96;
 /// An image, row by row, and all that is stated about it.
 struct StatedImage {
     FilmStatus status;
-    std::optional<SmoothedError> denoisedError;
+    std::optional<DenoisedError> denoisedError;
     std::vector<dvec3> light, denoised;
     std::vector<dvec3> error, bound;      ///< as in an OpenEXR file
     std::vector<float> map, denoisedMap;  ///< levels; infinite: not known, or beyond the map's range
@@ -46,7 +46,7 @@ inline std::vector<float> shownLevels(const LevelErrorMap& map) {
 
 inline StatedImage statedImage(const Film& film, double exposure) {
     StatedImage image{.status = film.status(exposure)};
-    SmoothedView view;
+    DenoisedView view;
     view.judge(film, film.samplesPerPixel(), {});
     image.denoisedError = view.error(exposure);
     if (const auto map = view.errorMap(exposure))

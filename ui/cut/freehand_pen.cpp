@@ -100,8 +100,8 @@ void FreehandPen::answer(bool keepInside) {
 }
 
 /// Returns the line's corners, from the image's middle, in fractions of its height.
-std::vector<PicturePoint> FreehandPen::outline() const {
-    std::vector<PicturePoint> points;
+std::vector<ImagePoint> FreehandPen::outline() const {
+    std::vector<ImagePoint> points;
     for (const QPointF& place : line_) {
         const QPointF away = (place - image_.area.center()) / image_.area.height();
         points.push_back({away.x(), away.y()});

@@ -36,7 +36,7 @@ class FreehandPen : public DrawingTool {
     void discardLine();
     void ask(QPoint place);
     void answer(bool keepInside);
-    std::vector<PicturePoint> outline() const;
+    std::vector<ImagePoint> outline() const;
 
     ImagePlace image_;
     bool pressed_ = false;

@@ -45,7 +45,7 @@ class ModelChoice : public QWidget {
 QString modelTitle(Model model);
 /// Returns what images of a model show, and what they do not: a sentence or two.
 QString modelText(Model model);
-/// Returns "A sample takes about 2.1 times as long as with “Lit surfaces”; 95 % of the picture changes by at most 12 of
+/// Returns "A sample takes about 2.1 times as long as with “Lit surfaces”; 95 % of the image changes by at most 12 of
 /// 255 levels."
 QString costText(const ModelCost& cost);
 

@@ -5,7 +5,7 @@
 #include <QSignalBlocker>
 #include <cmath>
 
-#include "render/scene/sky_picture.h"
+#include "render/scene/sky_image.h"
 #include "ui/widgets/file_dialogs.h"
 
 namespace pdr::ui {
@@ -37,7 +37,7 @@ SkyRow::SkyRow(QWidget* parent) : QWidget(parent) {
 
     connect(&choose_, &QPushButton::clicked, this, &SkyRow::ask);
     connect(&remove_, &QPushButton::clicked, this,
-            [this] { emit environmentEdited(withoutPicture(environment_), false); });
+            [this] { emit environmentEdited(withoutImage(environment_), false); });
     connect(&turn_, &QSlider::valueChanged, this, &SkyRow::turn);
     connect(&turn_, &QSlider::sliderReleased, this, &SkyRow::turn);
     setEnvironment({});

@@ -12,7 +12,7 @@ constexpr int kColumns = 2;
 
 /// Breaks a name that is wider than a thumbnail into two lines of similar length.
 QString inLines(const QString& name, const QFontMetrics& metrics) {
-    if (metrics.horizontalAdvance(name) <= LookGallery::kPicture)
+    if (metrics.horizontalAdvance(name) <= LookGallery::kImage)
         return name;
     int best = -1;
     for (int space = name.indexOf(' '); space >= 0; space = name.indexOf(' ', space + 1))
@@ -42,9 +42,9 @@ void LookGallery::setLooks(const QList<LookCard>& looks) {
     if (looks == looks_)
         return;
     // Remember the thumbnails and the current look
-    QHash<QString, QIcon> pictures;
+    QHash<QString, QIcon> images;
     for (QAbstractButton* button : buttons_.buttons())
-        pictures[looks_[buttons_.id(button)].name] = button->icon();
+        images[looks_[buttons_.id(button)].name] = button->icon();
     const int shown = buttons_.checkedId();
     const QString kept = shown >= 0 ? looks_[shown].name : QString();
     clear();
@@ -57,7 +57,7 @@ void LookGallery::setLooks(const QList<LookCard>& looks) {
     // Restore the thumbnails and the current look
     for (QAbstractButton* button : buttons_.buttons()) {
         const LookCard& card = looks_[buttons_.id(button)];
-        button->setIcon(pictures.value(card.name));
+        button->setIcon(images.value(card.name));
         button->setChecked(card.name == kept);
     }
     orderTabs();
@@ -138,12 +138,12 @@ void LookGallery::addCard(int index) {
     button->setAccessibleName(tr("Look %1").arg(card.name));
     button->setAccessibleDescription(card.doesNotShow);
     button->setToolTip(tipOf(card));
-    button->setIconSize({kPicture, kPicture});
+    button->setIconSize({kImage, kImage});
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setCheckable(true);
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::TabFocus);
-    button->setFixedWidth(kPicture + 8);
+    button->setFixedWidth(kImage + 8);
     buttons_.addButton(button, index);
     const int place = grid->count();
     grid->addWidget(button, place / kColumns, place % kColumns, Qt::AlignTop);
@@ -161,11 +161,11 @@ void LookGallery::setLook(int index) {
         unfold(heading, true);
 }
 
-void LookGallery::setPicture(int index, const QImage& picture) {
+void LookGallery::setImage(int index, const QImage& image) {
     QAbstractButton* button = buttons_.button(index);
     if (!button)
         return;
-    button->setIcon(QIcon(QPixmap::fromImage(picture)));
+    button->setIcon(QIcon(QPixmap::fromImage(image)));
 }
 
 }  // namespace pdr::ui

@@ -27,7 +27,7 @@ class LookGallery : public QWidget {
 
   public:
     /// Edge length of a thumbnail [px].
-    static constexpr int kPicture = 88;
+    static constexpr int kImage = 88;
 
     explicit LookGallery(QWidget* parent = nullptr);
 
@@ -43,7 +43,7 @@ class LookGallery : public QWidget {
     /// Marks the current look and expands its group, unless the user has collapsed it. -1: none of the looks is shown.
     void setLook(int index);
     /// Sets the thumbnail of a look. A null image: none yet.
-    void setPicture(int index, const QImage& picture);
+    void setImage(int index, const QImage& image);
 
   signals:
     void lookChosen(int index);

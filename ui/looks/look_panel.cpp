@@ -62,7 +62,7 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     scroll_.setFrameShape(QFrame::NoFrame);
     scroll_.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll_.setFocusPolicy(Qt::NoFocus);
-    scroll_.setMinimumHeight(LookGallery::kPicture + 40);  // a heading and a row of thumbnails
+    scroll_.setMinimumHeight(LookGallery::kImage + 40);  // a heading and a row of thumbnails
     gallery_.layout()->setAlignment(Qt::AlignTop);
     connect(
         &gallery_, &LookGallery::unfolded, this, [this](QWidget* group) { scroll_.ensureWidgetVisible(group, 0, 0); },

@@ -5,7 +5,7 @@
 #include <QGridLayout>
 #include <QStandardPaths>
 
-#include "ui/output/picture_size_box.h"
+#include "ui/output/image_size_box.h"
 #include "ui/widgets/forgetful_dialog.h"
 
 namespace pdr::ui {
@@ -29,7 +29,7 @@ void addBelow(QFileDialog& dialog, QWidget* widget) {
 
 }  // namespace
 
-std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, const PictureOffer& offer) {
+std::optional<ImageOrder> askForImage(QWidget* parent, const QAction& save, const ImageOffer& offer) {
     const QString png = translated("PNG image (*.png)");
     const QString exr = translated("OpenEXR with the error of every pixel (*.exr)");
     ForgetfulDialog dialog(parent, translated("Save the image"));
@@ -38,7 +38,7 @@ std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, 
     dialog.setDirectory(offer.folder.isEmpty() ? documents() : offer.folder);
     // With its own default suffix, the dialog also asks before it overwrites a file.
     dialog.setDefaultSuffix("png");
-    auto* box = new PictureSizeBox(offer);
+    auto* box = new ImageSizeBox(offer);
     addBelow(dialog, box);
     QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString& filter) {
         dialog.setDefaultSuffix(filter == exr ? "exr" : "png");
@@ -51,7 +51,7 @@ std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, 
     dialog.selectFile(offer.name);
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
-    return PictureOrder{dialog.selectedFiles().value(0), box->chosenSize(), box->stop(), box->annotate()};
+    return ImageOrder{dialog.selectedFiles().value(0), box->chosenSize(), box->stop(), box->annotate()};
 }
 
 }  // namespace pdr::ui

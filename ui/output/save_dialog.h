@@ -5,13 +5,13 @@
 #include <QWidget>
 #include <optional>
 
-#include "ui/output/picture_order.h"
+#include "ui/output/image_order.h"
 
 namespace pdr::ui {
 
 /// Asks for a file to save the image in, and for its size, accuracy and annotations, beginning with `offer`. None: the
 /// user cancelled, or `save` was disabled meanwhile, since a name proposed for one patient must not be used for the
 /// next.
-std::optional<PictureOrder> askForPicture(QWidget* parent, const QAction& save, const PictureOffer& offer);
+std::optional<ImageOrder> askForImage(QWidget* parent, const QAction& save, const ImageOffer& offer);
 
 }  // namespace pdr::ui

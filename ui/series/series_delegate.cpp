@@ -9,7 +9,7 @@ namespace pdr::ui {
 namespace {
 
 constexpr int kPadding = 8;
-constexpr int kPicture = 48;  ///< side of the thumbnail [px]
+constexpr int kImage = 48;  ///< side of the thumbnail [px]
 
 }  // namespace
 
@@ -31,11 +31,11 @@ void SeriesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     // Draw the thumbnail
     painter->save();
     QRect area = option.rect.adjusted(kPadding, kPadding, -kPadding, -kPadding);
-    if (const auto picture = index.data(Qt::DecorationRole).value<QPixmap>(); !picture.isNull()) {
-        QRect place(area.topLeft(), picture.size().scaled(kPicture, kPicture, Qt::KeepAspectRatio));
+    if (const auto image = index.data(Qt::DecorationRole).value<QPixmap>(); !image.isNull()) {
+        QRect place(area.topLeft(), image.size().scaled(kImage, kImage, Qt::KeepAspectRatio));
         painter->setRenderHint(QPainter::SmoothPixmapTransform);
-        painter->drawPixmap(place, picture);
-        area.setLeft(area.left() + kPicture + kPadding);
+        painter->drawPixmap(place, image);
+        area.setLeft(area.left() + kImage + kPadding);
     }
     // Draw the lines of text
     const int lineHeight = option.fontMetrics.height() + 2;
@@ -68,7 +68,7 @@ void SeriesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
 
 QSize SeriesDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
     const int lines = index.data(kWhoRole).toString().isEmpty() ? 3 : 4;
-    return {100, std::max(lines * (option.fontMetrics.height() + 2), kPicture) + 2 * kPadding};
+    return {100, std::max(lines * (option.fontMetrics.height() + 2), kImage) + 2 * kPadding};
 }
 
 }  // namespace pdr::ui

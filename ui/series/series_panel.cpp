@@ -129,9 +129,9 @@ void SeriesPanel::setCurrent(int index) {
     showDetail(index);
 }
 
-void SeriesPanel::setPicture(int series, const QImage& picture) {
+void SeriesPanel::setImage(int series, const QImage& image) {
     if (QStandardItem* item = model_.item(series))
-        item->setData(QPixmap::fromImage(picture), Qt::DecorationRole);
+        item->setData(QPixmap::fromImage(image), Qt::DecorationRole);
 }
 
 void SeriesPanel::setNothingShown() {

@@ -24,7 +24,7 @@ class SeriesPanel : public QWidget {
     /// Clears the patient's name above the list; the selection stays.
     void setNothingShown();
     /// Sets the thumbnail of the series with index `series` in the scan.
-    void setPicture(int series, const QImage& picture);
+    void setImage(int series, const QImage& image);
     /// Sets whether patients are numbered instead of named, e.g. for screenshots.
     void setNamesHidden(bool hidden);
     int current() const { return shown_; }

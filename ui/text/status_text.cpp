@@ -38,7 +38,7 @@ QString samplesText(std::uint64_t count) {
 
 }  // namespace
 
-QStringList smoothedTexts(const std::optional<SmoothedError>& error, std::size_t lostLines) {
+QStringList denoisedTexts(const std::optional<DenoisedError>& error, std::size_t lostLines) {
     QStringList texts{error ? translated("Denoised, error ±%1").arg(localNumber(levelsText(error->levelsAtMost)))
                             : translated("Denoised, error not known yet")};
     if (lostLines >= denoise::kMostLostLines)
@@ -50,7 +50,7 @@ QStringList smoothedTexts(const std::optional<SmoothedError>& error, std::size_t
     return texts;
 }
 
-QStringList hiddenDetailTexts(const SmoothedError& error) {
+QStringList hiddenDetailTexts(const DenoisedError& error) {
     QStringList texts{translated("thin structures may be further off")};
     const int hidden = int(std::ceil(100 * std::min(error.hiddenContrast, 1.0)));
     if (hidden >= 100)
@@ -65,21 +65,21 @@ QString gridText(dvec3 spacingMm) {
         .arg(shortNumber(spacingMm.x), shortNumber(spacingMm.y), shortNumber(spacingMm.z));
 }
 
-QString stretchedText(ivec2 picture, QSize view) {
-    const double scale = double(view.height()) / picture.y;
+QString stretchedText(ivec2 image, QSize view) {
+    const double scale = double(view.height()) / image.y;
     if (std::abs(scale - 1) <= 0.02)  // shown pixel by pixel
         return {};
     return translated("%1 × %2 pixels stretched to %3 × %4")
-        .arg(picture.x)
-        .arg(picture.y)
-        .arg(std::lround(picture.x * scale))
+        .arg(image.x)
+        .arg(image.y)
+        .arg(std::lround(image.x * scale))
         .arg(view.height());
 }
 
-QString boxText(const FilmStatus& box, bool first, const FilmStatus& picture) {
+QString boxText(const FilmStatus& box, bool first, const FilmStatus& image) {
     const auto levels = [](const FilmStatus& status) { return localNumber(levelsText(status.displayError)); };
-    if (first && std::isfinite(picture.displayError))
-        return translated("whole image, waiting for the region: ±%1 (95 % of the tissue)").arg(levels(picture));
+    if (first && std::isfinite(image.displayError))
+        return translated("whole image, waiting for the region: ±%1 (95 % of the tissue)").arg(levels(image));
     if (first)
         return translated("the rest of the image waits for the region");
     if (box.tissuePixels == 0)

@@ -18,20 +18,20 @@ namespace pdr::ui {
 QString gridText(dvec3 spacingMm);
 
 /// Returns "153 × 164 pixels stretched to 765 × 818"; empty if the image has as many pixels as the view.
-QString stretchedText(ivec2 picture, QSize view);
+QString stretchedText(ivec2 image, QSize view);
 
 /// Returns what stands on a denoised image: "Denoised, error ±7", or that the error is not known yet; and how many thin
 /// `lostLines` it lacks, which the error map marks.
-QStringList smoothedTexts(const std::optional<SmoothedError>& error, std::size_t lostLines);
+QStringList denoisedTexts(const std::optional<DenoisedError>& error, std::size_t lostLines);
 
 /// Returns what a denoised image may lack beyond its error: "thin structures may be further off", and "detail below 38
 /// % contrast may be missing".
-QStringList hiddenDetailTexts(const SmoothedError& error);
+QStringList hiddenDetailTexts(const DenoisedError& error);
 
 /// Returns the remark on an image with a box, whose status is `box`: "in the region ±4 (95 % of the tissue)", for the
 /// image shown, as `picture` is for the whole image. If the box is `first` and gets all samples, the status of the
 /// whole image meanwhile.
-QString boxText(const FilmStatus& box, bool first, const FilmStatus& picture);
+QString boxText(const FilmStatus& box, bool first, const FilmStatus& image);
 
 /// Returns "at least 11 % of the tissue not sampled yet": the error has no estimate for it. Empty below 1 %.
 QString unseenText(const FilmStatus& status);

@@ -5,8 +5,8 @@
 
 namespace pdr::ui {
 
-/// Paints the legend into the upper left corner of `area`, in which nothing else stands there. `beforeDenoising`: the image is denoised, but the map shows
-/// the error before denoising.
+/// Paints the legend into the upper left corner of `area`, where nothing else may stand. `beforeDenoising`: the image
+/// is denoised, but the map shows the error before denoising.
 void paintErrorLegend(QPainter& painter, const QRect& area, bool beforeDenoising);
 
 }  // namespace pdr::ui

@@ -56,20 +56,20 @@ void Viewport::followTools() {
     update();
 }
 
-void Viewport::setPicture(const ShownPicture& picture) {
-    picture_ = picture;
+void Viewport::setImage(const ShownImage& picture) {
+    image_ = picture;
     tools_.setImage(place());
     update();
 }
 
-void Viewport::clearPicture() {
-    picture_.reset();
+void Viewport::clearImage() {
+    image_.reset();
     tools_.setImage(place());
     update();
 }
 
 EdgeLetters Viewport::letters() const {
-    return picture_ ? edgeLetters(picture_->camera) : EdgeLetters{};
+    return image_ ? edgeLetters(image_->camera) : EdgeLetters{};
 }
 
 void Viewport::setCaptionShown(bool shown) {
@@ -92,13 +92,13 @@ void Viewport::showTip(QPointF place, const QString& text) {
 }
 
 ImagePlace Viewport::place() const {
-    if (!picture_ || picture_->image.isNull())
+    if (!image_ || image_->image.isNull())
         return {size(), rect(), std::nullopt};
-    return {size(), pictureArea(picture_->image.size(), {size(), devicePixelRatioF()}), picture_->camera};
+    return {size(), imageArea(image_->image.size(), {size(), devicePixelRatioF()}), image_->camera};
 }
 
 void Viewport::tellPlace(const QHelpEvent& event) {
-    if (!picture_ || tools_.inGesture())
+    if (!image_ || tools_.inGesture())
         return;
     resting_ = place().fractionsAt(event.pos());
     restingAt_ = event.globalPos();
@@ -140,7 +140,7 @@ void Viewport::resizeEvent(QResizeEvent*) {
 /// the window is resized or panels open, are not worth rendering.
 void Viewport::changeSize() {
     tools_.setImage(place());
-    if (picture_)
+    if (image_)
         settleTimer_.start();
     else
         emit sizeInPixelsChanged(sizeInPixels());
@@ -208,7 +208,7 @@ void Viewport::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), Qt::black);
     painter.save();
-    if (picture_)
+    if (image_)
         paintImage(painter);
     else
         paintMessage(painter);
@@ -218,7 +218,7 @@ void Viewport::paintEvent(QPaintEvent*) {
 
 void Viewport::paintImage(QPainter& painter) const {
     painter.setFont(font());
-    paintShownPicture(painter, *picture_, {size(), devicePixelRatioF(), captionShown_, overlay_()});
+    paintShownImage(painter, *image_, {size(), devicePixelRatioF(), captionShown_, overlay_()});
     if (reachedByKey_)
         paintRing(painter);
 }

@@ -12,7 +12,7 @@
 #include "ui/view/camera_drag.h"
 #include "ui/view/camera_steps.h"
 #include "ui/view/edited_camera.h"
-#include "ui/view/shown_picture.h"
+#include "ui/view/shown_image.h"
 #include "ui/view/view_tools.h"
 
 class QHelpEvent;
@@ -25,8 +25,8 @@ class Viewport : public QWidget {
   public:
     explicit Viewport(QWidget* parent = nullptr);
 
-    void setPicture(const ShownPicture& picture);
-    void clearPicture();
+    void setImage(const ShownImage& image);
+    void clearImage();
     /// Returns the view's tools, to which others can be added.
     ViewTools& tools() { return tools_; }
     /// Returns the orientation letters at the edges of the image; empty without an image.
@@ -41,7 +41,7 @@ class Viewport : public QWidget {
     /// Sets the text in the middle of the view while there is no image.
     void setMessage(const QString& message);
     /// Returns the text in the middle of the view; empty while there is an image.
-    QString message() const { return picture_ ? QString() : message_; }
+    QString message() const { return image_ ? QString() : message_; }
 
     /// Returns the view's size in screen pixels.
     QSize sizeInPixels() const;
@@ -91,7 +91,7 @@ class Viewport : public QWidget {
     void paintImage(QPainter& painter) const;
     void paintRing(QPainter& painter) const;
 
-    std::optional<ShownPicture> picture_;
+    std::optional<ShownImage> image_;
     QString message_;
     std::function<QStringList()> overlay_ = [] { return QStringList(); };
     bool reachedByKey_ = false;  ///< the focus came here by Tab

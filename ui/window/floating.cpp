@@ -4,11 +4,11 @@
 
 namespace pdr::ui {
 
-Floating::Floating(QWidget* picture) : QFrame(picture) {
+Floating::Floating(QWidget* image) : QFrame(image) {
     setAttribute(Qt::WA_NoMousePropagation);
     setAutoFillBackground(true);
-    if (picture)
-        picture->installEventFilter(this);
+    if (image)
+        image->installEventFilter(this);
 }
 
 void Floating::place() {
@@ -23,10 +23,10 @@ bool Floating::event(QEvent* event) {
     return taken;
 }
 
-bool Floating::eventFilter(QObject* picture, QEvent* event) {
+bool Floating::eventFilter(QObject* image, QEvent* event) {
     if (event->type() == QEvent::Resize)
         place();
-    return QFrame::eventFilter(picture, event);
+    return QFrame::eventFilter(image, event);
 }
 
 }  // namespace pdr::ui

@@ -9,7 +9,7 @@ namespace pdr::ui {
 class Floating : public QFrame {
   public:
     /// Creates a frame over the widget `picture` and follows its size. Null: the frame stays where it is put.
-    explicit Floating(QWidget* picture);
+    explicit Floating(QWidget* image);
 
   protected:
     /// Moves the frame to placeIn() again. Call it when the content has changed.
@@ -18,7 +18,7 @@ class Floating : public QFrame {
     virtual QRect placeIn(QSize view) = 0;
 
     bool event(QEvent* event) override;
-    bool eventFilter(QObject* picture, QEvent* event) override;
+    bool eventFilter(QObject* image, QEvent* event) override;
 };
 
 }  // namespace pdr::ui

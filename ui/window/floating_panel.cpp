@@ -7,8 +7,8 @@
 
 namespace pdr::ui {
 
-FloatingPanel::FloatingPanel(QWidget* picture, const QString& title, QWidget* panel, const QKeySequence& key)
-    : Floating(picture), toggle_(title, this) {
+FloatingPanel::FloatingPanel(QWidget* image, const QString& title, QWidget* panel, const QKeySequence& key)
+    : Floating(image), toggle_(title, this) {
     setFrameShape(QFrame::StyledPanel);
     toggle_.setCheckable(true);
     toggle_.setShortcut(key);

@@ -13,7 +13,7 @@ class FloatingPanel : public Floating {
   public:
     /// Creates the panel, hidden at first. Where there is room, it leaves the orientation letters, the cube and the
     /// texts in the image's corners uncovered.
-    FloatingPanel(QWidget* picture, const QString& title, QWidget* panel, const QKeySequence& key);
+    FloatingPanel(QWidget* image, const QString& title, QWidget* panel, const QKeySequence& key);
 
     /// Returns the action that shows and hides the panel.
     QAction* toggleViewAction() { return &toggle_; }

@@ -30,7 +30,7 @@ QList<QAction*> namedActions(const QMenuBar& bar) {
 
 MainWindow::MainWindow()
     : viewport_(new Viewport),
-      foot_(new Foot),
+      accuracyStatus_(new AccuracyStatus),
       message_(new MessageBar(viewport_)),
       start_(new StartPanel),
       keys_(new KeysOverlay(this)),
@@ -42,7 +42,7 @@ MainWindow::MainWindow()
     start_->hide();
     viewport_->setOverlay([this] { return linesOverImage(); });
     setCentralWidget(viewport_);
-    statusBar()->addWidget(foot_, 1);
+    statusBar()->addWidget(accuracyStatus_, 1);
     statusBar()->setSizeGripEnabled(false);
 
     // Connect menus, keys and the view
@@ -158,11 +158,11 @@ void MainWindow::setQuestionOnClosing(const QString& question) {
 /// Opens the context menu: the most frequent actions, and those that have no button while the image fills the screen.
 void MainWindow::showMenu(QPoint place) {
     auto* menu = new QMenu(this);
-    menu->setObjectName("pictureMenu");
+    menu->setObjectName("imageMenu");
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addActions({actions_.firstView, actions_.fit, actions_.pause});
     menu->addSeparator();
-    menu->addActions({actions_.smoothed, actions_.errorMap, actions_.boxFirst});
+    menu->addActions({actions_.denoised, actions_.errorMap, actions_.boxFirst});
     menu->addSeparator();
     menu->addActions({actions_.undo, actions_.redo, actions_.copy, actions_.save});
     menu->addSeparator();
@@ -200,7 +200,7 @@ void MainWindow::hideNames(bool hidden) {
 QStringList MainWindow::linesOverImage() const {
     QStringList lines = patient();
     if (actions_.alone->isChecked())
-        lines << foot_->status().text();
+        lines << accuracyStatus_->status().text();
     return lines;
 }
 

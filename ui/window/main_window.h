@@ -8,7 +8,7 @@
 #include <functional>
 #include <optional>
 
-#include "ui/accuracy/foot.h"
+#include "ui/accuracy/accuracy_status.h"
 #include "ui/keys/key_bindings.h"
 #include "ui/keys/keys_overlay.h"
 #include "ui/theme/theme.h"
@@ -30,8 +30,8 @@ class MainWindow : public QMainWindow {
     MainWindow();
 
     Viewport& viewport() { return *viewport_; }
-    Foot& foot() { return *foot_; }
-    StatusLine& status() { return foot_->status(); }
+    AccuracyStatus& accuracyStatus() { return *accuracyStatus_; }
+    StatusLine& status() { return accuracyStatus_->status(); }
     MessageBar& message() { return *message_; }
     /// The panel in place of the image while nothing is open.
     StartPanel& start() { return *start_; }
@@ -114,7 +114,7 @@ class MainWindow : public QMainWindow {
     void about();
 
     Viewport* viewport_;
-    Foot* foot_;
+    AccuracyStatus* accuracyStatus_;
     MessageBar* message_;
     StartPanel* start_;
     KeysOverlay* keys_;

@@ -8,7 +8,7 @@
 
 namespace pdr::ui {
 
-MessageBar::MessageBar(QWidget* picture) : Floating(picture) {
+MessageBar::MessageBar(QWidget* image) : Floating(image) {
     setObjectName("message");  // by which the style sheet colours it
     QFont large = font();
     large.setPointSizeF(large.pointSizeF() * 1.6);

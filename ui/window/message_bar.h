@@ -17,7 +17,7 @@ class MessageBar : public Floating {
 
   public:
     /// Creates the bar over the widget `picture`. Null: it stays where it is put.
-    explicit MessageBar(QWidget* picture = nullptr);
+    explicit MessageBar(QWidget* image = nullptr);
 
     void showError(const Error& error);
     /// Shows a notice, in quieter colours than an error.

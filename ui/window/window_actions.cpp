@@ -49,10 +49,10 @@ void addViews(QMenu& menu, WindowActions& actions) {
 }
 
 /// Adds the actions for how the image is rendered and shown.
-void addPicture(QMenu& menu, WindowActions& actions) {
+void addImage(QMenu& menu, WindowActions& actions) {
     actions.pause = checkable(menu.addAction(Texts::tr("&Pause"), QKeySequence(Qt::Key_Space)));
     actions.pause->setShortcutContext(Qt::WidgetShortcut);  // elsewhere Space presses the button that has the focus
-    actions.smoothed = checkable(menu.addAction(Texts::tr("&Denoised"), QKeySequence(Qt::Key_S)));
+    actions.denoised = checkable(menu.addAction(Texts::tr("&Denoised"), QKeySequence(Qt::Key_S)));
     actions.table = checkable(menu.addAction(Texts::tr("&Table and holder"), QKeySequence(Qt::Key_T)));
     actions.captioned = checkable(
         menu.addAction(Texts::tr("A&nnotate saved images")),
@@ -88,7 +88,7 @@ void fillViewMenu(QMenuBar& bar, WindowActions& actions) {
     QMenu* menu = actions.view = bar.addMenu(Texts::tr("&View"));
     addViews(*menu, actions);
     menu->addSeparator();
-    addPicture(*menu, actions);
+    addImage(*menu, actions);
     menu->addSeparator();
     actions.endOfPanels = menu->addSeparator();
     addThemes(*menu, actions);
@@ -131,7 +131,7 @@ void describe(const WindowActions& actions) {
              {actions.fit, "fitImage",
               Texts::tr("Renders the image again at the size at which it is shown; the next edit does so as well.")},
              {actions.pause, "pause", Texts::tr("Pauses rendering, or continues it, also beyond the target.")},
-             {actions.smoothed, "smoothed", Texts::tr("Shows the denoised or the raw image.")},
+             {actions.denoised, "denoised", Texts::tr("Shows the denoised or the raw image.")},
              {actions.table, "table",
               Texts::tr("Shows or hides what is solid, outside the body and thinner than 20 mm.")},
              {actions.captioned, "caption", {}},

@@ -18,7 +18,7 @@ struct WindowActions {
     QAction *undo, *redo, *copy;
     std::array<QAction*, 6> views;  ///< in the order of StandardView
     QAction *firstView, *fit;
-    QAction *pause, *smoothed, *table, *captioned, *errorMap, *boxFirst, *hideName, *alone;
+    QAction *pause, *denoised, *table, *captioned, *errorMap, *boxFirst, *hideName, *alone;
     std::array<QAction*, 3> themes;  ///< in the order of ThemeChoice; one is checked
     QActionGroup* languages;         ///< language code as data, empty for the system's; one is checked
     QAction *manual, *keys, *editKeys, *about;

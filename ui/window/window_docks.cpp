@@ -38,8 +38,7 @@ Qt::DockWidgetArea areaOf(PanelPlace place) {
 
 }  // namespace
 
-WindowDocks::WindowDocks(QMainWindow& window, QWidget& picture)
-    : QObject(&window), window_(window), picture_(picture) {}
+WindowDocks::WindowDocks(QMainWindow& window, QWidget& image) : QObject(&window), window_(window), image_(image) {}
 
 QAction* WindowDocks::add(QWidget* panel, const PanelInfo& info) {
     QAction* toggle = info.place == PanelPlace::floating ? addFloating(panel, info) : addDock(panel, info);
@@ -49,7 +48,7 @@ QAction* WindowDocks::add(QWidget* panel, const PanelInfo& info) {
 }
 
 QAction* WindowDocks::addFloating(QWidget* panel, const PanelInfo& info) {
-    floating_ << new FloatingPanel(&picture_, info.title, panel, info.key);
+    floating_ << new FloatingPanel(&image_, info.title, panel, info.key);
     return floating_.last()->toggleViewAction();
 }
 
@@ -181,7 +180,7 @@ void WindowDocks::makeRoom() {
 /// chosen in it; beside an editor the looks, where the two do not fit above each other.
 QList<QDockWidget*> WindowDocks::inTheWayOf(QList<QDockWidget*> wanted) const {
     constexpr int kNarrow = 1100;
-    constexpr double kPicture = 0.61;  // least share of the window, of which frames take some
+    constexpr double kImage = 0.61;  // least share of the window, of which frames take some
     QList<QDockWidget*> away;
     const auto give = [&](QDockWidget* dock) {
         if (dock != insisted_ && !(choosing_ && dock == browser_) && wanted.removeOne(dock))
@@ -192,7 +191,7 @@ QList<QDockWidget*> WindowDocks::inTheWayOf(QList<QDockWidget*> wanted) const {
     if (narrow || editing)
         for (QDockWidget* settings : docksAt({PanelPlace::settings}))
             give(settings);
-    if (narrow || pictureShare(wanted) < kPicture)
+    if (narrow || imageShare(wanted) < kImage)
         give(browser_);
     if (editing && middleHeight() < kLookHeight + kEditorHeight)
         give(looks_);
@@ -213,7 +212,7 @@ int WindowDocks::widthOf(const QDockWidget& dock) const {
 }
 
 /// Returns the image's share of the window's area with these panels on its sides, as a fraction.
-double WindowDocks::pictureShare(const QList<QDockWidget*>& panels) const {
+double WindowDocks::imageShare(const QList<QDockWidget*>& panels) const {
     int left = 0, right = 0;
     for (const QDockWidget* dock : panels) {
         const int width = widthOf(*dock);

@@ -17,7 +17,7 @@ class WindowDocks : public QObject {
 
   public:
     /// `picture`: the image's widget, which keeps most of `window`; floating panels lie over it.
-    WindowDocks(QMainWindow& window, QWidget& picture);
+    WindowDocks(QMainWindow& window, QWidget& image);
 
     /// Adds `panel` at its place, and returns the action that opens and closes it.
     QAction* add(QWidget* panel, const PanelInfo& info);
@@ -52,11 +52,11 @@ class WindowDocks : public QObject {
     QList<QDockWidget*> inTheWayOf(QList<QDockWidget*> wanted) const;
     int middleHeight() const;
     int widthOf(const QDockWidget& dock) const;
-    double pictureShare(const QList<QDockWidget*>& panels) const;
+    double imageShare(const QList<QDockWidget*>& panels) const;
     void openedBelow(QDockWidget* dock, bool shown);
 
     QMainWindow& window_;
-    QWidget& picture_;
+    QWidget& image_;
     QList<QDockWidget*> docks_;  ///< in the order in which they were added
     QMap<QDockWidget*, Content> contents_;
     QList<FloatingPanel*> floating_;

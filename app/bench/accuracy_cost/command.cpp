@@ -21,10 +21,10 @@ struct Row {
 constexpr Row kRows[] = {{Beside::status, Beside::nothing, "status, history, forecast"},
                          {Beside::judgement, Beside::nothing, "all that is always on"},
                          {Beside::errorMap, Beside::judgement, "the error map, while open"},
-                         {Beside::ledger, Beside::judgement, "the ledger of effects, while open"},
+                         {Beside::effectCosts, Beside::judgement, "the ledger of effects, while open"},
                          {Beside::lattice, Beside::lattice, "the bias lattice, of a march"}};
-constexpr Beside kRuns[] = {Beside::nothing,  Beside::status, Beside::judgement,
-                            Beside::errorMap, Beside::ledger, Beside::lattice};
+constexpr Beside kRuns[] = {Beside::nothing,  Beside::status,      Beside::judgement,
+                            Beside::errorMap, Beside::effectCosts, Beside::lattice};
 
 /// Costs of each kind of run, round by round.
 class Costs {

@@ -28,7 +28,7 @@ class MeteredAccumulator final : public Accumulator {
             plain_ = {toneMap(film, raw), {.samplesPerPixel = film.samplesPerPixel()}};
         });
     }
-    Result<Picture> readback() override { return told_ == Told::status ? film_->readback() : std::move(plain_); }
+    Result<Image> readback() override { return told_ == Told::status ? film_->readback() : std::move(plain_); }
     int maxInFlight() const override { return 1; }
     Result<std::shared_ptr<const Film>> film() override { return film_->film(); }
     Result<void> look(const std::function<void(const Film&)>& use) override { return film_->look(use); }
@@ -40,7 +40,7 @@ class MeteredAccumulator final : public Accumulator {
     bool isWhole_;
     Told told_;
     Meter& meter_;
-    Picture plain_;
+    Image plain_;
 };
 
 class MeteredDevice final : public Device {

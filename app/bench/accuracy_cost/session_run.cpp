@@ -68,7 +68,7 @@ Result<std::vector<RunCost>> runSession(const RunPlan& plan, Beside beside) {
     session.setErrorMap(beside == Beside::errorMap);
     session.setIterationsPerFrame(plan.iterations);
     session.setStop({.levels = 1e-6});  // never reached: the session renders until the last look
-    if (beside == Beside::ledger)
+    if (beside == Beside::effectCosts)
         session.watchEffects({[&] { return Result(makeCpuDevice(plan.threads)); }, [](const auto&) {}});
     Scene scene = plan.scene;
     scene.revision = 1;

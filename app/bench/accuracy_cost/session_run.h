@@ -13,12 +13,12 @@ namespace pdr::bench {
 /// What a session does beside the image. Each of the first three includes those before it; each of the others adds to
 /// `judgement`.
 enum class Beside {
-    nothing,    ///< samples and the bytes for the screen
-    status,     ///< errors, history, forecast, bias: the sentence in the status bar
-    judgement,  ///< the judgement of the denoised image: all that is always on
-    errorMap,   ///< all that is always on, and the error map
-    ledger,     ///< all that is always on, and the cost table of effects
-    lattice     ///< all that is always on, for a march, whose bias is measured
+    nothing,      ///< samples and the bytes for the screen
+    status,       ///< errors, history, forecast, bias: the sentence in the status bar
+    judgement,    ///< the judgement of the denoised image: all that is always on
+    errorMap,     ///< all that is always on, and the error map
+    effectCosts,  ///< all that is always on, and the cost table of effects
+    lattice       ///< all that is always on, for a march, whose bias is measured
 };
 
 struct RunPlan {

@@ -20,11 +20,11 @@ struct Price {
     bool onGpu;
     int samples, rounds;
     HuPrice hu;
-    PicturePrice picture;
+    ImagePrice image;
 };
 
 void printText(const Price& price) {
-    const auto& [hu, levels] = std::pair(price.hu, price.picture.levels);
+    const auto& [hu, levels] = std::pair(price.hu, price.image.levels);
     std::printf("exact and fast filtering on %s (%s)\n\n", price.device.name.c_str(), price.device.details.c_str());
     std::printf("HU, at %d places (fast filtering as the CUDA guide describes it)\n", hu.places);
     std::printf("  difference       rms %.3g, 99.9 %% below %.3g, largest %.3g, possible %.3g\n\n", hu.rms,
@@ -35,15 +35,15 @@ void printText(const Price& price) {
                 levels.mean, levels.largest, levels.shift, 100 * levels.offByOne);
     std::printf("  standard error   mean %.3g\n\n", levels.standardError);
     std::printf("time, medians of %d runs in turns\n", price.rounds);
-    std::printf("  exact %.4g s, fast %.4g s: fast takes %.3f of the time\n", price.picture.exactSeconds,
-                price.picture.fastSeconds, price.picture.fastSeconds / price.picture.exactSeconds);
+    std::printf("  exact %.4g s, fast %.4g s: fast takes %.3f of the time\n", price.image.exactSeconds,
+                price.image.fastSeconds, price.image.fastSeconds / price.image.exactSeconds);
     if (!price.onGpu)
         std::puts("  This is a GPU emulated on the CPU: what time is saved can only be measured on a GPU.");
 }
 
 void printJson(const Price& price) {
     const HuPrice& hu = price.hu;
-    const LevelPrice& levels = price.picture.levels;
+    const LevelPrice& levels = price.image.levels;
     const nlohmann::ordered_json json{{"device", price.device.name},
                                       {"onGpu", price.onGpu},
                                       {"hu",
@@ -62,9 +62,9 @@ void printJson(const Price& price) {
                                         {"standardError", levels.standardError}}},
                                       {"time",
                                        {{"rounds", price.rounds},
-                                        {"exactSeconds", price.picture.exactSeconds},
-                                        {"fastSeconds", price.picture.fastSeconds},
-                                        {"fastOverExact", price.picture.fastSeconds / price.picture.exactSeconds}}}};
+                                        {"exactSeconds", price.image.exactSeconds},
+                                        {"fastSeconds", price.image.fastSeconds},
+                                        {"fastOverExact", price.image.fastSeconds / price.image.exactSeconds}}}};
     std::puts(json.dump().c_str());
 }
 
@@ -104,10 +104,10 @@ int filtering(const Arguments& arguments) {
     // Measure the differences in HU and in display levels, and the times
     const auto prepared = Flattener().flatten(*scene);
     const HuPrice hu = huPrice(prepared->flat.volume, *points, scene->seed);
-    const auto picture = picturePrice(**device, *scene, std::uint32_t(*samples), *rounds);
-    if (!picture)
-        return fail(picture.error());
-    const Price price{(*device)->info(), onGpu, *samples, *rounds, hu, *picture};
+    const auto image = imagePrice(**device, *scene, std::uint32_t(*samples), *rounds);
+    if (!image)
+        return fail(image.error());
+    const Price price{(*device)->info(), onGpu, *samples, *rounds, hu, *image};
     options->named.contains("--json") ? printJson(price) : printText(price);
     return 0;
 }

@@ -105,7 +105,7 @@ LevelPrice levelPrice(const Film& exact, const Film& fast) {
     return price;
 }
 
-Result<PicturePrice> picturePrice(Device& device, const Scene& scene, std::uint32_t samples, int rounds) {
+Result<ImagePrice> imagePrice(Device& device, const Scene& scene, std::uint32_t samples, int rounds) {
     constexpr Filtering kTurns[] = {Filtering::exact, Filtering::fast};
     Scene filtered[] = {scene, scene};
     for (int way = 0; way < 2; ++way) {
@@ -123,7 +123,7 @@ Result<PicturePrice> picturePrice(Device& device, const Scene& scene, std::uint3
         films[way] = run->film;
         seconds[way].push_back(run->seconds);
     }
-    return PicturePrice{levelPrice(*films[0], *films[1]), median(seconds[0]), median(seconds[1])};
+    return ImagePrice{levelPrice(*films[0], *films[1]), median(seconds[0]), median(seconds[1])};
 }
 
 }  // namespace pdr::bench

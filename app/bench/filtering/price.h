@@ -35,12 +35,12 @@ struct LevelPrice {
 /// Compares two films of the same size.
 LevelPrice levelPrice(const Film& exact, const Film& fast);
 
-struct PicturePrice {
+struct ImagePrice {
     LevelPrice levels;
     double exactSeconds = 0, fastSeconds = 0;  ///< median times over the rounds, for all samples
 };
 
 /// Renders `scene` with both filters in turn, `rounds` times each, and compares them.
-Result<PicturePrice> picturePrice(Device& device, const Scene& scene, std::uint32_t samples, int rounds);
+Result<ImagePrice> imagePrice(Device& device, const Scene& scene, std::uint32_t samples, int rounds);
 
 }  // namespace pdr::bench

@@ -28,17 +28,17 @@ Result<Lap> timeFrames(Accumulator& film, std::uint32_t n, const Display& displa
         for (; waiting < film.maxInFlight(); ++waiting)
             if (Result<void> ordered = order(film, n, display, stop); !ordered)
                 return ordered.error();
-        const Result<Picture> picture = film.readback();
-        if (!picture)
-            return picture.error();
+        const Result<Image> image = film.readback();
+        if (!image)
+            return image.error();
         if (stop.stop_requested())
             return lap;
         ++taken;
         const double last = now();
         if (taken > 1)
-            lap = {last - first, taken - 1, sampleNoise(picture->status)};
+            lap = {last - first, taken - 1, sampleNoise(image->status)};
         else if (last - began >= seconds)
-            return Lap{last - began, 1, sampleNoise(picture->status)};
+            return Lap{last - began, 1, sampleNoise(image->status)};
         else
             first = last;
         if (taken > 1 && lap.seconds >= seconds)

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "app/bench/commands.h"
-#include "app/bench/live_picture.h"
+#include "app/bench/live_image.h"
 #include "app/bench/load_scene.h"
 #include "app/bench/options.h"
 #include "app/bench/parity/scenes.h"
@@ -93,7 +93,7 @@ void compareWays(Verdicts& verdicts, Device& device, const Scene& scene) {
 
 /// Checks that images arrive whole if they are transferred while the next samples are taken: readback() checks both of
 /// their ends.
-void carryPictures(Verdicts& verdicts, Device& device, const Scene& scene) {
+void carryImages(Verdicts& verdicts, Device& device, const Scene& scene) {
     const auto live = startFilm(device, scene);
     if (!live)
         return verdicts.failed("1000 images arrive whole", live.error());
@@ -104,9 +104,9 @@ void carryPictures(Verdicts& verdicts, Device& device, const Scene& scene) {
         done = (*live)->accumulate(1, {});
         done = done ? (*live)->resolve({}) : done;
         for (++waiting; done && waiting >= (*live)->maxInFlight(); --waiting) {
-            const auto picture = (*live)->readback();
-            done = picture ? Result<void>() : picture.error();
-            arrived += picture && picture->status.samplesPerPixel == arrived + 1;
+            const auto image = (*live)->readback();
+            done = image ? Result<void>() : image.error();
+            arrived += image && image->status.samplesPerPixel == arrived + 1;
         }
     }
     verdicts.line("1000 images arrive whole, in order", done && arrived + std::uint64_t(waiting) == 1000,
@@ -152,7 +152,7 @@ int parity(const Arguments& arguments) {
             compareWithCpu(verdicts, **device, *cpu, one);
     if (!options->named.contains("--quick")) {
         compareWays(verdicts, **device, scenes[3].scene);
-        carryPictures(verdicts, **device, scenes[3].scene);
+        carryImages(verdicts, **device, scenes[3].scene);
         returnMemory(verdicts, **device, scenes[3].scene);
     }
     return verdicts.all() ? 0 : 1;

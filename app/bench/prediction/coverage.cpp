@@ -22,10 +22,10 @@ class Growing {
         done_ += more;
         if (const auto ok = film_->resolve(display_); !ok)
             return ok.error();
-        const auto picture = film_->readback();
-        if (!picture)
-            return picture.error();
-        return picture->status;
+        const auto image = film_->readback();
+        if (!image)
+            return image.error();
+        return image->status;
     }
 
   private:
@@ -71,10 +71,10 @@ class Pending {
 };
 
 /// Renders one image until all its predictions are decided.
-Result<void> judge(Growing picture, std::vector<Pending> pending) {
+Result<void> judge(Growing image, std::vector<Pending> pending) {
     ErrorHistory history;
     while (std::ranges::any_of(pending, &Pending::isOpen)) {
-        const auto status = picture.next();
+        const auto status = image.next();
         if (!status)
             return status.error();
         history.add(double(status->samplesPerPixel), *status);

@@ -29,13 +29,13 @@ double partWithin(double levels, const Film& film, const Film& truth, float expo
 }
 
 /// An image in progress.
-class GrowingPicture {
+class GrowingImage {
   public:
-    static Result<GrowingPicture> of(const Scene& scene, Device& device) {
+    static Result<GrowingImage> of(const Scene& scene, Device& device) {
         auto film = startFilm(device, scene);
         if (!film)
             return film.error();
-        return GrowingPicture(*std::move(film));
+        return GrowingImage(*std::move(film));
     }
     Result<std::shared_ptr<const Film>> grown(std::uint64_t samples) {
         if (auto ok = film_->accumulate(std::uint32_t(samples - done_), {}); !ok)
@@ -45,17 +45,17 @@ class GrowingPicture {
     }
 
   private:
-    explicit GrowingPicture(std::unique_ptr<Accumulator> film) : film_(std::move(film)) {}
+    explicit GrowingImage(std::unique_ptr<Accumulator> film) : film_(std::move(film)) {}
 
     std::unique_ptr<Accumulator> film_;
     std::uint64_t done_ = 0;
 };
 
 Result<std::shared_ptr<const Film>> filmOf(const Scene& scene, std::uint64_t samples, Device& device) {
-    auto picture = GrowingPicture::of(scene, device);
-    if (!picture)
-        return picture.error();
-    return picture->grown(samples);
+    auto image = GrowingImage::of(scene, device);
+    if (!image)
+        return image.error();
+    return image->grown(samples);
 }
 
 }  // namespace
@@ -73,11 +73,11 @@ Result<std::vector<StatedError>> statedErrors(Scene scene, const std::vector<std
     for (int seed = 1; seed <= seeds; ++seed) {
         scene.seed = std::uint64_t(seed);
         ++scene.revision;
-        auto picture = GrowingPicture::of(scene, device);
-        if (!picture)
-            return picture.error();
+        auto image = GrowingImage::of(scene, device);
+        if (!image)
+            return image.error();
         for (StatedError& error : errors) {
-            const auto film = picture->grown(error.samples);
+            const auto film = image->grown(error.samples);
             if (!film)
                 return film.error();
             const FilmStatus status = (*film)->status(double(exposure));

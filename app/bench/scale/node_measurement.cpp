@@ -62,9 +62,9 @@ Result<double> tileSeconds(Device& device, const Scene& scene, const Tile& tile,
         Result<void> done = (*film)->accumulate(kTileSamples, stop);
         if (done)
             done = (*film)->resolve({}, stop);
-        const auto picture = done ? (*film)->readback() : Result<Picture>(done.error());
-        if (!picture)
-            return picture.error();
+        const auto image = done ? (*film)->readback() : Result<Image>(done.error());
+        if (!image)
+            return image.error();
         if (stop.stop_requested())
             return kStopped;
         least = std::min(least, now() - began);

@@ -1,7 +1,7 @@
 #include <cstdio>
 
 #include "app/bench/commands.h"
-#include "app/bench/live_picture.h"
+#include "app/bench/live_image.h"
 #include "app/bench/load_scene.h"
 #include "app/bench/options.h"
 #include "app/bench/paper/text_table.h"
@@ -41,7 +41,7 @@ class Table {
                        stated ? percents(stated->relative) : "-", stated ? percents(stated->relativeAtMost) : "-"});
         levels_.add({samples, digits(rawError.levels), digits(status.displayError), digits(error.levels),
                      stated ? digits(stated->levels) : "-", stated ? digits(stated->levelsAtMost) : "-"});
-        costs_.add({samples, wallAndProcessor(costs.raw), wallAndProcessor(costs.smoothed),
+        costs_.add({samples, wallAndProcessor(costs.raw), wallAndProcessor(costs.denoised),
                     wallAndProcessor(costs.judgement)});
     }
 
@@ -52,13 +52,13 @@ class Table {
     }
 
   private:
-    paper::TextTable relative_{{"samples", "raw", "stated", "smoothed", "stated", "at most"}};
-    paper::TextTable levels_{{"samples", "raw", "stated", "smoothed", "stated", "at most"}};
-    paper::TextTable costs_{{"samples", "raw", "smoothed", "its judgement"}};
+    paper::TextTable relative_{{"samples", "raw", "stated", "denoised", "stated", "at most"}};
+    paper::TextTable levels_{{"samples", "raw", "stated", "denoised", "stated", "at most"}};
+    paper::TextTable costs_{{"samples", "raw", "denoised", "its judgement"}};
 };
 
 /// Takes `samples` more samples on `film` and returns all that are taken.
-Result<std::shared_ptr<const Film>> grown(LivePicture& film, std::uint32_t samples) {
+Result<std::shared_ptr<const Film>> grown(LiveImage& film, std::uint32_t samples) {
     if (const Result<void> done = film.live->accumulate(samples, {}); !done)
         return done.error();
     return film.live->film();
@@ -68,14 +68,14 @@ Result<void> compare(const Scene& scene, const Plan& plan) {
     // Render the reference with other random numbers
     Scene other = scene;
     other.seed += 1;
-    Result<LivePicture> truth = startFilm(other, "cpu", plan.threads);
+    Result<LiveImage> truth = startFilm(other, "cpu", plan.threads);
     if (!truth)
         return truth.error();
     const auto reference = grown(*truth, std::uint32_t(plan.reference));
     if (!reference)
         return reference.error();
     // Compare with it after 1, 4, 16, ... samples
-    Result<LivePicture> film = startFilm(scene, "cpu", plan.threads);
+    Result<LiveImage> film = startFilm(scene, "cpu", plan.threads);
     if (!film)
         return film.error();
     Table table;

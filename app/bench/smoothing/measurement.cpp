@@ -30,13 +30,13 @@ Seconds medianOf(std::vector<Seconds> rounds) {
 }  // namespace
 
 Costs costsOf(const Film& film, const Display& display, int rounds) {
-    std::vector<Seconds> raw, smoothed, judgement;
+    std::vector<Seconds> raw, denoised, judgement;
     for (int round = 0; round < rounds; ++round) {
-        raw.push_back(timed([&] { pictureOf(film, {display.exposure, false}); }));
-        smoothed.push_back(timed([&] { pictureOf(film, {display.exposure, true}); }));
+        raw.push_back(timed([&] { imageOf(film, {display.exposure, false}); }));
+        denoised.push_back(timed([&] { imageOf(film, {display.exposure, true}); }));
         judgement.push_back(timed([&] { SmoothingJudgement::of(film); }));
     }
-    return {medianOf(raw), medianOf(smoothed), medianOf(judgement)};
+    return {medianOf(raw), medianOf(denoised), medianOf(judgement)};
 }
 
 }  // namespace pdr::bench

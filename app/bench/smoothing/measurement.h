@@ -14,7 +14,7 @@ struct Seconds {
 };
 /// Medians of `rounds` rounds, in each of which all are made one after the other.
 struct Costs {
-    Seconds raw, smoothed, judgement;
+    Seconds raw, denoised, judgement;
 };
 Costs costsOf(const Film& film, const Display& display, int rounds);
 

@@ -23,7 +23,7 @@ struct AccuracyStep {
     /// Upper bound of the error of a denoised image [display levels]; null for other images.
     std::optional<double> atMost = {};
     /// Name of the saved PNG file in the report's folder; empty if none was saved.
-    std::filesystem::path picture = {};
+    std::filesystem::path image = {};
     /// Rendering time until `stated` is reached [s], as predicted when the image had a quarter and a sixteenth of its
     /// samples; null if there was no prediction.
     std::optional<Foretold> foretoldAtQuarter = {}, foretoldAtSixteenth = {};

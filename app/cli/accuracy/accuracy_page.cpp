@@ -24,11 +24,11 @@ QString levels(const std::optional<double>& value) {
     return value ? "±" + QString::fromStdString(levelsText(*value)) : QString("-");
 }
 
-QString referenceText(const AccuracyPicture& picture) {
-    QString text = QString("an image of %1 samples a pixel with other random numbers").arg(picture.referenceSamples);
-    if (picture.referenceError)
+QString referenceText(const AccuracyImage& image) {
+    QString text = QString("an image of %1 samples a pixel with other random numbers").arg(image.referenceSamples);
+    if (image.referenceError)
         text += QString(", which is itself within %1, at most %2: what is smaller than that cannot be told")
-                    .arg(levels(picture.referenceError->levels), levels(picture.referenceError->levelsAtMost));
+                    .arg(levels(image.referenceError->levels), levels(image.referenceError->levelsAtMost));
     return text;
 }
 
@@ -57,32 +57,32 @@ QString crossingText(const AccuracyCurve& way, const AccuracyCurve& plain) {
     return QString("closer to the truth than the image as it is until %1 s, never after").arg(*until, 0, 'g', 2);
 }
 
-QString ladder(const AccuracyPicture& picture) {
+QString ladder(const AccuracyImage& image) {
     QString text = "<table class='ladder'><tr><th>way</th><th>within reach</th></tr>";
     const auto row = [&](const QString& left, const QString& right) {
         text += "<tr><td>" + left + "</td><td>" + right + "</td></tr>";
     };
-    for (std::size_t i = 0; i < picture.curves.size(); ++i) {
-        const AccuracyCurve& curve = picture.curves[i];
+    for (std::size_t i = 0; i < image.curves.size(); ++i) {
+        const AccuracyCurve& curve = image.curves[i];
         row(QString("<span style='color:%1'>■</span> %2").arg(curveColour(i), QString::fromStdString(curve.name)),
             QString::fromStdString(ladderText(curve)));
         if (curve.measuredBias)
             row({}, QString::fromStdString("bias: " + measuredText(*curve.measuredBias)));
         if (!curve.bias.empty() && i > 0)
             row({}, QString("biased (%1): %2")
-                        .arg(QString::fromStdString(curve.bias), crossingText(curve, picture.curves[0])));
+                        .arg(QString::fromStdString(curve.bias), crossingText(curve, image.curves[0])));
         if (!curve.missing.empty())
             row({}, QString("may lack %1; %2")
-                        .arg(QString::fromStdString(curve.missing), crossingText(curve, picture.curves[0])));
+                        .arg(QString::fromStdString(curve.missing), crossingText(curve, image.curves[0])));
     }
     return text + "</table>";
 }
 
-QString table(const AccuracyPicture& picture) {
+QString table(const AccuracyImage& image) {
     QString text =
         "<table><tr><th>way</th><th>samples</th><th>seconds</th><th>error</th><th>stated</th><th>at most</th>"
         "</tr>";
-    for (const AccuracyCurve& curve : picture.curves)
+    for (const AccuracyCurve& curve : image.curves)
         for (const AccuracyStep& step : curve.steps)
             text += QString("<tr><td>%1</td><td>%2</td><td>%3</td><td>%4</td><td>%5</td><td>%6</td></tr>")
                         .arg(QString::fromStdString(curve.name))
@@ -115,13 +115,13 @@ QString prophecies(const AccuracyCurve& curve) {
     return text + "</table>";
 }
 
-QString otherPicture(const AccuracyPicture& other) {
+QString otherImage(const AccuracyImage& other) {
     return "<h3>" + QString::fromStdString(other.name) + "</h3><p>Against " + referenceText(other) + ".</p>" +
            ladder(other);
 }
 
-QString figure(const AccuracyStep& step, const std::filesystem::path& pictures) {
-    QFile file(QString::fromStdString((pictures / step.picture).string()));
+QString figure(const AccuracyStep& step, const std::filesystem::path& images) {
+    QFile file(QString::fromStdString((images / step.image).string()));
     if (!file.open(QIODevice::ReadOnly))
         return {};
     return QString(
@@ -132,23 +132,23 @@ QString figure(const AccuracyStep& step, const std::filesystem::path& pictures) 
         .arg(QString::fromStdString(samplesText(step.samples)), levels(step.error.levels));
 }
 
-QString gallery(const AccuracyCurve& curve, const std::filesystem::path& pictures) {
+QString gallery(const AccuracyCurve& curve, const std::filesystem::path& images) {
     QString text = "<h2>" + QString::fromStdString(curve.name) + "</h2>";
     for (const AccuracyStep& step : curve.steps)
-        if (!step.picture.empty())
-            text += figure(step, pictures);
+        if (!step.image.empty())
+            text += figure(step, images);
     return text;
 }
 
 }  // namespace
 
-std::string plotText(const AccuracyPicture& picture) {
-    const auto floor = picture.referenceError ? std::optional(picture.referenceError->levels) : std::nullopt;
-    return accuracyPlot(picture.curves, floor).toStdString();
+std::string plotText(const AccuracyImage& image) {
+    const auto floor = image.referenceError ? std::optional(image.referenceError->levels) : std::nullopt;
+    return accuracyPlot(image.curves, floor).toStdString();
 }
 
-std::string pageText(const AccuracyReport& report, const std::filesystem::path& pictures) {
-    const AccuracyPicture& scene = report.scene;
+std::string pageText(const AccuracyReport& report, const std::filesystem::path& images) {
+    const AccuracyImage& scene = report.scene;
     QString text = kHead + heading(report) + "<h2>How soon</h2>" + ladder(scene) +
                    "<h2>Error against time</h2><p>Lines with dots: measured. Dashed: what the program says of itself. "
                    "Dotted: the root of the time. Smoothing "
@@ -158,11 +158,11 @@ std::string pageText(const AccuracyReport& report, const std::filesystem::path& 
         text += "<h2>Foretold and come true</h2>" + prophecies(scene.curves[0]);
     if (!report.others.empty())
         text += "<h2>Other images of the same anatomy</h2><p>Each has a truth of its own.</p>";
-    for (const AccuracyPicture& other : report.others)
-        text += otherPicture(other);
+    for (const AccuracyImage& other : report.others)
+        text += otherImage(other);
     text += "<h2>All steps</h2>" + table(scene);
     for (std::size_t i = 0; i < std::min<std::size_t>(2, scene.curves.size()); ++i)
-        text += gallery(scene.curves[i], pictures);
+        text += gallery(scene.curves[i], images);
     return (text + "</body></html>\n").toStdString();
 }
 

@@ -9,9 +9,9 @@
 namespace pdr::app {
 
 /// Returns the report as HTML. `pictures`: the folder of the steps' images; an image that cannot be read is left out.
-std::string pageText(const AccuracyReport& report, const std::filesystem::path& pictures);
+std::string pageText(const AccuracyReport& report, const std::filesystem::path& images);
 
 /// Returns the plot of an image alone, as an SVG file.
-std::string plotText(const AccuracyPicture& picture);
+std::string plotText(const AccuracyImage& image);
 
 }  // namespace pdr::app

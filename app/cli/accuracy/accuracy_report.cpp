@@ -34,7 +34,7 @@ QJsonObject stepObject(const AccuracyStep& step) {
             {"atMost", valueOr(step.atMost)},
             {"foretoldAtQuarter", foretoldValue(step.foretoldAtQuarter)},
             {"foretoldAtSixteenth", foretoldValue(step.foretoldAtSixteenth)},
-            {"picture", step.picture.empty() ? QJsonValue() : QJsonValue(step.picture.c_str())}};
+            {"picture", step.image.empty() ? QJsonValue() : QJsonValue(step.image.c_str())}};
 }
 
 QJsonObject curveObject(const AccuracyCurve& curve) {
@@ -57,16 +57,16 @@ QJsonObject curveObject(const AccuracyCurve& curve) {
 }
 
 /// Returns an object with the image's name, reference and ways.
-QJsonObject pictureObject(const AccuracyPicture& picture) {
+QJsonObject imageObject(const AccuracyImage& image) {
     QJsonArray ways;
-    for (const AccuracyCurve& curve : picture.curves)
+    for (const AccuracyCurve& curve : image.curves)
         ways.append(curveObject(curve));
-    QJsonObject reference{{"samples", double(picture.referenceSamples)}};
-    if (picture.referenceError) {
-        reference.insert("levels", picture.referenceError->levels);
-        reference.insert("atMost", picture.referenceError->levelsAtMost);
+    QJsonObject reference{{"samples", double(image.referenceSamples)}};
+    if (image.referenceError) {
+        reference.insert("levels", image.referenceError->levels);
+        reference.insert("atMost", image.referenceError->levelsAtMost);
     }
-    return {{"name", picture.name.c_str()}, {"reference", reference}, {"ways", ways}};
+    return {{"name", image.name.c_str()}, {"reference", reference}, {"ways", ways}};
 }
 
 std::string number(double value) {
@@ -79,10 +79,10 @@ std::string number(double value) {
 
 std::string csvText(const AccuracyReport& report) {
     std::string text = "picture,way,samples,seconds,relative error,levels,stated,at most\n";
-    const auto add = [&](const AccuracyPicture& picture) {
-        for (const AccuracyCurve& curve : picture.curves)
+    const auto add = [&](const AccuracyImage& image) {
+        for (const AccuracyCurve& curve : image.curves)
             for (const AccuracyStep& step : curve.steps) {
-                text += "\"" + picture.name + "\",\"" + curve.name + "\"," + std::to_string(step.samples);
+                text += "\"" + image.name + "\",\"" + curve.name + "\"," + std::to_string(step.samples);
                 for (const std::optional<double>& value :
                      {std::optional(step.seconds), std::optional(step.error.relative), std::optional(step.error.levels),
                       step.stated, step.atMost})
@@ -97,9 +97,9 @@ std::string csvText(const AccuracyReport& report) {
 
 std::string jsonText(const AccuracyReport& report) {
     QJsonArray others;
-    for (const AccuracyPicture& other : report.others)
-        others.append(pictureObject(other));
-    QJsonObject object = pictureObject(report.scene);
+    for (const AccuracyImage& other : report.others)
+        others.append(imageObject(other));
+    QJsonObject object = imageObject(report.scene);
     object.insert("width", report.size.x);
     object.insert("height", report.size.y);
     object.insert("model", report.model.c_str());

@@ -11,10 +11,10 @@
 namespace pdr::app {
 
 /// Ways to render one image, all compared with the same reference of many samples.
-struct AccuracyPicture {
+struct AccuracyImage {
     std::string name;
     std::uint64_t referenceSamples = 0;
-    std::optional<SmoothedError> referenceError = {};  ///< stated error of the denoised reference; null if unknown
+    std::optional<DenoisedError> referenceError = {};  ///< stated error of the denoised reference; null if unknown
     /// First the image as it is, second the same image denoised (where it can be), then the other ways.
     std::vector<AccuracyCurve> curves = {};
 };
@@ -23,15 +23,15 @@ struct AccuracyReport {
     ivec2 size{0};  ///< pixels
     std::string model, device, program;
     std::uint64_t seed = 0;
-    AccuracyPicture scene;                ///< the requested scene, rendered in each way
-    std::vector<AccuracyPicture> others;  ///< other images of the same anatomy, see otherPictures()
-    bool complete = true;                 ///< false: the measurement was interrupted
+    AccuracyImage scene;                ///< the requested scene, rendered in each way
+    std::vector<AccuracyImage> others;  ///< other images of the same anatomy, see otherImages()
+    bool complete = true;               ///< false: the measurement was interrupted
 };
 
 /// Errors for which a ladder lists the time [display levels].
 inline constexpr double kLadder[] = {32, 16, 8, 4, 2, 1};
 
-/// Returns a CSV table with the columns picture, way, samples, seconds, relative error, levels, stated, at most. One
+/// Returns a CSV table with the columns image, way, samples, seconds, relative error, levels, stated, at most. One
 /// line per step; unknown values are empty.
 std::string csvText(const AccuracyReport& report);
 /// Returns a JSON object: width, height, model, device, program, seed (as text), complete, name, reference, ways,

@@ -48,7 +48,7 @@ std::vector<AccuracyWay> accuracyWays(const Scene& scene, const std::string& dev
     return ways;
 }
 
-std::vector<AccuracyWay> otherPictures(const Scene& scene) {
+std::vector<AccuracyWay> otherImages(const Scene& scene) {
     std::vector<AccuracyWay> others;
     for (const Model model : kModels) {
         Scene other = exactly(scene);

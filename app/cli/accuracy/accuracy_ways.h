@@ -22,6 +22,6 @@ std::vector<AccuracyWay> accuracyWays(const Scene& scene, const std::string& dev
 /// Returns other images of the same anatomy, each with a reference of its own: those of the other models, and one with
 /// slices interpolated between those of the scan if there are none yet. They are rendered without known bias, see
 /// exactly().
-std::vector<AccuracyWay> otherPictures(const Scene& scene);
+std::vector<AccuracyWay> otherImages(const Scene& scene);
 
 }  // namespace pdr::app

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/output/provenance.h"
-#include "render/film/display/smoothed_view.h"
+#include "render/film/display/denoised_view.h"
 #include "render/film/file/image_file.h"
 #include "render/session/bias_lattice.h"
 #include "render/session/bias_measurements.h"
@@ -51,7 +51,7 @@ class GrowingFilm {
     double seconds_ = 0;
 };
 
-bool keepsPicture(std::uint64_t samples) {
+bool keepsImage(std::uint64_t samples) {
     return samples == 1 || std::countr_zero(samples) % 2 == 0;  // 1, 4, 16, ...
 }
 
@@ -64,7 +64,7 @@ AccuracyStep rawStep(const Film& film, const FilmStatus& status, const Film& ref
 }
 
 /// Returns the step of a denoised image. `view` has judged the film.
-AccuracyStep smoothedStep(const Film& film, SmoothedView& view, const Film& reference, double seconds,
+AccuracyStep denoisedStep(const Film& film, DenoisedView& view, const Film& reference, double seconds,
                           const Display& display) {
     AccuracyStep step{film.samplesPerPixel(), seconds, trueError(film, display, reference)};
     if (const auto error = view.error(double(display.exposure)))
@@ -92,25 +92,25 @@ class Measurement {
           raw_{plan.display.exposure, false},
           smooth_{plan.display.exposure, true} {
         curves_.push_back({.name = way.name, .bias = way.bias});
-        if (way.bias.empty() && canBeSmoothed(way.scene))
-            curves_.push_back({.name = way.name + ", smoothed", .missing = "fine detail that noise hides"});
+        if (way.bias.empty() && canBeDenoised(way.scene))
+            curves_.push_back({.name = way.name + ", denoised", .missing = "fine detail that noise hides"});
     }
 
     /// Adds a step to each curve. Errors: those of files.
     Result<void> add(const Film& film, double seconds) {
         const FilmStatus status = film.status(double(raw_.exposure));
         addRaw(film, status, seconds);
-        SmoothedView view;
+        DenoisedView view;
         if (curves_.size() > 1) {
             view.judge(film, film.samplesPerPixel(), {});
-            curves_[1].steps.push_back(smoothedStep(film, view, reference_, seconds, smooth_));
+            curves_[1].steps.push_back(denoisedStep(film, view, reference_, seconds, smooth_));
         }
-        if (plan_.folder.empty() || curves_.size() < 2 || !keepsPicture(film.samplesPerPixel()))
+        if (plan_.folder.empty() || curves_.size() < 2 || !keepsImage(film.samplesPerPixel()))
             return {};
         const Provenance facts = provenanceOf(way_.scene, {status, raw_.exposure, seconds, plan_.device, {}});
         if (auto ok = keep("raw_", film, raw_, facts, view, curves_[0].steps.back()); !ok)
             return ok;
-        return keep("smoothed_", film, smooth_, facts, view, curves_[1].steps.back());
+        return keep("denoised_", film, smooth_, facts, view, curves_[1].steps.back());
     }
     std::vector<AccuracyCurve> curves() && { return std::move(curves_); }
 
@@ -125,11 +125,11 @@ class Measurement {
         curves_[0].steps.push_back(std::move(step));
     }
     Result<void> keep(const char* prefix, const Film& film, const Display& display, const Provenance& facts,
-                      SmoothedView& view, AccuracyStep& step) const {
+                      DenoisedView& view, AccuracyStep& step) const {
         const std::string name = prefix + std::to_string(step.samples) + ".png";
         if (auto written = writePng(film, display, view, facts, plan_.folder / name); !written)
             return written;
-        step.picture = name;
+        step.image = name;
         return {};
     }
 

@@ -47,7 +47,7 @@ class KroesAccumulator final : public Accumulator {
         done_ = 0;
         health_ = {};
         stale_ = true;
-        pictures_.clear();
+        images_.clear();
         rgba_.resize(4 * pixels());
         frame_.resize(pixels());
         rgbaOnDevice_.resize(4 * pixels());
@@ -92,14 +92,14 @@ class KroesAccumulator final : public Accumulator {
         Result<FilmStatus> known = status();
         if (!known)
             return known.error();
-        pictures_.push_back({rgba_, *known});
+        images_.push_back({rgba_, *known});
         return {};
     }
 
-    Result<Picture> readback() override {
-        assert(!pictures_.empty());
-        Picture oldest = std::move(pictures_.front());
-        pictures_.pop_front();
+    Result<Image> readback() override {
+        assert(!images_.empty());
+        Image oldest = std::move(images_.front());
+        images_.pop_front();
         return oldest;
     }
 
@@ -224,7 +224,7 @@ class KroesAccumulator final : public Accumulator {
             const Result<std::shared_ptr<const Film>> known = film();
             if (!known)
                 return known.error();
-            return pictureOf(**known, display_).status;
+            return imageOf(**known, display_).status;
         }
         const Result<Health> health = allHealth();
         if (!health)
@@ -263,7 +263,7 @@ class KroesAccumulator final : public Accumulator {
     GpuArray<G, double> thresholds_;
 
     std::vector<std::uint8_t> rgba_;  ///< the last image
-    std::deque<Picture> pictures_;
+    std::deque<Image> images_;
 };
 
 }  // namespace pdr

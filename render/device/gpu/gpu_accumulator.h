@@ -34,7 +34,7 @@ class GpuAccumulator final : public Accumulator {
     Tile area() const override { return progress_.area(); }
     Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) override;
     Result<void> resolve(const Display& display, std::stop_token stop) override;
-    Result<Picture> readback() override;
+    Result<Image> readback() override;
     int maxInFlight() const override { return kMaxInFlight; }
     Result<std::shared_ptr<const Film>> film() override;
     Result<void> resume(const Film& film) override;
@@ -57,13 +57,13 @@ class GpuAccumulator final : public Accumulator {
         std::uint64_t id = 0;
         SampleCounts samples;
         double exposure = 1;
-        std::optional<Picture> smoothed;  ///< denoised image, made on the host: if set, nothing else of the slot counts
+        std::optional<Image> denoised;  ///< denoised image, made on the host: if set, nothing else of the slot counts
     };
 
     std::int64_t pixels() const { return layout_.pixels; }
     void launch(const Tile& tile, SampleRange samples);
     Result<void> resolveOnHost(const Display& display, const std::stop_token& stop);
-    Picture pictureIn(const Slot& slot) const;
+    Image imageIn(const Slot& slot) const;
 
     G& gpu_;
     const GpuScene<G>& scene_;
@@ -151,10 +151,10 @@ Result<void> GpuAccumulator<G>::accumulate(const Tile& region, std::uint32_t n, 
 template <Gpu G>
 Result<void> GpuAccumulator<G>::resolve(const Display& display, std::stop_token stop) {
     assert(shown_ - taken_ < kMaxInFlight);
-    if (display.smoothed)
+    if (display.denoised)
         return resolveOnHost(display, stop);
     Slot& slot = slots_[shown_ % kMaxInFlight];
-    slot.smoothed.reset();
+    slot.denoised.reset();
     slot.id = ++shown_;
     slot.samples = progress_.counts();
     slot.exposure = double(display.exposure);
@@ -182,16 +182,16 @@ Result<void> GpuAccumulator<G>::resolveOnHost(const Display& display, const std:
     const Result<std::shared_ptr<const Film>> known = film();
     if (!known)
         return known.error();
-    slots_[shown_++ % kMaxInFlight].smoothed = development_.picture(**known, display, stop);
+    slots_[shown_++ % kMaxInFlight].denoised = development_.image(**known, display, stop);
     return {};
 }
 
 template <Gpu G>
-Result<Picture> GpuAccumulator<G>::readback() {
+Result<Image> GpuAccumulator<G>::readback() {
     assert(taken_ < shown_);
     Slot& slot = slots_[taken_++ % kMaxInFlight];
-    if (slot.smoothed)
-        return *std::exchange(slot.smoothed, std::nullopt);
+    if (slot.denoised)
+        return *std::exchange(slot.denoised, std::nullopt);
     gpu_.await(slot.arrived);
     if (Result<void> done = takeStatus(gpu_); !done)
         return done.error();
@@ -201,11 +201,11 @@ Result<Picture> GpuAccumulator<G>::readback() {
     if (head != slot.id || tail != slot.id)
         return Error{phrase("an image was damaged on its way from the device"), gpu_.name(),
                      phrase("Choose another device; this one cannot be trusted."), ErrorKind::deviceLost};
-    return pictureIn(slot);
+    return imageIn(slot);
 }
 
 template <Gpu G>
-Picture GpuAccumulator<G>::pictureIn(const Slot& slot) const {
+Image GpuAccumulator<G>::imageIn(const Slot& slot) const {
     const std::byte* bytes = slot.onHost.data();
     FrameLayout::Head head;
     std::memcpy(&head, bytes, sizeof head);

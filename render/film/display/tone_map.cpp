@@ -78,54 +78,54 @@ PixelLook rawBytes(std::vector<std::uint8_t>& rgba, const Display& display) {
 }
 
 /// Computes the image in one pass with the status, since both are limited by reading the film's memory.
-Picture rawPictureOf(const Film& film, const Display& display) {
+Image rawImageOf(const Film& film, const Display& display) {
     if (!display.surveyed)
         return {toneMap(film, display), film.counts(), false, false};
-    Picture picture{emptyBytes(film.size()), {}};
-    picture.status = film.status(display.exposure, rawBytes(picture.rgba, display));
-    return picture;
+    Image image{emptyBytes(film.size()), {}};
+    image.status = film.status(display.exposure, rawBytes(image.rgba, display));
+    return image;
 }
 
 }  // namespace
 
-Picture smoothedPictureOf(const Film& film, const denoise::Colours& smooth, double unit, const Display& display) {
+Image denoisedImageOf(const Film& film, const denoise::Colours& smooth, double unit, const Display& display) {
     const ivec2 size = smooth[0].size();
-    Picture picture{std::vector<std::uint8_t>(std::size_t(size.x) * std::size_t(size.y) * 4, 255),
-                    display.surveyed ? film.status(display.exposure) : film.counts(), true, display.surveyed};
+    Image image{std::vector<std::uint8_t>(std::size_t(size.x) * std::size_t(size.y) * 4, 255),
+                display.surveyed ? film.status(display.exposure) : film.counts(), true, display.surveyed};
     denoise::eachBand(size.y, {}, [&](int begin, int end) {
-        std::uint8_t* out = &picture.rgba[std::size_t(begin) * std::size_t(size.x) * 4];
+        std::uint8_t* out = &image.rgba[std::size_t(begin) * std::size_t(size.x) * 4];
         for (int y = begin; y < end; ++y)
             for (int x = 0; x < size.x; ++x, out += 4)
                 for (int c = 0; c < 3; ++c)
                     out[c] = levelNear(displayThresholds().data(), displayCurve(), unit * smooth[c].row(y)[x],
                                        display.exposure);
     });
-    return picture;
+    return image;
 }
 
-Picture pictureOf(const Film& film, const Display& display, const std::stop_token& stop) {
-    return Development().picture(film, display, stop);
+Image imageOf(const Film& film, const Display& display, const std::stop_token& stop) {
+    return Development().image(film, display, stop);
 }
 
-Picture Development::picture(const Film& film, const Display& display, const std::stop_token& stop) {
-    if (!display.smoothed)
-        return rawPictureOf(film, display);
-    if (!smoothed_ || !smoothed_->shows(film, display.exposure)) {
+Image Development::image(const Film& film, const Display& display, const std::stop_token& stop) {
+    if (!display.denoised)
+        return rawImageOf(film, display);
+    if (!denoised_ || !denoised_->shows(film, display.exposure)) {
         const NoisyFilm noisy = noisyFilm(film, stop);
         if (stop.stop_requested())
             return {};
         denoise::Colours radiance = smoothRadiance(noisy, stop);
         if (stop.stop_requested())
             return {};
-        smoothed_ = SmoothedFilm{film.revision(), film.progress(), noisy.unit, std::move(radiance), display.exposure};
+        denoised_ = DenoisedFilm{film.revision(), film.progress(), noisy.unit, std::move(radiance), display.exposure};
     }
-    smoothed_->exposure = display.exposure;
-    return smoothedPictureOf(film, smoothed_->radiance, smoothed_->unit, display);
+    denoised_->exposure = display.exposure;
+    return denoisedImageOf(film, denoised_->radiance, denoised_->unit, display);
 }
 
 std::vector<std::uint8_t> toneMap(const Film& film, const Display& display) {
-    if (display.smoothed)
-        return pictureOf(film, display).rgba;
+    if (display.denoised)
+        return imageOf(film, display).rgba;
     std::vector<std::uint8_t> rgba = emptyBytes(film.size());
     film.each(rawBytes(rgba, display));
     return rgba;

@@ -120,7 +120,7 @@ NoisyFilm noisyFilm(const Film& film, const std::stop_token& stop) {
 
 denoise::Colours smoothRadiance(const NoisyFilm& noisy, const std::stop_token& stop) {
     const auto tolerated = [](float variance) { return kTolerance * variance; };
-    return denoise::smoothed(noisy.all.mean, denoise::combined(tolerated, noisy.all.variance), noisy.ratio, stop);
+    return denoise::denoised(noisy.all.mean, denoise::combined(tolerated, noisy.all.variance), noisy.ratio, stop);
 }
 
 }  // namespace pdr

@@ -7,7 +7,7 @@ constexpr double kSigmas = 1.645;  ///< standard deviations of a one-sided 95 %
 
 }  // namespace
 
-ShownStatus shownStatus(const FilmStatus& film, bool denoised, const std::optional<SmoothedError>& error) {
+ShownStatus shownStatus(const FilmStatus& film, bool denoised, const std::optional<DenoisedError>& error) {
     if (!denoised)
         return {film, ErrorOf::film};
     if (!error || film.tissuePixels == 0)

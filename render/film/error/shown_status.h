@@ -22,6 +22,6 @@ struct ShownStatus {
 
 /// Returns the status of the image shown of a film. `error`: of the denoised image, on the display of `film`; used
 /// where `denoised` is shown. The displayError is then levelsAtMost, the bound that holds to 95 %.
-ShownStatus shownStatus(const FilmStatus& film, bool denoised, const std::optional<SmoothedError>& error);
+ShownStatus shownStatus(const FilmStatus& film, bool denoised, const std::optional<DenoisedError>& error);
 
 }  // namespace pdr

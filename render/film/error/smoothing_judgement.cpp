@@ -124,8 +124,8 @@ std::optional<SmoothingJudgement> SmoothingJudgement::of(const Film& film, const
     noisy.all.mean = {};  // only the halves are judged
     if (stop.stop_requested())
         return std::nullopt;
-    const denoise::Colours even = denoise::smoothed(noisy.even.mean, noisy.even.variance, noisy.ratio, stop);
-    const denoise::Colours odd = denoise::smoothed(noisy.odd.mean, noisy.odd.variance, noisy.ratio, stop);
+    const denoise::Colours even = denoise::denoised(noisy.even.mean, noisy.even.variance, noisy.ratio, stop);
+    const denoise::Colours odd = denoise::denoised(noisy.odd.mean, noisy.odd.variance, noisy.ratio, stop);
     if (stop.stop_requested())
         return std::nullopt;
     SmoothingJudgement judgement(film, noisy, even, odd, stop);
@@ -241,7 +241,7 @@ LevelErrorMap SmoothingJudgement::errorMap(double exposure, double stated) const
     return map;
 }
 
-std::optional<SmoothedError> SmoothingJudgement::over(const Tile& region, double exposure) const {
+std::optional<DenoisedError> SmoothingJudgement::over(const Tile& region, double exposure) const {
     const Tile inside = intersection(region, area_);
     const auto inUnits = float(exposure / unit_);
     const Sums linear = sumsOver(inside, inUnits, 0);
@@ -254,7 +254,7 @@ std::optional<SmoothedError> SmoothingJudgement::over(const Tile& region, double
     const auto relative = [mean](double off) { return off > 0 ? off / mean : 0; };
     const auto worstChannel = [](const dvec4& all) { return std::max({all[1], all[2], all[3]}); };
     const double dark = double(exactLevelOf(displayCurve(), float(linear.inTheDark(samples_) / double(inUnits))));
-    return SmoothedError{relative(error), relative(atMost), kLevels * worstChannel(shown.rootMeans(0)),
+    return DenoisedError{relative(error), relative(atMost), kLevels * worstChannel(shown.rootMeans(0)),
                          std::max(kMostLevels * worstChannel(shown.rootMeans(sigmas_)), dark),
                          kHiddenSigmas * relative(std::sqrt(linear.variance / linear.pixels))};
 }

@@ -13,7 +13,7 @@
 namespace pdr {
 
 /// The error of a denoised image over the tissue in a region, or over all its pixels where the film has no tissue.
-struct SmoothedError {
+struct DenoisedError {
     double relative = 0;        ///< root mean square error of the luminance over its mean
     double relativeAtMost = 0;  ///< upper bound of `relative`, to 95 %
     double levels = 0;          ///< twice the root mean square error of the worst channel [display levels of 255]
@@ -35,8 +35,8 @@ class SmoothingJudgement {
     /// Returns the error over a region, which is clipped to the film, on a display of that exposure. Nothing if too
     /// little is known: where the region has tissue in less than 16 tiles of 16 x 16 pixels, while the image rests on
     /// few bright samples, or while no light has been seen that may come.
-    std::optional<SmoothedError> over(const Tile& region, double exposure) const;
-    std::optional<SmoothedError> overAll(double exposure) const { return over(area_, exposure); }
+    std::optional<DenoisedError> over(const Tile& region, double exposure) const;
+    std::optional<DenoisedError> overAll(double exposure) const { return over(area_, exposure); }
     /// Returns the error map of the denoised image on a display of that exposure: for each pixel of tissue twice the
     /// root mean square of the errors in 21 x 21 pixels around it, at least an eighth of `stated`, since a single
     /// square is no evidence of less.
@@ -73,8 +73,8 @@ class SmoothingJudgement {
 };
 
 /// Returns whether the denoised image is known to be better than the raw one.
-inline bool smoothingPays(const SmoothedError& smoothed, const FilmStatus& raw) {
-    return smoothed.relativeAtMost < raw.relativeError;
+inline bool smoothingPays(const DenoisedError& denoised, const FilmStatus& raw) {
+    return denoised.relativeAtMost < raw.relativeError;
 }
 
 }  // namespace pdr

@@ -20,7 +20,7 @@
 #include "render/base/image_size.h"
 #include "render/base/plain_file.h"
 #include "render/base/replacing_file.h"
-#include "render/film/display/smoothed_view.h"
+#include "render/film/display/denoised_view.h"
 #include "render/film/display/tone_map.h"
 #include "render/film/error/likely_error.h"
 #include "render/film/error/local_error.h"
@@ -29,14 +29,14 @@
 namespace pdr {
 namespace {
 
-std::string errorFact(const std::optional<SmoothedError>& error) {
+std::string errorFact(const std::optional<DenoisedError>& error) {
     if (!error)
         return "error not known";
     return "95 % of the tissue within " + levelsText(error->levelsAtMost) + " of 255 levels; lines of 2 pixels below " +
            std::to_string(int(std::ceil(100 * std::min(error->hiddenContrast, 1.0)))) + " % contrast may be missing";
 }
 
-std::string smoothedFact(const std::optional<SmoothedError>& error, std::size_t lostLines) {
+std::string denoisedFact(const std::optional<DenoisedError>& error, std::size_t lostLines) {
     if (lostLines == 0)
         return errorFact(error);
     const std::string count = (lostLines >= denoise::kMostLostLines ? "at least " : "") + std::to_string(lostLines);
@@ -165,13 +165,13 @@ void encodeExr(const Film& film, const Provenance& provenance, ReplacingFile& fi
 
 Result<void> writePng(const Film& film, const Display& display, const Provenance& provenance,
                       const std::filesystem::path& path, const PaintOver& paintOver, const std::stop_token& stop) {
-    SmoothedView view;
-    if (display.smoothed)
+    DenoisedView view;
+    if (display.denoised)
         view.judge(film, film.samplesPerPixel(), stop);
     return writePng(film, display, view, provenance, path, paintOver, stop);
 }
 
-Result<void> writePng(const Film& film, const Display& wanted, SmoothedView& view, const Provenance& provenance,
+Result<void> writePng(const Film& film, const Display& wanted, DenoisedView& view, const Provenance& provenance,
                       const std::filesystem::path& path, const PaintOver& paintOver, const std::stop_token& stop) {
     Result<ReplacingFile> file = ReplacingFile::open(path, FileAccess::owner);
     if (!file)
@@ -183,8 +183,8 @@ Result<void> writePng(const Film& film, const Display& wanted, SmoothedView& vie
         paintOver(film.size(), rgba);
     // Collect the text chunks
     std::vector<Fact> facts = factsOf(provenance);
-    if (display.smoothed)
-        facts.push_back({"pdrender/smoothed", smoothedFact(view.error(display.exposure), view.lostLines().size())});
+    if (display.denoised)
+        facts.push_back({"pdrender/denoised", denoisedFact(view.error(display.exposure), view.lostLines().size())});
     facts.push_back({"Software", provenance.program});
     facts.push_back({"Comment", "Not for diagnostic use."});
 

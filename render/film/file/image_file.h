@@ -11,7 +11,7 @@
 #include "render/base/progress.h"
 #include "render/base/result.h"
 #include "render/film/display.h"
-#include "render/film/display/smoothed_view.h"
+#include "render/film/display/denoised_view.h"
 #include "render/film/file/provenance.h"
 #include "render/film/film.h"
 
@@ -26,7 +26,7 @@ Result<void> writePng(const Film& film, const Display& display, const Provenance
                       const std::filesystem::path& path, const PaintOver& paintOver = {},
                       const std::stop_token& stop = {});
 /// Writes a PNG as above, of a film that `view` has judged already where a denoised image is requested.
-Result<void> writePng(const Film& film, const Display& display, SmoothedView& view, const Provenance& provenance,
+Result<void> writePng(const Film& film, const Display& display, DenoisedView& view, const Provenance& provenance,
                       const std::filesystem::path& path, const PaintOver& paintOver = {},
                       const std::stop_token& stop = {});
 

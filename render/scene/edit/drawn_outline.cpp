@@ -8,7 +8,7 @@
 namespace pdr {
 namespace {
 
-dvec2 placeOf(const PicturePoint& point) {
+dvec2 placeOf(const ImagePoint& point) {
     return {point.x, point.y};
 }
 
@@ -20,8 +20,8 @@ double distanceToLine(dvec2 place, dvec2 a, dvec2 b) {
 }
 
 /// Appends the corners that are needed between `first` and `last`, and `last`.
-void addCorners(const std::vector<PicturePoint>& line, std::size_t first, std::size_t last, double tolerance,
-                std::vector<PicturePoint>& corners) {
+void addCorners(const std::vector<ImagePoint>& line, std::size_t first, std::size_t last, double tolerance,
+                std::vector<ImagePoint>& corners) {
     std::size_t farthest = first;
     double away = tolerance;
     for (std::size_t i = first + 1; i < last; ++i)
@@ -35,7 +35,7 @@ void addCorners(const std::vector<PicturePoint>& line, std::size_t first, std::s
     addCorners(line, farthest, last, tolerance, corners);
 }
 
-bool isInside(const std::vector<PicturePoint>& outline, dvec2 place) {
+bool isInside(const std::vector<ImagePoint>& outline, dvec2 place) {
     bool inside = false;
     for (std::size_t i = 0, before = outline.size() - 1; i < outline.size(); before = i++) {
         const dvec2 a = placeOf(outline[before]), b = placeOf(outline[i]);
@@ -45,7 +45,7 @@ bool isInside(const std::vector<PicturePoint>& outline, dvec2 place) {
     return inside;
 }
 
-double signedDistance(const std::vector<PicturePoint>& outline, dvec2 place) {
+double signedDistance(const std::vector<ImagePoint>& outline, dvec2 place) {
     double nearest = 1e300;
     for (std::size_t i = 0, before = outline.size() - 1; i < outline.size(); before = i++)
         nearest = std::min(nearest, distanceToLine(place, placeOf(outline[before]), placeOf(outline[i])));
@@ -55,7 +55,7 @@ double signedDistance(const std::vector<PicturePoint>& outline, dvec2 place) {
 }  // namespace
 
 /// Simplifies the line in two halves: from the first corner to the one farthest from it, and back.
-std::vector<PicturePoint> simplified(const std::vector<PicturePoint>& outline, double tolerance) {
+std::vector<ImagePoint> simplified(const std::vector<ImagePoint>& outline, double tolerance) {
     if (outline.size() < 3)
         return {};
     std::size_t farthest = 0;
@@ -63,23 +63,23 @@ std::vector<PicturePoint> simplified(const std::vector<PicturePoint>& outline, d
     for (std::size_t i = 1; i < outline.size(); ++i)
         if (away(i) > away(farthest))
             farthest = i;
-    std::vector<PicturePoint> closed = outline, corners;
+    std::vector<ImagePoint> closed = outline, corners;
     closed.push_back(outline.front());
     addCorners(closed, 0, farthest, tolerance, corners);
     addCorners(closed, farthest, closed.size() - 1, tolerance, corners);
-    return corners.size() < 3 ? std::vector<PicturePoint>{} : corners;
+    return corners.size() < 3 ? std::vector<ImagePoint>{} : corners;
 }
 
-double areaInside(const std::vector<PicturePoint>& outline) {
+double areaInside(const std::vector<ImagePoint>& outline) {
     double twice = 0;
     for (std::size_t i = 0, before = outline.size() - 1; i < outline.size(); before = i++)
         twice += outline[before].x * outline[i].y - outline[i].x * outline[before].y;
     return std::fabs(twice) / 2;
 }
 
-OutlineDistance::OutlineDistance(const std::vector<PicturePoint>& outline) {
+OutlineDistance::OutlineDistance(const std::vector<ImagePoint>& outline) {
     dvec2 low(1e300), high(-1e300);
-    for (const PicturePoint& point : outline) {
+    for (const ImagePoint& point : outline) {
         low = glm::min(low, placeOf(point));
         high = glm::max(high, placeOf(point));
     }

@@ -9,17 +9,17 @@ namespace pdr {
 
 /// Returns `outline` with fewer corners, such that every point of it stays within `tolerance` [image heights] of the
 /// line (Ramer, Douglas & Peucker 1972). Empty if fewer than three corners would remain.
-std::vector<PicturePoint> simplified(const std::vector<PicturePoint>& outline, double tolerance);
+std::vector<ImagePoint> simplified(const std::vector<ImagePoint>& outline, double tolerance);
 
 /// Returns the area inside [image heights squared]; parts that the line goes around the other way are subtracted.
-double areaInside(const std::vector<PicturePoint>& outline);
+double areaInside(const std::vector<ImagePoint>& outline);
 
 /// The distance from a closed line, tabulated on a grid. A point is inside if a ray from it to the outside crosses the
 /// line an odd number of times.
 class OutlineDistance {
   public:
     /// Tabulates the distance from `outline`, which has at least three corners.
-    explicit OutlineDistance(const std::vector<PicturePoint>& outline);
+    explicit OutlineDistance(const std::vector<ImagePoint>& outline);
 
     /// Returns the distance [image heights], positive inside. Its error is below gridStep(); far outside it is a lower
     /// bound.

@@ -20,7 +20,7 @@ void describe(Visit& visit, ClipPlane& plane) {
 }
 
 template <class Visit>
-void describe(Visit& visit, PicturePoint& point) {
+void describe(Visit& visit, ImagePoint& point) {
     constexpr Range kHeights{-1000, 1000};
     visit({"x", "to the right of the image's middle [image heights]", kHeights, kRequired}, point.x);
     visit({"y", "below it [image heights]", kHeights, kRequired}, point.y);

@@ -4,7 +4,7 @@
 #include "render/scene/fields/rig_fields.h"
 #include "render/scene/fields/scene_fields.h"
 #include "render/scene/fields/volume_fields.h"
-#include "render/scene/picture_setup.h"
+#include "render/scene/image_setup.h"
 
 namespace pdr {
 
@@ -23,7 +23,7 @@ void describe(Visit& visit, Look& look) {
 }
 
 template <class Visit>
-void describe(Visit& visit, PictureSetup& setup) {
+void describe(Visit& visit, ImageSetup& setup) {
     visit.object({"look", "how tissue looks", {}, kRequired}, setup.look);
     visit({"lookName", "what the user calls it"}, setup.lookName);
     visit({"lookChanged", "whether it was that look, and has been changed since"}, setup.lookChanged);

@@ -43,11 +43,11 @@ class SlowFilm final : public Accumulator {
         diary_.mostWaiting = std::max(diary_.mostWaiting, diary_.shown - diary_.taken);
         return {};
     }
-    Result<Picture> readback() override {
+    Result<Image> readback() override {
         ++diary_.taken;
         if (diary_.stopAfterThree != nullptr && diary_.taken == 3)
             diary_.stopAfterThree->request_stop();
-        return Picture{{}, {.samplesPerPixel = 16, .relativeError = 0.25}};
+        return Image{{}, {.samplesPerPixel = 16, .relativeError = 0.25}};
     }
     int maxInFlight() const override { return diary_.maxInFlight; }
     Result<std::shared_ptr<const Film>> film() override { return Error{"none", "", ""}; }

@@ -16,7 +16,7 @@ std::vector<double> evenly(double low, double high) {
 }
 
 /// Half of it air.
-std::vector<double> likeAPicture() {
+std::vector<double> likeAnImage() {
     std::vector<double> costs(1000, 0.05);
     const std::vector<double> tissue = evenly(1, 2.9);
     costs.insert(costs.end(), tissue.begin(), tissue.end());
@@ -29,10 +29,10 @@ struct Named {
 };
 
 std::vector<Named> kinds() {
-    return {{"alike", {}}, {"nearly alike", TileCosts(evenly(0.8, 1.2))}, {"half air", TileCosts(likeAPicture())}};
+    return {{"alike", {}}, {"nearly alike", TileCosts(evenly(0.8, 1.2))}, {"half air", TileCosts(likeAnImage())}};
 }
 
-/// A picture so large that 100,000 nodes have eight tiles each; a second of one node's time a tile's worth of nodes.
+/// An image so large that 100,000 nodes have eight tiles each; a second of one node's time a tile's worth of nodes.
 ScalingFacts facts() {
     ScalingFacts facts;
     facts.node = {50e-6, 5e-9, 1e-9, 1e-3};
@@ -185,7 +185,7 @@ class StarSimulationTest : public QObject {
 
     void equalSeedsPlayTheSame() {
         ScalingFacts some = facts();
-        some.tiles = TileCosts(likeAPicture());
+        some.tiles = TileCosts(likeAnImage());
         QCOMPARE(simulated(some, Distribution::sortFirst, 8, 3)->latency,
                  simulated(some, Distribution::sortFirst, 8, 3)->latency);
         QVERIFY(simulated(some, Distribution::sortFirst, 8, 3)->latency !=

@@ -54,7 +54,7 @@ class AccuracyCurveTest : public QObject {
         curve.steps[1].error.levels = 1;
         QVERIFY(near(secondsToReach(10, curve), 4));
     }
-    void blurIsTheBetterPictureUntilItsBiasShows() {
+    void blurIsTheBetterImageUntilItsBiasShows() {
         const AccuracyCurve unbiased = curveOf(20, 0.5), blurred = curveOf(10, 0.5, 12);
         const auto until = betterUntil(blurred, unbiased);
         QVERIFY(until && std::fabs(*until / (100.0 / 36) - 1) < 0.05);  // 20 / sqrt(t) = 12
@@ -78,13 +78,13 @@ class AccuracyCurveTest : public QObject {
         QCOMPARE(accuracyWays(bounces, "cpu").size(), std::size_t(3));  // the march knows one event alone
         QCOMPARE(accuracyWays(test::tissueScene(), "cuda:0").back().bias, std::string("fast filter"));
     }
-    void allModelsAndReconstructionsAreOtherPictures() {
+    void allModelsAndReconstructionsAreOtherImages() {
         const Scene scene = test::tissueScene();
-        const auto others = otherPictures(scene);
+        const auto others = otherImages(scene);
         QCOMPARE(others.size(), std::size(kModels));  // the others, and interpolated slices
         for (const AccuracyWay& other : others)
             QVERIFY(other.bias.empty() && other.scene.check() && !(other.scene == scene));
-        QCOMPARE(otherPictures(others.back().scene).size(), std::size(kModels) - 1);  // they are there already
+        QCOMPARE(otherImages(others.back().scene).size(), std::size(kModels) - 1);  // they are there already
     }
     /// Errors that fall as most do: the times foretold with a quarter and a sixteenth of the samples hold what came.
     void whatWasForetoldStandsBesideWhatCame() {

@@ -16,7 +16,7 @@
 #include "tests/support/patience.h"
 #include "tests/support/places.h"
 
-/// What becomes of the pictures of `pdrender-cli render` when something goes wrong after hours.
+/// What becomes of the images of `pdrender-cli render` when something goes wrong after hours.
 class CliOutputsTest : public QObject {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ class CliOutputsTest : public QObject {
 
     QString at(const QString& name) const { return folder_->filePath(name); }
     QString scene() const { return at("scene.json"); }
-    static bool isPicture(const QString& path) { return !QImage(path).isNull(); }
+    static bool isImage(const QString& path) { return !QImage(path).isNull(); }
     QStringList parts() const { return QDir(folder_->path()).entryList({"*.part"}, QDir::Files | QDir::Hidden); }
 
     static void write(const QString& path, const QByteArray& bytes) {
@@ -96,28 +96,28 @@ class CliOutputsTest : public QObject {
                 ::setrlimit(RLIMIT_FSIZE, &small);
             });
         QCOMPARE(code, 1);
-        QVERIFY(isPicture(at("small.png")));
+        QVERIFY(isImage(at("small.png")));
         QVERIFY(!QFile::exists(at("big.exr")));
         QVERIFY(process_.readAllStandardError().contains("big.exr"));
         const QJsonObject facts = QJsonDocument::fromJson(process_.readAllStandardOutput()).object();
         QCOMPARE(facts["outputs"].toArray(), QJsonArray{"small.png"});
     }
 
-    void aPictureWhoseNameWasTakenGoesBesideIt() {
+    void anImageWhoseNameWasTakenGoesBesideIt() {
         const int code = renderWhile({"-o", "a.png"}, SIGINT, [this] { QDir(folder_->path()).mkdir("a.png"); });
         QCOMPARE(code, 1);
-        QVERIFY(isPicture(at("a-2.png")));
+        QVERIFY(isImage(at("a-2.png")));
         const QByteArray said = process_.readAllStandardError();
         QVERIFY2(said.contains("a.png: this is a folder") && said.contains("a-2.png"), said.constData());
     }
 
-    void aPictureWhoseFolderIsGoneComesHere() {
+    void anImageWhoseFolderIsGoneComesHere() {
         QDir(folder_->path()).mkdir("gone");
         write(at("a.png"), "not to be replaced");
         const int code =
             renderWhile({"-o", "gone/a.png", "-o", "b.png"}, SIGINT, [this] { QDir(at("gone")).removeRecursively(); });
         QCOMPARE(code, 1);
-        QVERIFY(isPicture(at("a-2.png")) && isPicture(at("b.png")));
+        QVERIFY(isImage(at("a-2.png")) && isImage(at("b.png")));
         QCOMPARE(contents(at("a.png")), QByteArray("not to be replaced"));
         const QJsonObject facts = QJsonDocument::fromJson(process_.readAllStandardOutput()).object();
         QCOMPARE(facts["outputs"].toArray(), (QJsonArray{"a-2.png", "b.png"}));
@@ -126,7 +126,7 @@ class CliOutputsTest : public QObject {
     /// A closed session of a remote shell is no reason to lose what was rendered.
     void aHangUpWritesWhatIsThere() {
         QCOMPARE(renderWhile({"-o", "a.png"}, SIGHUP, [] {}), 1);
-        QVERIFY(isPicture(at("a.png")));
+        QVERIFY(isImage(at("a.png")));
     }
 
     /// nohup lets a program go on.
@@ -139,13 +139,13 @@ class CliOutputsTest : public QObject {
         QCOMPARE(exitCode(), 1);
     }
 
-    void aReaderOfMessagesThatIsGoneLosesNoPicture() {
+    void aReaderOfMessagesThatIsGoneLosesNoImage() {
         start({"render", scene(), "--samples", "1000000000", "-o", "a.png"});
         waitForRendering();
         process_.closeReadChannel(QProcess::StandardError);
         ::kill(pid_t(process_.processId()), SIGINT);
         QCOMPARE(exitCode(), 1);
-        QVERIFY(isPicture(at("a.png")));
+        QVERIFY(isImage(at("a.png")));
     }
 
     void theScenesOwnFilesAreNotOverwritten() {
@@ -181,14 +181,14 @@ class CliOutputsTest : public QObject {
         const QByteArray said = process_.readAllStandardError();
         QVERIFY2(said.contains("File name too long") && said.contains("Choose a shorter name"), said.constData());
         QCOMPARE(run({"render", scene(), "--samples", "1", "-o", tooLong.mid(1)}), 0);
-        QVERIFY(isPicture(at(tooLong.mid(1))));
+        QVERIFY(isImage(at(tooLong.mid(1))));
     }
 
     void aLongNameThatWasTakenIsCutForAnother() {
         const QString longest = QString(249, 'a') + QString::fromUtf8("é") + ".png";  // 255 bytes
         const int code = renderWhile({"-o", longest}, SIGINT, [&] { QDir(folder_->path()).mkdir(longest); });
         QCOMPARE(code, 1);
-        QVERIFY(isPicture(at(QString(249, 'a') + "-2.png")));
+        QVERIFY(isImage(at(QString(249, 'a') + "-2.png")));
     }
 
     void whatAccuracyCannotWriteIsToldBeforeRendering() {
@@ -224,7 +224,7 @@ class CliOutputsTest : public QObject {
         QCOMPARE(contents(at("a.png")), QByteArray("old"));
     }
 
-    void picturesAreTheOwnersAlone() {
+    void imagesAreTheOwnersAlone() {
         QCOMPARE(run({"render", scene(), "--samples", "1", "-o", "a.png", "-o", "a.exr"}), 0);
         for (const char* name : {"a.png", "a.exr"}) {
             struct stat facts {};

@@ -113,7 +113,7 @@ class CliTest : public QObject {
         QCOMPARE(BallScene::run({"render", scene(), "-o", at("locked/a.png"), "--samples", "1000000"}).code, 1);
     }
 
-    void picturesAreWrittenAndJsonTellsHow() {
+    void imagesAreWrittenAndJsonTellsHow() {
         const ProgramRun result =
             BallScene::run({"render", scene(), "-o", at("a.png"), "-o", at("a.exr"), "--samples", "32", "--json"});
         QVERIFY2(result.code == 0, result.err.constData());
@@ -152,19 +152,19 @@ class CliTest : public QObject {
         QVERIFY(!QRegularExpression(" -[0-9]").match(plain.out).hasMatch());  // no cost is negative
         const ProgramRun lit = BallScene::run({"effects", scene(), "--look", "Bone", "--json"});
         QCOMPARE(lit.code, 0);
-        const QJsonObject ledger = QJsonDocument::fromJson(lit.out).object();
-        QCOMPARE(ledger["models"].toArray().size(), 6);
-        QVERIFY(ledger["seconds"].toDouble() > 0 && ledger["width"].toInt() > 0);
-        QCOMPARE(ledger["model"].toString(), QString("singleScattering"));
+        const QJsonObject effectCosts = QJsonDocument::fromJson(lit.out).object();
+        QCOMPARE(effectCosts["models"].toArray().size(), 6);
+        QVERIFY(effectCosts["seconds"].toDouble() > 0 && effectCosts["width"].toInt() > 0);
+        QCOMPARE(effectCosts["model"].toString(), QString("singleScattering"));
         QStringList tried;
-        for (const QJsonValue& effect : ledger["effects"].toArray())
+        for (const QJsonValue& effect : effectCosts["effects"].toArray())
             if (const QJsonObject band = effect["milliseconds"].toObject(); !band.isEmpty()) {
                 tried << effect["name"].toString();
                 QCOMPARE(effect["verdict"].toString(), QString("needed"));
                 QVERIFY(band["low"].toDouble() <= band["median"].toDouble() &&
                         band["median"].toDouble() <= band["high"].toDouble());
                 QVERIFY(effect["share"].toObject()["high"].toDouble() < 1);
-                QVERIFY(effect["meanLevels"].toObject()["value"].toDouble() > 0);  // that the picture changes by
+                QVERIFY(effect["meanLevels"].toObject()["value"].toDouble() > 0);  // that the image changes by
                 for (const char* figure : {"meanLevels", "levels95", "timeWithout"}) {
                     const QJsonObject told = effect[figure].toObject();
                     QVERIFY2(told["low"].toDouble() <= told["value"].toDouble() &&
@@ -180,7 +180,7 @@ class CliTest : public QObject {
         const ProgramRun run =
             BallScene::run({"accuracy", scene(), "-o", folder, "--time-limit", "1", "--size", "96x80"});
         QVERIFY2(run.code == 0, run.err.constData());
-        QVERIFY(run.out.contains("as it is, smoothed: "));
+        QVERIFY(run.out.contains("as it is, denoised: "));
         const QJsonObject report = QJsonDocument::fromJson(BallScene::contents(folder + "/accuracy.json")).object();
         const QJsonArray ways = report["ways"].toArray();
         QCOMPARE(ways.size(), 6);

@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "app/remote/certificates.h"
-#include "tests/support/network/shared_picture.h"
+#include "tests/support/network/shared_image.h"
 #include "tests/support/network/two_networks.h"
 
 using namespace pdr;
@@ -35,7 +35,7 @@ class CutCableTest : public QObject {
         if (!networks_.limitRate("50mbit"))
             qInfo("the cable is as fast as it can be: there is no tc here, or it cannot limit rates");
         QVERIFY(bool(remote::makeCertificates(folder_.filePath("bundle"))));
-        alone_ = pictureAlone(sharedScene(), kSharedOrders);
+        alone_ = imageAlone(sharedScene(), kSharedOrders);
     }
 
     void looseCableCostsNoPixel_data() {

@@ -4,7 +4,7 @@
 
 #include "tests/support/network/acted_node.h"
 #include "tests/support/network/one_link.h"
-#include "tests/support/network/shared_picture.h"
+#include "tests/support/network/shared_image.h"
 
 using namespace pdr;
 using namespace pdr::test;
@@ -65,20 +65,20 @@ class FloodingNodesTest : public QObject {
         QFETCH(const wire::Message, drop);
         QFETCH(int, drops);
         QFETCH(const QString, reason);
-        const FilmContent alone = pictureAlone(sharedScene(), kSharedOrders);
+        const FilmContent alone = imageAlone(sharedScene(), kSharedOrders);
         Waiting trial;
         NodeProcess honest;
         trial.add(honest);
         ActedNode flooder(trial.port);
         QTRY_VERIFY_WITH_TIMEOUT(flooder.isWelcome(), kPatience);
-        FilmContent picture;
-        std::jthread renderer([&] { picture = trial.picture(sharedScene(), kSharedOrders, 1); });
+        FilmContent image;
+        std::jthread renderer([&] { image = trial.image(sharedScene(), kSharedOrders, 1); });
         for (; drops > 0 && flooder.say(drop); --drops)
             QTRY_VERIFY_WITH_TIMEOUT(flooder.waits() < (1 << 20) || flooder.isOver(), kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(flooder.waits() == 0 || flooder.isOver(), kPatience);
         flooder.leave();
         renderer.join();
-        QVERIFY(sameBits(picture, alone));
+        QVERIFY(sameBits(image, alone));
         QTRY_COMPARE_WITH_TIMEOUT(trial.lost.count(), 1, kPatience);
         QVERIFY2(trial.reason().contains(reason), qPrintable(trial.reason()));
         QVERIFY(trial.workOfNodes() > 0);  // the honest one is still there

@@ -19,12 +19,12 @@ class NamedNodesTest : public QObject {
     BallScene ball_;
     QTemporaryDir folder_;
 
-    QStringList picture(const QStringList& nodes) const {
+    QStringList image(const QStringList& nodes) const {
         return QStringList{"render", ball_.scene(), "-o",  ball_.at("ball.exr"), "--size", "24x20", "--samples",
                            "64",     "--device",    "cpu", "--threads",          "1"} +
                nodes;
     }
-    ProgramRun render(const QStringList& nodes) const { return BallScene::run(picture(nodes)); }
+    ProgramRun render(const QStringList& nodes) const { return BallScene::run(image(nodes)); }
     QString bundle(const char* name, const char* role) const { return folder_.filePath(QString(name) + '/' + role); }
     static qsizetype linesWith(const QByteArray& text, const QByteArray& words) {
         qsizetype lines = 0;
@@ -79,7 +79,7 @@ class NamedNodesTest : public QObject {
         QVERIFY2(run.err.contains("named already"), run.err);
     }
 
-    void endOfThePictureIsNoLoss() {
+    void endOfTheImageIsNoLoss() {
         const NodeProcess node({"--listen", "127.0.0.1:0", "--name", "alpha"});
         const ProgramRun run = render({"--node", node.address(), "--await", "1"});
         QCOMPARE(run.code, 0);
@@ -93,8 +93,8 @@ class NamedNodesTest : public QObject {
         QProcess program;
         program.setProcessChannelMode(QProcess::MergedChannels);
         const quint16 port = freePort();
-        program.start(PDR_BINARY_DIR "/bin/pdrender-cli", picture({"--listen", QString("127.0.0.1:%1").arg(port),
-                                                                   "--await", "1", "--await-seconds", "1000000"}));
+        program.start(PDR_BINARY_DIR "/bin/pdrender-cli", image({"--listen", QString("127.0.0.1:%1").arg(port),
+                                                                 "--await", "1", "--await-seconds", "1000000"}));
         QByteArray said;
         const auto says = [&](const char* words) { return (said += program.readAll()).contains(words); };
         QTRY_VERIFY_WITH_TIMEOUT(says("waiting for nodes at"), kPatience);

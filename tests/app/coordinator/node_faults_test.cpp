@@ -5,19 +5,19 @@
 
 #include "tests/support/network/fault_proxy.h"
 #include "tests/support/network/one_link.h"
-#include "tests/support/network/shared_picture.h"
+#include "tests/support/network/shared_image.h"
 
 using namespace pdr;
 using namespace pdr::test;
 
-/// What becomes of pictures when nodes and networks fail.
+/// What becomes of images when nodes and networks fail.
 class NodeFaultsTest : public QObject {
     Q_OBJECT
 
     FilmContent alone_;
 
   private slots:
-    void initTestCase() { alone_ = pictureAlone(sharedScene(), kSharedOrders); }
+    void initTestCase() { alone_ = imageAlone(sharedScene(), kSharedOrders); }
 
     /// Kills one of eight nodes after the other and starts another in its place, while images are rendered.
     void killedNodesCostNoPixel() {
@@ -25,15 +25,15 @@ class NodeFaultsTest : public QObject {
         NodeProcesses processes = startNodes(8);
         for (const auto& one : processes)
             trial.add(*one);
-        (void)trial.picture(sharedScene(), {1}, 8);
+        (void)trial.image(sharedScene(), {1}, 8);
         std::mt19937 random(1);
-        int pictures = 0;
+        int images = 0;
         std::atomic<bool> over = false;
         std::jthread renderer([&] {
-            while (!over || pictures < 3) {
-                if (!sameBits(trial.picture(sharedScene(), kSharedOrders), alone_))
+            while (!over || images < 3) {
+                if (!sameBits(trial.image(sharedScene(), kSharedOrders), alone_))
                     qFatal("a picture is another one");
-                ++pictures;
+                ++images;
             }
         });
         for (int kill = 0; kill < 12; ++kill) {
@@ -45,8 +45,8 @@ class NodeFaultsTest : public QObject {
         }
         over = true;
         renderer.join();
-        QVERIFY(pictures >= 3);
-        qInfo("12 kills, %d pictures, all the same", pictures);
+        QVERIFY(images >= 3);
+        qInfo("12 kills, %d pictures, all the same", images);
     }
 
     void nodesThatStandStillAreLeftOut() {

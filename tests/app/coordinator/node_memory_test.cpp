@@ -6,7 +6,7 @@
 #include <numeric>
 #include <string_view>
 
-#include "tests/support/network/shared_picture.h"
+#include "tests/support/network/shared_image.h"
 
 using namespace pdr;
 using namespace pdr::test;
@@ -87,7 +87,7 @@ class NodeMemoryTest : public QObject {
         {
             NodeTrial trial;
             trial.add(process);
-            (void)trial.picture(markedScene(), {64, 64}, 1);
+            (void)trial.image(markedScene(), {64, 64}, 1);
             QVERIFY(countIn(process.id(), rowBytes()) > 0);  // else nothing was looked for
             QCOMPARE(countIn(process.id(), "ZZCANARY"), 0);
             device = std::move(trial.device);
@@ -101,18 +101,18 @@ class NodeMemoryTest : public QObject {
         NodeProcess process;
         NodeTrial trial;
         trial.add(process);
-        (void)trial.picture(markedScene(), {64}, 1);
+        (void)trial.image(markedScene(), {64}, 1);
         QVERIFY(countIn(process.id(), rowBytes()) > 0);
         QVERIFY(bool(trial.device->unload()));
         QTRY_COMPARE_WITH_TIMEOUT(countIn(process.id(), rowBytes()), 0, kPatience);
     }
 
-    void logSaysNothingOfThePicture() {
+    void logSaysNothingOfTheImage() {
         NodeProcess process;
         {
             NodeTrial trial;
             trial.add(process);
-            (void)trial.picture(markedScene(), {64}, 1);
+            (void)trial.image(markedScene(), {64}, 1);
         }
         process.signal(SIGTERM);
         QCOMPARE(process.code(), 0);
@@ -123,7 +123,7 @@ class NodeMemoryTest : public QObject {
         NodeProcess process;
         NodeTrial trial;
         trial.add(process);
-        (void)trial.picture(markedScene(), {64}, 1);
+        (void)trial.image(markedScene(), {64}, 1);
         // What this test has open it has handed down, such as a file that takes what tests say.
         const QSet<QString> opened = filesOf(process.id()) - filesOf(QCoreApplication::applicationPid());
         QVERIFY2(opened.isEmpty(), qPrintable(opened.values().join(' ')));

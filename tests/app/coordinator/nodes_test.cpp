@@ -6,7 +6,7 @@
 #include "app/remote/certificates.h"
 #include "app/remote/listener.h"
 #include "tests/support/network/acted_node.h"
-#include "tests/support/network/shared_picture.h"
+#include "tests/support/network/shared_image.h"
 
 using namespace pdr;
 using namespace pdr::test;
@@ -41,17 +41,17 @@ class NodesTest : public QObject {
   private slots:
     void initTestCase() {
         QVERIFY(bool(remote::makeCertificates(bundle_.filePath("bundle"))));
-        alone_ = pictureAlone(scene(), kOrders);
+        alone_ = imageAlone(scene(), kOrders);
     }
 
-    void pictureIsTheSameWithHoweverMany_data() {
+    void imageIsTheSameWithHoweverMany_data() {
         QTest::addColumn<int>("count");
         QTest::addColumn<bool>("bySamples");
         for (const int count : {0, 1, 2, 3, 7, 16})
             QTest::addRow("%d nodes", count) << count << false;
         QTest::newRow("3 nodes, blocks of samples") << 3 << true;
     }
-    void pictureIsTheSameWithHoweverMany() {
+    void imageIsTheSameWithHoweverMany() {
         QFETCH(const int, count);
         QFETCH(const bool, bySamples);
         NodeTrial trial;
@@ -59,7 +59,7 @@ class NodesTest : public QObject {
         const NodeProcesses processes = startNodes(count);
         for (const auto& one : processes)
             trial.add(*one);
-        QVERIFY(sameBits(trial.picture(scene(), kOrders, count), alone_));
+        QVERIFY(sameBits(trial.image(scene(), kOrders, count), alone_));
         QCOMPARE(trial.workOfNodes() > 0, count > 0);
     }
 
@@ -71,7 +71,7 @@ class NodesTest : public QObject {
         const QString there = QString("localhost:%1").arg(address->port);
         NodeProcess one({"--coordinator", there, "--bundle", bundle("node")}),
             other({"--coordinator", there, "--bundle", bundle("node"), "--name", "other"});
-        QVERIFY(sameBits(trial.picture(scene(), kOrders, 2), alone_));
+        QVERIFY(sameBits(trial.image(scene(), kOrders, 2), alone_));
         QVERIFY(trial.workOfNodes() > 0);
     }
 
@@ -80,7 +80,7 @@ class NodesTest : public QObject {
         trial.nodes.setBundle(bundle("coordinator"));
         NodeProcess one({"--listen", "127.0.0.1:0", "--bundle", bundle("node")});
         trial.add(one);
-        QVERIFY(sameBits(trial.picture(scene(), kOrders, 1), alone_));
+        QVERIFY(sameBits(trial.image(scene(), kOrders, 1), alone_));
     }
 
     void othersThanThisMachineNeedCertificates() {
@@ -102,7 +102,7 @@ class NodesTest : public QObject {
             edited.revision = std::uint64_t(edit);
             if (edit == 3)
                 edited.volume = bumpyVolume({30, 31, 37}, {0.9, 1.1, 1.3}, 5);
-            QVERIFY(sameBits(trial.picture(edited, {3, 70}, edit % 2 == 0 ? 2 : 0), pictureAlone(edited, {3, 70})));
+            QVERIFY(sameBits(trial.image(edited, {3, 70}, edit % 2 == 0 ? 2 : 0), imageAlone(edited, {3, 70})));
         }
     }
 
@@ -110,12 +110,12 @@ class NodesTest : public QObject {
         NodeTrial trial;
         NodeProcess process;
         const auto node = trial.nodes.add(process.address());
-        (void)trial.picture(scene(), {1}, 1);
+        (void)trial.image(scene(), {1}, 1);
         trial.nodes.setPaused(*node, true);
         while (trial.pool->workers().at(0).state != WorkerState::paused)
             QThread::msleep(2);
         const double before = trial.workOfNodes();
-        QVERIFY(sameBits(trial.picture(scene(), kOrders), alone_));
+        QVERIFY(sameBits(trial.image(scene(), kOrders), alone_));
         QVERIFY(trial.workOfNodes() <= before);
     }
 
@@ -137,12 +137,12 @@ class NodesTest : public QObject {
         NodeTrial trial;
         NodeProcess process;
         const auto node = trial.nodes.add(process.address());
-        (void)trial.picture(scene(), {1}, 1);
+        (void)trial.image(scene(), {1}, 1);
         trial.nodes.remove(*node);
         QTRY_VERIFY_WITH_TIMEOUT(trial.nodes.nodes().empty(), kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(process.log().contains("the connection has ended"), kPatience);
         trial.add(process);  // and it works for the next one
-        QVERIFY(sameBits(trial.picture(scene(), kOrders, 1), alone_));
+        QVERIFY(sameBits(trial.image(scene(), kOrders, 1), alone_));
     }
 
     void whatHappensToNodesIsTold_data() {

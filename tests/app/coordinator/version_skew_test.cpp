@@ -7,7 +7,7 @@
 #include "tests/support/network/acted_node.h"
 #include "tests/support/network/later_version.h"
 #include "tests/support/network/one_link.h"
-#include "tests/support/network/shared_picture.h"
+#include "tests/support/network/shared_image.h"
 
 using namespace pdr;
 using namespace pdr::test;
@@ -126,12 +126,12 @@ class VersionSkewTest : public QObject {
         QCOMPARE(program.code(), int(ExitCode::protocol));
     }
 
-    /// Both programs skip what they do not know, and the picture is the same.
+    /// Both programs skip what they do not know, and the image is the same.
     void laterVersionsMaySayMore() {
         Scene scene = tissueScene();
         scene.film = {122, 90};
         const std::vector<std::uint32_t> orders{2, 62, 64};
-        const FilmContent alone = pictureAlone(scene, orders);
+        const FilmContent alone = imageAlone(scene, orders);
         NodeProcess program;
         LaterVersion later(quint16(program.address().section(':', -1).toInt()));
         NodeTrial trial;
@@ -141,13 +141,13 @@ class VersionSkewTest : public QObject {
             !known.empty() && (known[0].state == nodes::NodeState::ready || !known[0].reason.empty()), kPatience);
         QVERIFY2(known[0].state == nodes::NodeState::ready, known[0].reason.c_str());
         std::atomic<bool> over = false;
-        FilmContent picture;
+        FilmContent image;
         std::jthread renderer([&] {
-            picture = trial.picture(scene, orders, 1);
+            image = trial.image(scene, orders, 1);
             over = true;
         });
         QTRY_VERIFY_WITH_TIMEOUT(over, kPatience);
-        QVERIFY(sameBits(picture, alone));
+        QVERIFY(sameBits(image, alone));
         QVERIFY(trial.workOfNodes() > 0 && later.messages() > 4);
         QCOMPARE(known.at(0).losses, 0u);
     }

@@ -1,4 +1,4 @@
-/// The box on the picture, from the key to the sentence.
+/// The box on the image, from the key to the sentence.
 
 #include <QTest>
 
@@ -63,7 +63,7 @@ void TestBoxFirst::aBoxIsDrawnHasItsOwnSentenceAndIsForgotten() {
     QTRY_VERIFY_WITH_TIMEOUT(std::isfinite(last()->region->status.displayError), test::kPatience);
     QVERIFY(trial.said().contains("for the region"));
     QTRY_VERIFY_WITH_TIMEOUT(last()->status.mostSamplesPerPixel > last()->status.samplesPerPixel, test::kPatience);
-    // As good as is wanted of it, all of the picture is spoken of again.
+    // As good as is wanted of it, all of the image is spoken of again.
     trial.desktop.bridge().setStop({.levels = 32});
     QTRY_VERIFY_WITH_TIMEOUT(last()->region->reached, test::kPatience);
     QVERIFY(!trial.said().startsWith("In the region: "));

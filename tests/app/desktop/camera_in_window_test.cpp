@@ -32,7 +32,7 @@ struct CameraTrial : Trial {
 
     Document& document = desktop.document();
     ui::MainWindow& window = desktop.window();
-    PictureSetup before;
+    ImageSetup before;
 };
 
 class TestCameraInWindow : public QObject {

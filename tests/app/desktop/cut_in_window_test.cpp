@@ -57,7 +57,7 @@ class TestCutInWindow : public QObject {
         trial.openAndWait(series_);
         Document& document = trial.desktop.document();
         ui::MainWindow& window = trial.desktop.window();
-        const PictureSetup before = document.setup();
+        const ImageSetup before = document.setup();
         QTest::keyClick(&window, Qt::Key_C);
         const QPoint head = handle(window, {Kind::face, 5});
         QTest::mousePress(&window.viewport(), Qt::LeftButton, {}, head);
@@ -132,7 +132,7 @@ class TestCutInWindow : public QObject {
     }
 
     /// Files say what is missing in them.
-    void savedPicturesSayWhatIsCut() {
+    void savedImagesSayWhatIsCut() {
         Trial trial;
         trial.openAndWait(series_);
         Document& document = trial.desktop.document();
@@ -141,14 +141,14 @@ class TestCutInWindow : public QObject {
         document.setClip(clip);
         trial.waitForNewest();
         const QString file = trial.folder.filePath("cut.png");
-        QSignalSpy saved(&trial.desktop.bridge(), &RenderBridge::saved);
-        trial.desktop.bridge().save(file);
+        QSignalSpy saved(&trial.desktop.presenter<SavingPresenter>().saver(), &ImageSaver::saved);
+        trial.desktop.presenter<SavingPresenter>().saver().save(file);
         QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, test::kPatience);
         QCOMPARE(QImage(file).text("pdrender/cut"), QString("box, 1 plane"));
     }
 
   private:
-    /// A triangle in the middle of the picture.
+    /// A triangle in the middle of the image.
     static void drawAround(QWidget& view) {
         const QPoint middle = view.rect().center(), corners[] = {{-40, -40}, {50, 0}, {-40, 40}};
         QTest::mousePress(&view, Qt::LeftButton, {}, middle + corners[0]);

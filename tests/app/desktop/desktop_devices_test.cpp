@@ -1,4 +1,4 @@
-/// The desktop and what makes its pictures: devices, and what they are compared with.
+/// The desktop and what makes its images: devices, and what they are compared with.
 
 #include <QImage>
 #include <QSignalSpy>
@@ -29,10 +29,10 @@ class TestDesktopDevices : public QObject {
 
   private slots:
     void initTestCase();
-    void aDeviceThatFailsIsSaidAndThePictureGoesOn();
-    void aDeviceThatIsNotThereIsSaidAndThePictureGoesOn();
+    void aDeviceThatFailsIsSaidAndTheImageGoesOn();
+    void aDeviceThatIsNotThereIsSaidAndTheImageGoesOn();
     void anotherDeviceGoesOnFromTheSamples();
-    void theStatusSaysWhatThePictureIsMadeBy();
+    void theStatusSaysWhatTheImageIsMadeBy();
     void aComparisonIsSaidPlainly();
     void theDeviceAndThePaceAreKept();
 
@@ -47,7 +47,7 @@ void TestDesktopDevices::initTestCase() {
     QVERIFY2(written, written ? "" : written.error().text().c_str());
 }
 
-void TestDesktopDevices::aDeviceThatFailsIsSaidAndThePictureGoesOn() {
+void TestDesktopDevices::aDeviceThatFailsIsSaidAndTheImageGoesOn() {
     auto mishaps = std::make_shared<test::Mishaps>();
     Trial trial(test::failing(mishaps));
     QCOMPARE(device(trial)->currentData().toString(), "failing");
@@ -62,7 +62,7 @@ void TestDesktopDevices::aDeviceThatFailsIsSaidAndThePictureGoesOn() {
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames, test::kPatience);
 }
 
-void TestDesktopDevices::aDeviceThatIsNotThereIsSaidAndThePictureGoesOn() {
+void TestDesktopDevices::aDeviceThatIsNotThereIsSaidAndTheImageGoesOn() {
     Trial trial;
     trial.openAndWait(series_);
     test::the<ui::RenderPanel>(trial.desktop.window()).setDevices({"cpu", "abacus"}, {"CPU", "abacus"});
@@ -87,7 +87,7 @@ void TestDesktopDevices::anotherDeviceGoesOnFromTheSamples() {
     QTRY_COMPARE_WITH_TIMEOUT(device(trial)->currentData().toString(), "cpu", test::kPatience);
 }
 
-void TestDesktopDevices::theStatusSaysWhatThePictureIsMadeBy() {
+void TestDesktopDevices::theStatusSaysWhatTheImageIsMadeBy() {
     Trial trial;
     trial.openAndWait(series_);
     QTRY_VERIFY_WITH_TIMEOUT(trial.said().contains("per frame on the CPU, efficiency "), test::kPatience);
@@ -111,7 +111,7 @@ void TestDesktopDevices::aComparisonIsSaidPlainly() {
     emit panel.scheduleChosen({.kind = Schedule::Kind::kroes});
     QTRY_VERIFY_WITH_TIMEOUT(trial.said().contains("comparison: Exposure Render's schedule K1, blurred"),
                              test::kPatience);
-    QSignalSpy saved(&trial.desktop.bridge(), &RenderBridge::saved);
+    QSignalSpy saved(&trial.desktop.presenter<SavingPresenter>().saver(), &ImageSaver::saved);
     trial.desktop.presenter<SavingPresenter>().save(trial.folder.filePath("picture.png"), ui::Annotate::sides);
     QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
     QCOMPARE(QImage(trial.folder.filePath("picture.png")).text("pdrender/schedule"), "Exposure Render's K1, blurred");

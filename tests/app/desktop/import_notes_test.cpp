@@ -1,4 +1,4 @@
-/// What the import remarks is said in the window, above the picture that it is about.
+/// What the import remarks is said in the window, above the image that it is about.
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -1,4 +1,4 @@
-/// The lights in the whole window: edits on the panel and on the picture change the picture, each gesture is one step,
+/// The lights in the whole window: edits on the panel and on the image change the image, each gesture is one step,
 /// undo brings back the same bits, and the handles stay with what the lights are tied to.
 
 #include <QTest>
@@ -26,7 +26,7 @@ class TestLightInWindow : public QObject {
   private slots:
     void initTestCase() { QVERIFY(writePhantomSeries(ui::fromQt(series()))); }
     void aDragOnTheBallIsOneStepAndUndoBringsTheSameBits();
-    void aDragOnThePictureTurnsAllLights();
+    void aDragOnTheImageTurnsAllLights();
     void whatIsNotShownIsSaidAsLongAsItIsTrue();
     void aRigIsOneStep();
     void handlesStayWithWhatTheLightsAreTiedTo();
@@ -40,25 +40,25 @@ class TestLightInWindow : public QObject {
 void TestLightInWindow::aDragOnTheBallIsOneStepAndUndoBringsTheSameBits() {
     LightTrial trial(series());
     const Look before = trial.document.setup().look;
-    const Film picture = rendered(trial.document);
+    const Film image = rendered(trial.document);
     ui::LightSphere& sphere = trial.panel.sphere();
     sphere.resize(180, 180);
     const QPoint handle = sphere.handleOf(sphere.lamp().from).toPoint();
     drag(sphere, handle, handle + QPoint(60, 30));
     QVERIFY(trial.document.setup().look.rig != before.rig);
-    QVERIFY(!test::sameBits(rendered(trial.document), picture));
+    QVERIFY(!test::sameBits(rendered(trial.document), image));
     trial.waitForNewest();
     QVERIFY(trial.desktop.bridge().lastFrame()->error.empty());
     trial.document.undo();
     QVERIFY(!trial.document.canUndo());
     QVERIFY(trial.document.setup().look == before);
-    QVERIFY(test::sameBits(rendered(trial.document), picture));
+    QVERIFY(test::sameBits(rendered(trial.document), image));
     QVERIFY((sphere.handleOf(sphere.lamp().from).toPoint() - handle).manhattanLength() <= 1);
 }
 
-void TestLightInWindow::aDragOnThePictureTurnsAllLights() {
+void TestLightInWindow::aDragOnTheImageTurnsAllLights() {
     LightTrial trial(series());
-    const PictureSetup before = trial.document.setup();
+    const ImageSetup before = trial.document.setup();
     ui::Viewport& viewport = trial.desktop.window().viewport();
     const QPoint middle = viewport.rect().center();
     drag(viewport, middle, middle + QPoint(viewport.height() / 4, 0), Qt::ShiftModifier, Qt::RightButton);

@@ -25,7 +25,7 @@ class TestNodeEvents : public QObject {
     void fallingSilentAloneIsNotTold();
     void theReasonOfGoingIsTold_data();
     void theReasonOfGoingIsTold();
-    void anotherPictureHasItsOwn();
+    void anotherImageHasItsOwn();
     void oldOnesGoWhenThereAreMany();
 };
 
@@ -72,7 +72,7 @@ void TestNodeEvents::theReasonOfGoingIsTold() {
 }
 
 /// A node that takes part in an image from its beginning has not joined it.
-void TestNodeEvents::anotherPictureHasItsOwn() {
+void TestNodeEvents::anotherImageHasItsOwn() {
     NodeEvents events;
     events.follow({node(1, NodeState::rendering)}, 7, 1);
     events.follow({node(1, NodeState::rendering)}, 8, 0);

@@ -21,7 +21,7 @@ class TestNodeFigures : public QObject {
     Q_OBJECT
 
   private slots:
-    void sharesAreOfThePictureInHand();
+    void sharesAreOfTheImageInHand();
     void aNodeWithWorkRenders();
     void efficiencyIsTheBusyPartOfAWindow();
     void whatIsCountedAnewBeginsAnew();
@@ -32,7 +32,7 @@ static bool near(double a, double b) {
     return std::fabs(a - b) < 1e-9;
 }
 
-void TestNodeFigures::sharesAreOfThePictureInHand() {
+void TestNodeFigures::sharesAreOfTheImageInHand() {
     NodeFigures figures;
     figures.follow({node(1, 0, 0), node(2, 0, 0)}, {7, 100, 0}, 0);
     std::vector<nodes::NodeStatus> now{node(1, 100, 0), node(2, 300, 0)};
@@ -43,7 +43,7 @@ void TestNodeFigures::sharesAreOfThePictureInHand() {
     now = {node(1, 150, 0), node(2, 300, 0)};
     figures.follow(now, {8, 100, 650}, 3);
     QVERIFY(near(figures.rowOf(now[0]).share, 0.5) && figures.rowOf(now[1]).share == 0);
-    figures.follow(now, {8, 400, 650, Purpose::finalRender}, 4);  // the number is another picture's by chance
+    figures.follow(now, {8, 400, 650, Purpose::finalRender}, 4);  // the number is another image's by chance
     QCOMPARE(figures.rowOf(now[0]).share, 0.0);
 }
 

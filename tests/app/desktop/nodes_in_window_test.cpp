@@ -1,4 +1,4 @@
-/// Real render nodes and the window, on this machine: they come and go, the picture goes on, and the scan does not stay
+/// Real render nodes and the window, on this machine: they come and go, the image goes on, and the scan does not stay
 /// with them.
 
 #include <QCheckBox>
@@ -34,7 +34,7 @@ class TestNodesInWindow : public QObject {
 
   private slots:
     void initTestCase();
-    void nodesDialInAndThePictureGoesOnWithoutThem();
+    void nodesDialInAndTheImageGoesOnWithoutThem();
     void aNodeThatIsAddedIsDialledUntilItAnswers();
     void aPausedNodeRestsAndGoesOn();
     void aNodeThatStandsStillHoldsNobodyUp();
@@ -57,7 +57,7 @@ void TestNodesInWindow::initTestCase() {
 
 struct NodesTrial : Trial {
     ui::NodesPanel& panel() { return test::the<ui::NodesPanel>(desktop.window()); }
-    NodesJob& nodes() { return desktop.presenter<NodesPresenter>().job(); }
+    DesktopNodes& nodes() { return desktop.presenter<NodesPresenter>().job(); }
 
     void listen(quint16 port) {
         test::named<QSpinBox>(panel(), "Port").setValue(port);
@@ -83,7 +83,7 @@ struct NodesTrial : Trial {
     }
 };
 
-void TestNodesInWindow::nodesDialInAndThePictureGoesOnWithoutThem() {
+void TestNodesInWindow::nodesDialInAndTheImageGoesOnWithoutThem() {
     NodesTrial trial;
     trial.openAndWait(series_);
     const quint16 port = test::freePort();

@@ -1,5 +1,5 @@
-/// An evening before an operation, from the folder to the saved picture, with the hand alone: each gesture changes the
-/// picture, is one step, and undo leads back to the very bits of the first one.
+/// An evening before an operation, from the folder to the saved image, with the hand alone: each gesture changes the
+/// image, is one step, and undo leads back to the very bits of the first one.
 
 #include <QDropEvent>
 #include <QImage>
@@ -73,18 +73,18 @@ class TestPlanningSession : public QObject {
     Q_OBJECT
 
   private slots:
-    void fromTheFolderToTheSavedPicture_data();
-    void fromTheFolderToTheSavedPicture();
+    void fromTheFolderToTheSavedImage_data();
+    void fromTheFolderToTheSavedImage();
 };
 
-void TestPlanningSession::fromTheFolderToTheSavedPicture_data() {
+void TestPlanningSession::fromTheFolderToTheSavedImage_data() {
     QTest::addColumn<bool>("real");
     QTest::newRow("a made-up head") << false;
     if (std::filesystem::is_directory(test::sharedCt()))
         QTest::newRow("a chest with contrast, on its table") << true;
 }
 
-void TestPlanningSession::fromTheFolderToTheSavedPicture() {
+void TestPlanningSession::fromTheFolderToTheSavedImage() {
     QFETCH(bool, real);
     Session session;
     const QString made = session.folder.filePath("series");
@@ -97,13 +97,13 @@ void TestPlanningSession::fromTheFolderToTheSavedPicture() {
     QVERIFY(document.setup().table == Table::hidden);
     QVERIFY(!document.canUndo());
 
-    PictureSetup first = document.setup();
-    const Film picture = rendered(document);
+    ImageSetup first = document.setup();
+    const Film image = rendered(document);
     const std::initializer_list<void (Session::*)()> gestures{&Session::dragANode, &Session::chooseAnotherLook,
                                                               &Session::shiftTheCurve, &Session::turnALight,
                                                               &Session::cutOffTheTop};
     for (const auto gesture : gestures) {
-        const PictureSetup before = document.setup();
+        const ImageSetup before = document.setup();
         (session.*gesture)();
         QVERIFY(document.setup() != before);
         QVERIFY(document.scene().check());
@@ -111,10 +111,10 @@ void TestPlanningSession::fromTheFolderToTheSavedPicture() {
     }
     QTRY_VERIFY_WITH_TIMEOUT(session.frames.back()->revision == document.scene().revision, test::kPatience);
     QVERIFY(session.frames.back()->error.empty());
-    QVERIFY(!test::sameBits(rendered(document), picture));
+    QVERIFY(!test::sameBits(rendered(document), image));
 
     const QString file = session.folder.filePath("plan.png");
-    QSignalSpy saved(&session.desktop.presenter<SavingPresenter>().job(), &PictureJob::saved);
+    QSignalSpy saved(&session.desktop.presenter<SavingPresenter>().job(), &ImageJob::saved);
     session.desktop.presenter<SavingPresenter>().render({file, QSize(2000, 2000), {.levels = 0.2, .samples = 1}});
     QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
     QCOMPARE(QImage(file).size(), QSize(2000, 2000));
@@ -122,9 +122,9 @@ void TestPlanningSession::fromTheFolderToTheSavedPicture() {
 
     while (document.canUndo())
         document.undo();
-    first.stops = document.setup().stops;  // which may have come with the small pictures meanwhile
+    first.stops = document.setup().stops;  // which may have come with the small images meanwhile
     QVERIFY(document.setup() == first);
-    QVERIFY(test::sameBits(rendered(document), picture));
+    QVERIFY(test::sameBits(rendered(document), image));
     QVERIFY(session.window.close());
 }
 

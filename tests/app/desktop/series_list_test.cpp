@@ -5,7 +5,7 @@
 #include <QStandardItemModel>
 #include <QTest>
 
-#include "app/jobs/series_pictures.h"
+#include "app/jobs/series_images.h"
 #include "app/presenters/series_presenter.h"
 #include "app/scan/series_choice.h"
 #include "dicom/write/export.h"
@@ -41,7 +41,7 @@ class TestSeriesList : public QObject {
     void theOnlySeriesIsShown();
     void oneLoadableAmongSeveralPatientsIsToBeChosen();
     void aRefusedFolderShowsItsListAndItsReasons();
-    void whoItIsStandsInThePicture();
+    void whoItIsStandsInTheImage();
 
   private:
     QString at(const QString& name) const { return place_->filePath(name); }
@@ -101,7 +101,7 @@ void TestSeriesList::aRefusedFolderShowsItsListAndItsReasons() {
     QVERIFY2(window.viewport().message().contains("The list says why"), qPrintable(window.viewport().message()));
 }
 
-void TestSeriesList::whoItIsStandsInThePicture() {
+void TestSeriesList::whoItIsStandsInTheImage() {
     writeSeries(at("one"), "Doe^Jane", "4711");
     Trial trial;
     ui::MainWindow& window = trial.desktop.window();

@@ -140,7 +140,7 @@ void TestSettings::coloursAreKept() {
 void TestSettings::keysAreKept() {
     Kept kept;
     QVERIFY(kept.settings.keys().isEmpty());
-    const QMap<QString, QString> keys{{"smoothed", "Ctrl+Alt+S"}, {"table", ""}};
+    const QMap<QString, QString> keys{{"denoised", "Ctrl+Alt+S"}, {"table", ""}};
     kept.settings.keepKeys(keys);
     QCOMPARE(Settings(kept.file).keys(), keys);
     kept.settings.keepKeys({});

@@ -1,4 +1,4 @@
-/// A picture of surroundings in the whole window: chosen from a file it lights the volume in the rig's place; undo
+/// An image of surroundings in the whole window: chosen from a file it lights the volume in the rig's place; undo
 /// brings back the same bits; what cannot be read is said and changes nothing.
 
 #include <QAbstractButton>
@@ -59,7 +59,7 @@ class TestSkyInWindow : public QObject {
 
   private slots:
     void initTestCase();
-    void aPictureLightsTheVolumeAndUndoBringsTheSameBits();
+    void anImageLightsTheVolumeAndUndoBringsTheSameBits();
     void givingUpTheDialogChangesNothing();
     void whatCannotBeReadIsSaidAndChangesNothing_data();
     void whatCannotBeReadIsSaidAndChangesNothing();
@@ -86,9 +86,9 @@ void TestSkyInWindow::initTestCase() {
     QVERIFY(QFile::exists(at("sky.exr")) && QFile::exists(at("black.exr")) && QFile::exists(at("infinite.exr")));
 }
 
-void TestSkyInWindow::aPictureLightsTheVolumeAndUndoBringsTheSameBits() {
+void TestSkyInWindow::anImageLightsTheVolumeAndUndoBringsTheSameBits() {
     SkyTrial trial(at("series"));
-    const PictureSetup before = trial.document.setup();
+    const ImageSetup before = trial.document.setup();
     const Film picture = rendered(trial.document);
     trial.choose(at("sky.exr"));
     QVERIFY(trial.document.scene().lights.empty() && trial.document.scene().environment.image);
@@ -110,7 +110,7 @@ void TestSkyInWindow::aPictureLightsTheVolumeAndUndoBringsTheSameBits() {
 
 void TestSkyInWindow::givingUpTheDialogChangesNothing() {
     SkyTrial trial(at("series"));
-    const PictureSetup before = trial.document.setup();
+    const ImageSetup before = trial.document.setup();
     trial.ask(at("sky.exr"), false);
     QVERIFY(!trial.desktop.presenter<LightPresenter>().sky().isRunning());
     QVERIFY(!trial.document.canUndo() && trial.document.setup() == before);
@@ -128,7 +128,7 @@ void TestSkyInWindow::whatCannotBeReadIsSaidAndChangesNothing_data() {
 void TestSkyInWindow::whatCannotBeReadIsSaidAndChangesNothing() {
     QFETCH(QString, said);
     SkyTrial trial(at("series"));
-    const PictureSetup before = trial.document.setup();
+    const ImageSetup before = trial.document.setup();
     const ui::MessageBar& message = trial.desktop.window().message();
     emit trial.panel.skyChosen(at(QTest::currentDataTag()));
     QTRY_VERIFY_WITH_TIMEOUT(!message.text().isEmpty(), test::kPatience);
@@ -179,7 +179,7 @@ void TestSkyInWindow::itMayBeDropped() {
     QTRY_VERIFY_WITH_TIMEOUT(trial.environment().image, test::kPatience);
 }
 
-/// Files of looks hold no pictures; what is kept is as bright, and the window says so.
+/// Files of looks hold no images; what is kept is as bright, and the window says so.
 void TestSkyInWindow::aLookIsKeptWithoutIt() {
     SkyTrial trial(at("series"));
     trial.choose(at("sky.exr"));

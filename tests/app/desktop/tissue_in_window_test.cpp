@@ -1,5 +1,5 @@
-/// The tissue in the whole window: the histogram comes by itself, edits on the panel and on the picture change the
-/// picture, each gesture is one step, and undo brings back the same bits.
+/// The tissue in the whole window: the histogram comes by itself, edits on the panel and on the image change the
+/// image, each gesture is one step, and undo brings back the same bits.
 
 #include <QSignalSpy>
 #include <QTest>
@@ -23,8 +23,8 @@ class TestTissueInWindow : public QObject {
     void initTestCase();
     void theHistogramComesWithTheVolumeAndGoesWithIt();
     void anEditedNodeIsOneStepAndUndoBringsTheSameBits();
-    void aDragOnThePictureShiftsAndWidens();
-    void aClickOnThePictureShowsTheTissueThere();
+    void aDragOnTheImageShiftsAndWidens();
+    void aClickOnTheImageShowsTheTissueThere();
     void theButtonPicksOnce();
     void besideTheAnatomyNothingIsPicked();
     void whatIsClosedIsNotHeld();
@@ -56,7 +56,7 @@ void TestTissueInWindow::anEditedNodeIsOneStepAndUndoBringsTheSameBits() {
     trial.openAndWait(series_);
     Document& document = trial.desktop.document();
     const Look before = document.setup().look;
-    const Film picture = rendered(document);
+    const Film image = rendered(document);
     ui::CurveEditor& editor = test::the<ui::TissuePanel>(trial.desktop.window()).editor();
     editor.resize(400, 200);
     const CurvePoint point = editor.points()[5];
@@ -65,7 +65,7 @@ void TestTissueInWindow::anEditedNodeIsOneStepAndUndoBringsTheSameBits() {
     QVERIFY(document.setup().look != before);
     QVERIFY(document.setup().look.transferFunction.check());
     QCOMPARE(document.look(), -1);
-    QVERIFY(!test::sameBits(rendered(document), picture));
+    QVERIFY(!test::sameBits(rendered(document), image));
     trial.waitForNewest();
     QVERIFY(trial.desktop.bridge().lastFrame()->error.empty());
 
@@ -73,16 +73,16 @@ void TestTissueInWindow::anEditedNodeIsOneStepAndUndoBringsTheSameBits() {
     QVERIFY(!document.canUndo());
     QVERIFY(document.setup().look == before);
     QVERIFY(test::the<ui::TissuePanel>(trial.desktop.window()).transferFunction() == before.transferFunction);
-    QVERIFY(test::sameBits(rendered(document), picture));
+    QVERIFY(test::sameBits(rendered(document), image));
     document.redo();
     QVERIFY(document.setup().look != before);
 }
 
-void TestTissueInWindow::aDragOnThePictureShiftsAndWidens() {
+void TestTissueInWindow::aDragOnTheImageShiftsAndWidens() {
     Trial trial;
     trial.openAndWait(series_);
     Document& document = trial.desktop.document();
-    const PictureSetup before = document.setup();
+    const ImageSetup before = document.setup();
     const TransferFunction& nodes = document.setup().look.transferFunction;
     ui::Viewport& viewport = trial.desktop.window().viewport();
     const QPoint middle = viewport.rect().center();
@@ -99,7 +99,7 @@ void TestTissueInWindow::aDragOnThePictureShiftsAndWidens() {
     QVERIFY(document.setup() == before);
 }
 
-void TestTissueInWindow::aClickOnThePictureShowsTheTissueThere() {
+void TestTissueInWindow::aClickOnTheImageShowsTheTissueThere() {
     Trial trial;
     trial.openAndWait(series_);
     Document& document = trial.desktop.document();

@@ -1,4 +1,4 @@
-/// What the window's size does to the picture: it has the screen's own pixels, is scaled while the size changes, and
+/// What the window's size does to the image: it has the screen's own pixels, is scaled while the size changes, and
 /// nothing is rendered for a window that nobody sees, or for what is finished.
 
 #include <QTest>
@@ -16,13 +16,13 @@ class TestWindowSize : public QObject {
 
   private slots:
     void initTestCase();
-    void thePictureHasTheScreensOwnPixels();
+    void theImageHasTheScreensOwnPixels();
     void whatIsStretchedIsSaid();
     void aDragOfTheEdgeShowsTheImageAllTheWhile();
     void aHiddenWindowIsNotRenderedFor();
-    void aFinishedPictureHoldsAndGoesOnWithOneKey();
+    void aFinishedImageHoldsAndGoesOnWithOneKey();
     void theKnobStopsRenderingAndGoesOn();
-    void beforeTheFirstPictureTheViewSaysWhatHappens();
+    void beforeTheFirstImageTheViewSaysWhatHappens();
     void aKeptWindowStaysOnTheScreen_data();
     void aKeptWindowStaysOnTheScreen();
 
@@ -48,11 +48,11 @@ void TestWindowSize::initTestCase() {
 }
 
 /// On a screen with 1.5 physical pixels per logical one, too, the rendered pixels are painted unaltered.
-void TestWindowSize::thePictureHasTheScreensOwnPixels() {
+void TestWindowSize::theImageHasTheScreensOwnPixels() {
     Trial trial;
     ui::Viewport& viewport = trial.desktop.window().viewport();
     QCOMPARE(viewport.devicePixelRatioF(), 1.5);
-    trial.desktop.document().setSmoothed(false);  // lines that smoothing takes away are marked
+    trial.desktop.document().setDenoised(false);  // lines that smoothing takes away are marked
     openAndWait(trial, series_);
     QTest::keyClick(&viewport, Qt::Key_Space);
     (void)trial.heldSamples();
@@ -134,7 +134,7 @@ void TestWindowSize::aHiddenWindowIsNotRenderedFor() {
     QVERIFY(!trial.desktop.bridge().paused());
 }
 
-void TestWindowSize::aFinishedPictureHoldsAndGoesOnWithOneKey() {
+void TestWindowSize::aFinishedImageHoldsAndGoesOnWithOneKey() {
     Trial trial;
     RenderBridge& bridge = trial.desktop.bridge();
     trial.openAndWait(series_);
@@ -158,7 +158,7 @@ void TestWindowSize::aFinishedPictureHoldsAndGoesOnWithOneKey() {
 void TestWindowSize::theKnobStopsRenderingAndGoesOn() {
     Trial trial;
     RenderBridge& bridge = trial.desktop.bridge();
-    ui::AccuracyStrip& strip = trial.desktop.window().foot().strip();
+    ui::AccuracyStrip& strip = trial.desktop.window().accuracyStatus().strip();
     trial.openAndWait(series_);
     trial.desktop.document().setViewSize({12, 8});
     bridge.setPace({.iterations = 8});
@@ -177,7 +177,7 @@ void TestWindowSize::theKnobStopsRenderingAndGoesOn() {
     QCOMPARE(strip.target(), 2.0);
 }
 
-void TestWindowSize::beforeTheFirstPictureTheViewSaysWhatHappens() {
+void TestWindowSize::beforeTheFirstImageTheViewSaysWhatHappens() {
     Trial trial;
     ui::Viewport& viewport = trial.desktop.window().viewport();
     QString said;

@@ -35,13 +35,13 @@ class TestDocumentGallery : public QObject {
     void theFirstLookThatMakesSenseIsShown();
     void contrastLiesWhereTheBloodIs();
     void theBrightnessIsSuggestedOnce();
-    void otherLooksLeaveThePictureAsItIs();
+    void otherLooksLeaveTheImageAsItIs();
 };
 
 void TestDocumentGallery::aLookBringsItsModelAndItsCutInOneStep() {
     Document document(looks());
     document.open(cube());
-    const PictureSetup before = document.setup();
+    const ImageSetup before = document.setup();
     document.chooseLook(1);
     QCOMPARE(document.look(), 1);
     QVERIFY(document.scene().model == Model::multipleScattering);
@@ -56,7 +56,7 @@ void TestDocumentGallery::theCutOfALookGoesWithIt() {
     document.chooseLook(1);
     document.chooseLook(0);
     QVERIFY(document.setup().clip.empty());
-    PictureSetup own = document.setup();
+    ImageSetup own = document.setup();
     own.clip.planes = {{{0, 100, 200}, {1, 0, 0}}};
     document.setSetup(own);
     document.chooseLook(1);
@@ -121,7 +121,7 @@ void TestDocumentGallery::theBrightnessIsSuggestedOnce() {
     QCOMPARE(document.setup().stops, 0.3);  // the hand was sooner
 }
 
-void TestDocumentGallery::otherLooksLeaveThePictureAsItIs() {
+void TestDocumentGallery::otherLooksLeaveTheImageAsItIs() {
     Document document(looks());
     document.open(cube());
     const Scene before = document.scene();

@@ -18,7 +18,7 @@ class TestDocumentLook : public QObject {
     void aChangedLookIsNotCalledAsTheOneItWas();
     void aDragOfTheLookIsOneStep();
     void anotherModelLeavesTheWaysThatDoNotKnowIt();
-    void aBackgroundIsPartOfThePicture();
+    void aBackgroundIsPartOfTheImage();
 };
 
 void TestDocumentLook::undoOfAChoiceBringsTheLookBack() {
@@ -114,7 +114,7 @@ void TestDocumentLook::anotherModelLeavesTheWaysThatDoNotKnowIt() {
 }
 
 /// The background is part of the image, and neither of the look nor of its light.
-void TestDocumentLook::aBackgroundIsPartOfThePicture() {
+void TestDocumentLook::aBackgroundIsPartOfTheImage() {
     Told told;
     told.document.setBackground(vec3(0.5f));
     QVERIFY(told.scenes.back().background == vec3(0.5f) && !showsEnvironment(told.scenes.back()));

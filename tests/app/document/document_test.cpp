@@ -22,7 +22,7 @@ class TestDocument : public QObject {
     void manyStepsBackAndForthAreExact();
     void theEstimatorIsAnEditLikeOthers();
     void brightnessChangesTheDisplayAndIsAStepOfItsOwn();
-    void theRawPictureIsAChoiceForTheEye();
+    void theRawImageIsAChoiceForTheEye();
     void undoOfAViewLeavesTheBrightness();
     void theWayBackIsLongButEnds();
     void theScheduleIsAnEditLikeOthers();
@@ -164,18 +164,18 @@ void TestDocument::brightnessChangesTheDisplayAndIsAStepOfItsOwn() {
     QCOMPARE(told.scenes.size(), std::size_t(3));
 }
 
-void TestDocument::theRawPictureIsAChoiceForTheEye() {
+void TestDocument::theRawImageIsAChoiceForTheEye() {
     Told told;
-    QVERIFY(told.displays.back().smoothed && told.document.smoothed());
-    told.document.setSmoothed(false);
-    QVERIFY(!told.displays.back().smoothed);
+    QVERIFY(told.displays.back().denoised && told.document.denoised());
+    told.document.setDenoised(false);
+    QVERIFY(!told.displays.back().denoised);
     QCOMPARE(told.scenes.size(), std::size_t(1));  // nothing is computed anew
     QVERIFY(!told.document.canUndo());
     told.document.chooseLook(1);
-    QVERIFY(!told.displays.back().smoothed);
+    QVERIFY(!told.displays.back().denoised);
     QCOMPARE(told.document.look(), 1);
-    told.document.setSmoothed(true);
-    QVERIFY(told.displays.back().smoothed);
+    told.document.setDenoised(true);
+    QVERIFY(told.displays.back().denoised);
 }
 
 void TestDocument::undoOfAViewLeavesTheBrightness() {
@@ -335,7 +335,7 @@ void TestDocument::eachOperationIsReportedOnce() {
     QCOMPARE(reportOf([&] { document.setBrightness(1); }), Changes::brightness);
     QCOMPARE(reportOf([&] { document.setView(StandardView::left); }), Changes::camera);
     QCOMPARE(reportOf([&] { document.undo(); }), Changes::camera);
-    QCOMPARE(reportOf([&] { document.setSmoothed(false); }), Changes::display);
+    QCOMPARE(reportOf([&] { document.setDenoised(false); }), Changes::display);
     QVERIFY(has(reportOf([&] { document.open(cube()); }), Changes::series));
     QVERIFY(has(reportOf([&] { document.close(); }), Changes::series));
 }
@@ -343,8 +343,8 @@ void TestDocument::eachOperationIsReportedOnce() {
 void TestDocument::aPlanIsEditedAsAWhole() {
     Told told;
     Plan plan = told.document.plan();
-    plan.picture.model = Model::absorption;
-    plan.picture.stops = 1;
+    plan.image.model = Model::absorption;
+    plan.image.stops = 1;
     const std::size_t scenes = told.scenes.size();
     told.document.edit(plan);
     QVERIFY(told.document.plan() == plan && told.scenes.size() == scenes + 1);

@@ -1,5 +1,5 @@
-/// The scanner's table from the import to the picture: hidden by itself, shown again with one click, in the command
-/// line and in what pictures say of themselves.
+/// The scanner's table from the import to the image: hidden by itself, shown again with one click, in the command
+/// line and in what images say of themselves.
 
 #include <QImage>
 #include <QPushButton>
@@ -27,7 +27,7 @@ void openWithoutTable(Document& document, const Volume& scan, const segment::Hid
                   std::make_shared<const HiddenVoxels>(*HiddenVoxels::of(scan, *table.body, noProgress)));
 }
 
-bool samePicture(const Film& a, const Film& b) {
+bool sameImage(const Film& a, const Film& b) {
     return sameBits(a.content(), b.content());
 }
 
@@ -81,8 +81,8 @@ class TestTable : public QObject {
         QVERIFY(message.isHidden());
     }
 
-    /// The tick is all that is remembered, and the picture comes back to the bit.
-    void undoBringsBackTheSamePicture() {
+    /// The tick is all that is remembered, and the image comes back to the bit.
+    void undoBringsBackTheSameImage() {
         const auto patient = patientOnTable();
         const auto table = *segment::hideTable(*patient.volume, noProgress);
         std::vector<NamedLook> looks = *bundledLooks();
@@ -91,9 +91,9 @@ class TestTable : public QObject {
         openWithoutTable(document, *patient.volume, table);
         const Film before = test::render(document.scene(), 4);
         document.setTable(Table::shown);
-        QVERIFY(!samePicture(before, test::render(document.scene(), 4)));
+        QVERIFY(!sameImage(before, test::render(document.scene(), 4)));
         document.undo();
-        QVERIFY(samePicture(before, test::render(document.scene(), 4)));
+        QVERIFY(sameImage(before, test::render(document.scene(), 4)));
         document.setTable(Table::hidden);  // it is
         QVERIFY(!document.canUndo());
     }
@@ -186,7 +186,7 @@ class TestTable : public QObject {
 
     /// A scene file says itself what it shows; the voxels that it names are shown whole where it says nothing.
     void aSceneFileShowsItUnlessItSaysOtherwise() {
-        const auto pictureOf = [&](const QString& table, const QStringList& more) {
+        const auto imageOf = [&](const QString& table, const QStringList& more) {
             QFile scene(folder_.filePath("scene.json"));
             if (!scene.open(QIODevice::WriteOnly))
                 qFatal("the test cannot write its files");
@@ -201,10 +201,10 @@ class TestTable : public QObject {
                 "pdrender-cli", QStringList{"render", scene.fileName(), "-o", file, "--samples", "1"} + more);
             return run.code == 0 ? QImage(file).text("pdrender/hidden") : QString("no picture: ") + run.err;
         };
-        QCOMPARE(pictureOf("", {}), QString());
-        QVERIFY(pictureOf(", \"table\": \"hidden\"", {}).contains("rule 2"));
-        QVERIFY(pictureOf("", {"--table", "hidden"}).contains("rule 2"));
-        QCOMPARE(pictureOf(", \"table\": \"hidden\"", {"--table", "shown"}), QString());
+        QCOMPARE(imageOf("", {}), QString());
+        QVERIFY(imageOf(", \"table\": \"hidden\"", {}).contains("rule 2"));
+        QVERIFY(imageOf("", {"--table", "hidden"}).contains("rule 2"));
+        QCOMPARE(imageOf(", \"table\": \"hidden\"", {"--table", "shown"}), QString());
     }
 
     void theListOfSeriesTellsItsMillilitres() {

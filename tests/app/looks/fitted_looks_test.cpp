@@ -30,7 +30,7 @@ static FittedLooks bones() {
 
 void TestFittedLooks::aChangedLookIsKnownByItsName() {
     const FittedLooks looks = bones();
-    PictureSetup setup;
+    ImageSetup setup;
     setup.look = looks[1].look;
     setup = looks.named(setup, "Bone");
     QCOMPARE(lookTitle(setup), std::string("Bones alone"));
@@ -43,7 +43,7 @@ void TestFittedLooks::aChangedLookIsKnownByItsName() {
 
 void TestFittedLooks::aLookIsChangedOnce() {
     const FittedLooks looks = bones();
-    PictureSetup setup;
+    ImageSetup setup;
     for (int i = 1; i <= 2; ++i) {
         setup.look.phaseG = 0.5f + 0.1f * float(i);
         setup = looks.named(setup, i == 1 ? "Bone" : setup.lookName);
@@ -55,7 +55,7 @@ void TestFittedLooks::aLookIsChangedOnce() {
 
 void TestFittedLooks::theBeginningIsTheLookOfThatNameAlone() {
     const FittedLooks looks = bones();
-    PictureSetup setup;
+    ImageSetup setup;
     for (int i = 0; looks.holds(i); ++i) {
         setup.lookName = looks[i].name;
         for (const bool changed : {false, true}) {

@@ -1,4 +1,4 @@
-/// The looks that the programs carry, in pictures: what they show and what they must not.
+/// The looks that the programs carry, in images: what they show and what they must not.
 
 #include "tests/support/scenes/scenes.h"
 
@@ -20,7 +20,7 @@ using namespace pdr;
 namespace {
 
 Scene frontOf(std::shared_ptr<const Volume> volume, const NamedLook& look, int pixels) {
-    PictureSetup setup;
+    ImageSetup setup;
     setup.camera = fittedView(StandardView::anterior, {volume->geometry(), nullptr}, 1, 0.95);
     const VolumeGeometry box = volume->geometry();
     return sceneOf(withNamedLook(setup, look, box), std::move(volume), ivec2(pixels));

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "app/output/picture_writing.h"
+#include "app/output/image_writing.h"
 #include "render/device/device_list.h"
 #include "render/scene/scene.h"
 #include "render/session/batch_render.h"
@@ -143,7 +143,7 @@ QImage TestAnnotatedFile::saved(const Scene& scene, const std::optional<ui::Anno
     [&] { QVERIFY(BatchRender(*film, {.samples = 1}, {}).run({}, [](const BatchState&) {})); }();
     const std::string cpu = "cpu";
     const QString file = folder_.filePath(name);
-    [&] { QVERIFY(writePicture({**film->film(), scene, 1, cpu, {}, {}}, {}, annotations, file)); }();
+    [&] { QVERIFY(writeImage({**film->film(), scene, 1, cpu, {}, {}}, {}, annotations, file)); }();
     return QImage(file);
 }
 

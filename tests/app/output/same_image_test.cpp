@@ -39,7 +39,7 @@ void TestSameImage::theWindowsImageIsThatOfTheCommandLine_data() {
     QTest::addColumn<QStringList>("options");
     QTest::addColumn<bool>("denoised");
     QTest::newRow("as it is opened") << QString() << QStringList() << false;
-    QTest::newRow("a part, denoised") << QString("Bones alone") << QStringList{"--look", "Bones alone", "--smoothed"}
+    QTest::newRow("a part, denoised") << QString("Bones alone") << QStringList{"--look", "Bones alone", "--denoised"}
                                       << true;
     QTest::newRow("a cut") << QString("Heart and great vessels") << QStringList{"--look", "Heart and great vessels"}
                            << false;
@@ -54,7 +54,7 @@ void TestSameImage::theWindowsImageIsThatOfTheCommandLine() {
     QFETCH(QStringList, options);
     QFETCH(bool, denoised);
     Trial trial;
-    QSignalSpy brightness(&trial.desktop.presenter<LooksPresenter>().pictures(), &LookPictures::made);
+    QSignalSpy brightness(&trial.desktop.presenter<LooksPresenter>().images(), &LookImages::made);
     trial.openAndWait(series_);
     Document& document = trial.desktop.document();
     QTRY_COMPARE_WITH_TIMEOUT(brightness.count(), int(document.looks().fitted().size()), test::kPatience);
@@ -63,13 +63,13 @@ void TestSameImage::theWindowsImageIsThatOfTheCommandLine() {
             document.chooseLook(i);
     if (options.contains("--show"))
         document.setVisible({{"bones"}});
-    document.setSmoothed(denoised);
+    document.setDenoised(denoised);
     QTRY_VERIFY_WITH_TIMEOUT(!document.scene().maskAwaited, test::kPatience);
     document.setNextFilm({150, 120});
     document.resetView();
 
     const QString window = folder_.filePath("window.png"), line = folder_.filePath("line.png");
-    QSignalSpy saved(&trial.desktop.presenter<SavingPresenter>().job(), &PictureJob::saved);
+    QSignalSpy saved(&trial.desktop.presenter<SavingPresenter>().job(), &ImageJob::saved);
     trial.desktop.presenter<SavingPresenter>().render(
         {window, QSize(150, 120), {.levels = kFinestStep, .samples = 32}, ui::Annotate::none});
     QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);

@@ -59,12 +59,12 @@ void TestStepName::eachEditHasItsName_data() {
         d.setLook(look);
     });
     row("Undo cutting", [](Document& d) {
-        PictureSetup setup = d.setup();
+        ImageSetup setup = d.setup();
         setup.clip.planes.emplace_back();
         d.setSetup(setup);
     });
     row("Undo choosing an optical model", [](Document& d) {
-        PictureSetup setup = d.setup();
+        ImageSetup setup = d.setup();
         setup.model = Model::multipleScattering;
         d.setSetup(setup);
     });
@@ -84,7 +84,7 @@ void TestStepName::eachEditHasItsName() {
 
 void TestStepName::theTableIsNamedByWhatWasDone() {
     Plan hidden, shown;
-    shown.picture.table = Table::shown;
+    shown.image.table = Table::shown;
     QCOMPARE(undoText(hidden, shown), Text("Undo showing the table"));
     QCOMPARE(redoText(shown, hidden), Text("Redo hiding the table"));
 }
@@ -132,21 +132,21 @@ void TestStepName::aChangedLookIsNotAChosenOne() {
 
 void TestStepName::namesThatBeginAlikeAreTwoLooks() {
     Plan bone;
-    bone.picture.lookName = "Bone";
+    bone.image.lookName = "Bone";
     Plan alone = bone;
-    alone.picture.lookName = "Bones alone";
-    alone.picture.look.phaseG += 0.1f;
+    alone.image.lookName = "Bones alone";
+    alone.image.look.phaseG += 0.1f;
     QCOMPARE(undoText(bone, alone), Text("Undo choosing a look"));
     QCOMPARE(undoText(alone, bone), Text("Undo choosing a look"));
     Plan changed = bone;
-    changed.picture.lookChanged = true;
-    changed.picture.look.visible.shown = {"bones"};
+    changed.image.lookChanged = true;
+    changed.image.look.visible.shown = {"bones"};
     QCOMPARE(undoText(bone, changed), Text("Undo choosing the visible part"));
 }
 
 void TestStepName::whatChangesSeveralThingsSaysSo() {
     Told told;
-    PictureSetup setup = told.document.setup();
+    ImageSetup setup = told.document.setup();
     setup.stops = 1;
     setup.model = Model::absorption;
     told.document.setSetup(setup);

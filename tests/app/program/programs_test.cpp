@@ -163,7 +163,7 @@ class ProgramsTest : public QObject {
     }
 
     /// With standard output closed, the next file that is opened must not take its number and receive what is printed.
-    void aClosedStandardOutputSpoilsNoPicture() {
+    void aClosedStandardOutputSpoilsNoImage() {
         const ProgramRun closed = run("pdrender-cli", {"render", scene(), "-o", at("closed.png"), "--samples", "1"},
                                       [] { ::close(STDOUT_FILENO); });
         QCOMPARE(closed.code, 1);

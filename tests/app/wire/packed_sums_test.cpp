@@ -101,7 +101,7 @@ class PackedSumsTest : public QObject {
         }
     }
 
-    void bonePicturesTakeFewBytes() {
+    void boneImagesTakeFewBytes() {
         const Scene scene = skull();
         for (const std::uint32_t samples : {4, 24, 63}) {
             const Sums whole = rendered(scene, wholeImage(scene.film), samples);

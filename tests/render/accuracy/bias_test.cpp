@@ -109,12 +109,12 @@ class BiasTest : public QObject {
         QVERIFY(says("fastFilter", [](BiasFacts& f) { f.texturesFilter = true; }));
         QVERIFY(says("quadrature", [](BiasFacts& f) { f.model = Model::absorption; }));
         QVERIFY(says("overDense", [](BiasFacts& f) { f.denseWarning = "dense"; }));
-        QVERIFY(says("smoothing", [](BiasFacts& f) { f.isSmoothed = true; }));
+        QVERIFY(says("smoothing", [](BiasFacts& f) { f.isDenoised = true; }));
         const char* kFaultBias[kFaults] = {"leftOut", "leftOut", "leftOut", "overBound", "bounceCap", "overTolerance"};
         for (int fault = 0; fault < kFaults; ++fault)
             QVERIFY(says(kFaultBias[fault], [&](BiasFacts& f) { f.health.add(Fault(fault), 0, 0); }));
         BiasFacts shown = exact;
-        shown.picture = {10, 10};
+        shown.image = {10, 10};
         shown.view = {20, 20};
         shown.slicesInterpolated = true;
         const std::set<std::string> ofView{"resolution", "interpolatedSlices"};

@@ -65,7 +65,7 @@ class ErrorAgainstTimeTest : public QObject {
     }
 
     /// With random seeds, a false alarm would come once in 1e4 runs.
-    void errorsOfPicturesAreThoseForetold() {
+    void errorsOfImagesAreThoseForetold() {
         const Image truth = stripes();
         const double bias = meanSquare(filtered(truth), truth), kappa = remainingVariance(kExposureRender);
         std::mt19937_64 random(11);

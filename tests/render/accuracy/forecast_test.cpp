@@ -86,7 +86,7 @@ class ForecastTest : public QObject {
     }
 
     /// In an unusual scene, the longer its errors are observed, the less the exponent of other scenes counts.
-    void theExponentIsLearnedFromThePicture() {
+    void theExponentIsLearnedFromTheImage() {
         const Fall slow{.exponent = 0.45};
         double before = INFINITY;
         for (const std::uint64_t n : {32, 256, 4096}) {

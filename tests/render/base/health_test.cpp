@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "render/device/cpu/replay.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 
 using namespace pdr;
 

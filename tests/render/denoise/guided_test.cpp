@@ -70,7 +70,7 @@ class GuidedTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void underEvenLightThePictureIsTheGuide() {
+    void underEvenLightTheImageIsTheGuide() {
         const Colours out = guided(coarse([](int x, int y) { return 0.3f * textured(x, y); }), guide(textured, even));
         QVERIFY(out[0].size() == kFiner * kCoarse);
         for (int y = 0; y < kFiner * kCoarse.y; ++y)

@@ -146,13 +146,13 @@ class LostLinesTest : public QObject {
 
     /// Lines that are so clear that the denoised image loses few are not marked, and no mark stands where there is no
     /// line.
-    void whatTheSmoothedPictureKeepsIsNotMarked_data() {
+    void whatTheDenoisedImageKeepsIsNotMarked_data() {
         QTest::addColumn<int>("samples");
         QTest::addColumn<double>("contrast");
         QTest::addRow("40 %% at 16 samples") << 16 << 0.4;
         QTest::addRow("20 %% at 64 samples") << 64 << 0.2;
     }
-    void whatTheSmoothedPictureKeepsIsNotMarked() {
+    void whatTheDenoisedImageKeepsIsNotMarked() {
         QFETCH(int, samples);
         QFETCH(double, contrast);
         const Film plain = noisyFilmOf(kFilm, shade, std::uint64_t(samples));
@@ -170,7 +170,7 @@ class LostLinesTest : public QObject {
         QCOMPARE(marksOf(noisyFilmOf(kFilm, withLines(0.4), 64)).size(), 0u);
     }
 
-    /// A false mark in one of 20 pictures is allowed; none of these 20 has one. Edges are no lines.
+    /// A false mark in one of 20 images is allowed; none of these 20 has one. Edges are no lines.
     void filmsWithoutLinesHaveNoMarks_data() {
         QTest::addColumn<Truth>("truth");
         QTest::addRow("shade") << Truth(shade);
@@ -229,7 +229,7 @@ class LostLinesTest : public QObject {
             QVERIFY(marks[0][i].begin == marks[1][i].begin && marks[0][i].end == marks[1][i].end);
     }
 
-    void pictureSmallerThanALineHasNone() {
+    void imageSmallerThanALineHasNone() {
         for (const ivec2 size : {ivec2(1, 1), ivec2(44, 3), ivec2(60, 1)})
             QCOMPARE(marksOf(noisyFilmOf(size, shade, 16)).size(), 0u);
     }

@@ -55,20 +55,20 @@ class SmoothingTest : public QObject {
 
   private slots:
     /// Denoising that begins after a stop request makes nothing, so an image that comes whole was not denoised again.
-    void anotherExposureOfTheSameSamplesIsNotSmoothedAgain() {
+    void anotherExposureOfTheSameSamplesIsNotDenoisedAgain() {
         const Film few = noisyFilmOf({60, 40}, disc, 4), more = noisyFilmOf({60, 40}, disc, 5);
         std::stop_source stop;
         stop.request_stop();
         Development development;
-        QVERIFY(development.picture(few, {1, true}).rgba == pictureOf(few, {1, true}).rgba);
+        QVERIFY(development.image(few, {1, true}).rgba == imageOf(few, {1, true}).rgba);
         for (const float exposure : {0.5f, 2.0f})
-            QVERIFY(development.picture(few, {exposure, true}, stop.get_token()).rgba ==
-                    pictureOf(few, {exposure, true}).rgba);
-        QVERIFY(development.picture(more, {2, true}, stop.get_token()).rgba.empty());
-        QVERIFY(development.picture(more, {2, true}).rgba == pictureOf(more, {2, true}).rgba);
-        QVERIFY(development.picture(more, {2, false}).rgba == pictureOf(more, {2, false}).rgba);
+            QVERIFY(development.image(few, {exposure, true}, stop.get_token()).rgba ==
+                    imageOf(few, {exposure, true}).rgba);
+        QVERIFY(development.image(more, {2, true}, stop.get_token()).rgba.empty());
+        QVERIFY(development.image(more, {2, true}).rgba == imageOf(more, {2, true}).rgba);
+        QVERIFY(development.image(more, {2, false}).rgba == imageOf(more, {2, false}).rgba);
         const Film another(2, more.content());
-        QVERIFY(development.picture(another, {2, true}, stop.get_token()).rgba.empty());
+        QVERIFY(development.image(another, {2, true}, stop.get_token()).rgba.empty());
     }
 
     void anotherExposureOfMoreSamplesShowsWhatIsThere() {
@@ -77,20 +77,20 @@ class SmoothingTest : public QObject {
         std::stop_source stop;
         stop.request_stop();
         Development development;
-        (void)development.picture(few, {1, true});
-        QVERIFY(development.picture(more, {2, true}, stop.get_token()).rgba == pictureOf(few, {2, true}).rgba);
-        QVERIFY(development.picture(more, {2, true}).rgba == pictureOf(more, {2, true}).rgba);
-        QVERIFY(development.picture(larger, {1, true}).rgba == pictureOf(larger, {1, true}).rgba);
+        (void)development.image(few, {1, true});
+        QVERIFY(development.image(more, {2, true}, stop.get_token()).rgba == imageOf(few, {2, true}).rgba);
+        QVERIFY(development.image(more, {2, true}).rgba == imageOf(more, {2, true}).rgba);
+        QVERIFY(development.image(larger, {1, true}).rgba == imageOf(larger, {1, true}).rgba);
     }
 
-    void whatWasSmoothedLastOutlivesOneThatWasBrokenOff() {
+    void whatWasDenoisedLastOutlivesOneThatWasBrokenOff() {
         const Film few = noisyFilmOf({60, 40}, disc, 4), more = noisyFilmOf({60, 40}, disc, 5);
         std::stop_source stop;
         stop.request_stop();
         Development development;
-        (void)development.picture(few, {1, true});
-        QVERIFY(development.picture(more, {1, true}, stop.get_token()).rgba.empty());
-        QVERIFY(development.picture(more, {2, true}, stop.get_token()).rgba == pictureOf(few, {2, true}).rgba);
+        (void)development.image(few, {1, true});
+        QVERIFY(development.image(more, {1, true}, stop.get_token()).rgba.empty());
+        QVERIFY(development.image(more, {2, true}, stop.get_token()).rgba == imageOf(few, {2, true}).rgba);
     }
 
     void threadsChangeNoBit() {
@@ -122,7 +122,7 @@ class SmoothingTest : public QObject {
     }
 
     /// The samples differ but their means are the same: there is noise to remove, and nothing to change.
-    void aConstantPictureStaysConstant() {
+    void aConstantImageStaysConstant() {
         for (const ivec2 size : kSizes) {
             Film film(size, 1);
             grow(
@@ -133,7 +133,7 @@ class SmoothingTest : public QObject {
         }
     }
 
-    void aPictureWithoutNoiseIsLeftAlone() {
+    void anImageWithoutNoiseIsLeftAlone() {
         const Film film = noisyFilmOf({96, 64}, disc, 8, 0);
         const std::vector<double> raw = rawRadiance(film), smooth = smoothRadiance(film);
         for (std::size_t i = 0; i < raw.size(); ++i)
@@ -238,7 +238,7 @@ class SmoothingTest : public QObject {
     }
 
     /// With one sample the noise is estimated from the neighbours.
-    void oneSampleIsSmoothedToo() {
+    void oneSampleIsDenoisedToo() {
         const ivec2 size(96, 64);
         const Film film = noisyFilmOf(size, flat, 1);
         QVERIFY(rmsError(smoothRadiance(film), size, flat) < 0.25 * rmsError(rawRadiance(film), size, flat));

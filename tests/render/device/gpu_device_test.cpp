@@ -8,8 +8,8 @@
 #include "render/film/display/tone_map.h"
 #include "tests/support/devices/faulty_gpu.h"
 #include "tests/support/processor_time.h"
+#include "tests/support/scenes/images.h"
 #include "tests/support/scenes/masks.h"
-#include "tests/support/scenes/pictures.h"
 #include "tests/support/scenes/scenes.h"
 #include "tests/support/scenes/tissue_scene.h"
 
@@ -131,7 +131,7 @@ class GpuDeviceTest : public QObject {
             QVERIFY(same(reference, *lived(*gpu, bumpyScene(), 150, n)));
     }
 
-    void twoPicturesOnTheirWayAreThoseOfTheirFilms() {
+    void twoImagesOnTheirWayAreThoseOfTheirFilms() {
         const auto gpu = hostDevice();
         const Scene scene = bumpyScene();
         QVERIFY(gpu->upload(scene));
@@ -146,23 +146,23 @@ class GpuDeviceTest : public QObject {
         order();
         for (int round = 0; round < 4; ++round) {
             order();
-            const Result<Picture> picture = film->readback();
-            QVERIFY(picture);
+            const Result<Image> image = film->readback();
+            QVERIFY(image);
             const Film& shown = *films[round];
-            QVERIFY(picture->rgba == toneMap(shown, {.exposure = 0.7f}));
-            QCOMPARE(picture->status.samplesPerPixel, shown.samplesPerPixel());
-            QVERIFY(std::fabs(picture->status.relativeError / shown.status().relativeError - 1) < 1e-12);
-            const FilmStatus here = pictureOf(shown, {.exposure = 0.7f}).status;
-            QCOMPARE(picture->status.displayError, here.displayError);
+            QVERIFY(image->rgba == toneMap(shown, {.exposure = 0.7f}));
+            QCOMPARE(image->status.samplesPerPixel, shown.samplesPerPixel());
+            QVERIFY(std::fabs(image->status.relativeError / shown.status().relativeError - 1) < 1e-12);
+            const FilmStatus here = imageOf(shown, {.exposure = 0.7f}).status;
+            QCOMPARE(image->status.displayError, here.displayError);
             QCOMPARE(std::isfinite(here.displayError), shown.samplesPerPixel() >= kSamplesToEstimate);
             QVERIFY(here.tissuePixels > 100 && here.tissuePixels < 61 * 45);
-            QCOMPARE(picture->status.tissuePixels, here.tissuePixels);
-            QCOMPARE(picture->status.fewBrightSamples, here.fewBrightSamples);
-            QVERIFY(std::fabs(picture->status.meanLuminance / shown.status().meanLuminance - 1) < 1e-12);
+            QCOMPARE(image->status.tissuePixels, here.tissuePixels);
+            QCOMPARE(image->status.fewBrightSamples, here.fewBrightSamples);
+            QVERIFY(std::fabs(image->status.meanLuminance / shown.status().meanLuminance - 1) < 1e-12);
         }
     }
 
-    void aPictureGoesOnOnAnotherDeviceAsIfItHadBeenThereAllTheTime() {
+    void anImageGoesOnOnAnotherDeviceAsIfItHadBeenThereAllTheTime() {
         const Scene scene = bumpyScene();
         const auto gpu = hostDevice();
         const auto cpu = makeCpuDevice();
@@ -181,7 +181,7 @@ class GpuDeviceTest : public QObject {
         QVERIFY(same(reference, *film));
     }
 
-    void exposureRendersScheduleGivesTheSamePictureHere() {
+    void exposureRendersScheduleGivesTheSameImageHere() {
         const Schedule plain{.kind = Schedule::Kind::kroes, .redundant = true, .filter = false, .runningMean = false};
         const Scene scene = bumpyScene();
         const auto gpu = hostDevice();
@@ -217,12 +217,12 @@ class GpuDeviceTest : public QObject {
         Scene scene = bumpyScene();
         QVERIFY(gpu.upload(scene));
         const auto film = *gpu.film(scene.film, scene.revision, {});
-        const auto picture = [&] {
+        const auto image = [&] {
             ++scene.revision;
             return gpu.upload(scene) && film->restart(wholeImage(scene.film), scene.revision) &&
                    film->accumulate(1, {}) && film->resolve({}) && film->readback();
         };
-        QVERIFY(picture());
+        QVERIFY(image());
         for (const test::FaultPlan::Call taken : {test::FaultPlan::Call::allocate, test::FaultPlan::Call::pinned}) {
             plan->call = taken;
             plan->calls = 0;
@@ -231,7 +231,7 @@ class GpuDeviceTest : public QObject {
                 scene.transferFunction.nodes[1].albedo = vec3(0.1f * float(i));
                 scene.camera.eyeMm.x += 5;
                 scene.environment.radiance = vec3(float(i));
-                QVERIFY(picture());
+                QVERIFY(image());
             }
             QCOMPARE(plan->calls, 0);
         }
@@ -283,7 +283,7 @@ class GpuDeviceTest : public QObject {
     void everyCallMayFail() {
         const Scene scene = bumpyScene();
         const Film reference = test::render(scene, 3);
-        const auto picture = [&](Device& device) -> Result<std::shared_ptr<const Film>> {
+        const auto image = [&](Device& device) -> Result<std::shared_ptr<const Film>> {
             if (const auto uploaded = device.upload(scene); !uploaded)
                 return uploaded.error();
             auto film = device.film(scene.film, 1, {});
@@ -302,12 +302,12 @@ class GpuDeviceTest : public QObject {
             const auto plan = std::make_shared<test::FaultPlan>();
             plan->fails = call;
             GpuDevice<test::FaultyGpu> gpu(DeviceInfo{"faulty", "", false}, plan);
-            const auto made = picture(gpu);
+            const auto made = image(gpu);
             if (!plan->failed)
                 break;
             failures += !made;
             QVERIFY(made || made.error().what == "it failed on purpose");
-            const auto again = picture(gpu);
+            const auto again = image(gpu);
             QVERIFY2(again && same(reference, **again), qPrintable(QString("after call %1").arg(call)));
         }
         QVERIFY(failures > 30);
@@ -331,7 +331,7 @@ class GpuDeviceTest : public QObject {
         }
     }
 
-    void aTornPictureIsSeen() {
+    void aTornImageIsSeen() {
         struct TornGpu : HostGpu {
             using HostGpu::HostGpu;
             void copyToHost(void* to, const void* from, std::size_t bytes, GpuStream stream) {
@@ -343,9 +343,9 @@ class GpuDeviceTest : public QObject {
         QVERIFY(gpu.upload(scene));
         const auto film = *gpu.film(scene.film, 1, {});
         QVERIFY(film->accumulate(1, {}) && film->resolve({}));
-        const Result<Picture> picture = film->readback();
-        QVERIFY(!picture);
-        QVERIFY(picture.error().what.find("damaged") != std::string::npos);
+        const Result<Image> image = film->readback();
+        QVERIFY(!image);
+        QVERIFY(image.error().what.find("damaged") != std::string::npos);
     }
 
     void aStopEndsAFilmBetweenLaunches() {

@@ -38,18 +38,18 @@ class GpuMemoryTest : public QObject {
         const dvec3 centre = scene.volume->geometry().centreMm();
         scene.camera.eyeMm = centre + 20.0 * (scene.camera.eyeMm - centre);  // the film counts here, not the paths
         GpuDevice<CountingGpu> device(DeviceInfo{"counting", "", false});
-        const auto picture = [&](Accumulator& film) {
+        const auto image = [&](Accumulator& film) {
             return film.accumulate(1, {}) && film.resolve({}) && bool(film.readback());
         };
         QVERIFY(device.upload(scene));
         const auto film = *static_cast<Device&>(device).film(scene.film, scene.revision, {});
-        QVERIFY(picture(*film));
+        QVERIFY(image(*film));
         const auto allocations = [&](const auto& edit) {
             const int before = device.gpu().allocations;
             edit(scene);
             ++scene.revision;
             const bool shown =
-                device.upload(scene) && film->restart(wholeImage(scene.film), scene.revision) && picture(*film);
+                device.upload(scene) && film->restart(wholeImage(scene.film), scene.revision) && image(*film);
             return shown ? device.gpu().allocations - before : -1;
         };
         QVERIFY(allocations([](Scene&) {}) >= 0);  // both slots of its images have been used by now

@@ -8,7 +8,7 @@
 #include "app/bench/parity/scenes.h"
 #include "render/device/device_list.h"
 #include "render/device/emulated/host_gpu.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 
 using namespace pdr;
 
@@ -99,7 +99,7 @@ class LockstepTest : public QObject {
         QCOMPARE(wrong.load(), 0);
     }
 
-    void warpsGiveTheCpusPictures() {
+    void warpsGiveTheCpusImages() {
         const auto warps = openDevice("lockstep");
         const auto cpu = makeCpuDevice();
         for (const bench::ParityScene& one : bench::parityScenes()) {

@@ -29,21 +29,21 @@ Result<std::unique_ptr<Device>> cpu() {
     return makeCpuDevice(1);
 }
 
-Result<FilmContent> pictureBy(Device& device) {
+Result<FilmContent> imageBy(Device& device) {
     const auto film = startFilm(device, tissueScene());
     if (!film)
         return film.error();
     const auto ended = BatchRender(**film, {.samples = kSamples}, {}).run({}, [](const BatchState&) {});
     if (!ended)
         return ended.error();
-    const auto picture = (*film)->film();
-    if (!picture)
-        return picture.error();
-    return (*picture)->content();
+    const auto image = (*film)->film();
+    if (!image)
+        return image.error();
+    return (*image)->content();
 }
 
 FilmContent alone() {
-    return *pictureBy(**cpu());
+    return *imageBy(**cpu());
 }
 
 }  // namespace
@@ -72,16 +72,16 @@ class SpareDeviceTest : public QObject {
         mishaps->tooSmall = tooSmall;
         Told told;
         const auto device = withSpare(failing(mishaps), cpu, told.hear());
-        const auto picture = pictureBy(*device);
-        QVERIFY2(bool(picture), picture ? "" : picture.error().text().c_str());
-        QVERIFY(sameBits(*picture, alone()));
+        const auto image = imageBy(*device);
+        QVERIFY2(bool(image), image ? "" : image.error().text().c_str());
+        QVERIFY(sameBits(*image, alone()));
         QCOMPARE(told.all.size(), std::size_t(1));
         QVERIFY(told.all[0].what.find(tooSmall ? "9.3 GB" : "the device is lost") != std::string::npos);
         QCOMPARE(device->info().name, std::string("cpu"));
     }
 
     /// A failure of each call and of all after it gives the right image, or none and an error text.
-    void gpuThatIsLostAtAnyCallGivesTheRightPictureOrNone() {
+    void gpuThatIsLostAtAnyCallGivesTheRightImageOrNone() {
         const FilmContent right = alone();
         int handedOver = 0, none = 0;
         for (int call = 0;; call += call < 50 ? 1 : 97) {
@@ -91,18 +91,18 @@ class SpareDeviceTest : public QObject {
             Told told;
             const auto device = withSpare(std::make_unique<GpuDevice<FaultyGpu>>(DeviceInfo{"faulty", "", false}, plan),
                                           cpu, told.hear());
-            const auto picture = pictureBy(*device);
+            const auto image = imageBy(*device);
             if (!plan->failed)
                 break;
             QVERIFY(told.all.size() <= 1);
-            if (picture) {
-                QVERIFY(sameBits(*picture, right));
+            if (image) {
+                QVERIFY(sameBits(*image, right));
                 handedOver += int(told.all.size());
             } else {
-                QCOMPARE(picture.error().kind, ErrorKind::deviceLost);
+                QCOMPARE(image.error().kind, ErrorKind::deviceLost);
                 ++none;
             }
-            QVERIFY(picture || told.all.empty());
+            QVERIFY(image || told.all.empty());
         }
         qInfo("the CPU took over %d times, %d times there was no picture", handedOver, none);
         QVERIFY(handedOver > 30);
@@ -111,8 +111,8 @@ class SpareDeviceTest : public QObject {
     void deviceThatWorksIsKept() {
         Told told;
         const auto device = withSpare(failing(std::make_shared<Mishaps>()), cpu, told.hear());
-        const auto picture = pictureBy(*device);
-        QVERIFY(picture && sameBits(*picture, alone()));
+        const auto image = imageBy(*device);
+        QVERIFY(image && sameBits(*image, alone()));
         QVERIFY(told.all.empty());
         QCOMPARE(device->info().name, std::string("failing"));
     }
@@ -140,8 +140,8 @@ class SpareDeviceTest : public QObject {
                 return Error{"there is none", "", ""};
             },
             told.hear());
-        const auto picture = pictureBy(*device);
-        QVERIFY(!picture && picture.error().what == "the device is lost");
+        const auto image = imageBy(*device);
+        QVERIFY(!image && image.error().what == "the device is lost");
         QVERIFY(told.all.empty());
     }
 };

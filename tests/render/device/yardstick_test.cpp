@@ -37,7 +37,7 @@ class YardstickTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void agreesWithTheReferencePicture() {
+    void agreesWithTheReferenceImage() {
         const std::filesystem::path path = test::sharedFolder() / "yardstick" / "reference.pfm";
         if (!std::filesystem::exists(path))
             PDR_SKIP_FOR_WANT_OF_DATA("the reference picture is not here");

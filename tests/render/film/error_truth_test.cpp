@@ -92,7 +92,7 @@ class ErrorTruthTest : public QObject {
         const auto goOn = [&](double count) {
             grow(film, std::uint64_t(std::llround(count)), uniform,
                  [](std::size_t) { return kSeenTissue | kSeenChance; });
-            return pictureOf(film, {0.3f}).status;
+            return imageOf(film, {0.3f}).status;
         };
         const FilmStatus early = goOn(64);
         QVERIFY(!early.fewBrightSamples);
@@ -101,7 +101,7 @@ class ErrorTruthTest : public QObject {
         double error = early.displayError;
         for (const double n : {128, 256, 512, 1024}) {
             error = goOn(n).displayError;
-            history.add(n, pictureOf(film, {0.3f}).status);
+            history.add(n, imageOf(film, {0.3f}).status);
         }
         const Foretold foretold = history.samples(error / 2);  // of independent samples, which are not as others are
         QVERIFY(foretold.low < 4096 && foretold.high > 4096);
@@ -184,7 +184,7 @@ class ErrorTruthTest : public QObject {
 
     /// In a real scene, compared with a far better image of it, 95 % of the tissue lies within the margin stated for 95
     /// %, and nearly all pixels within their two standard errors, which low-discrepancy points stay below.
-    void aPictureLiesWhereItSays() {
+    void anImageLiesWhereItSays() {
         Scene scene = test::tissueScene();
         scene.film = {30, 22};
         const float exposure = 0.5f;

@@ -28,12 +28,12 @@ class ExposureTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void aPictureThatIsWellLitStays() {
+    void anImageThatIsWellLitStays() {
         for (const float radiance : {0.05f, 0.2f, 0.3f})
             QCOMPARE(stopsFor(glowing(radiance), 1), 0.0);
     }
 
-    void darkAndBlownOutPicturesComeBack() {
+    void darkAndBlownOutImagesComeBack() {
         for (const float radiance : {0.001f, 0.01f, 2.0f, 4.0f}) {
             const double stops = stopsFor(glowing(radiance), 1);
             QVERIFY(radiance < 1 ? stops > 0 : stops < 0);

@@ -130,12 +130,12 @@ class FilmOfRegionsTest : public QObject {
             QCOMPARE(ahead->pixel(20, 10).count, std::uint64_t(107));
             QCOMPARE(ahead->pixel(69, 44).count, std::uint64_t(7));
             QVERIFY(film->resolve({}));
-            const Result<Picture> picture = film->readback();
-            QVERIFY(picture);
-            QCOMPARE(picture->status.samplesPerPixel, std::uint64_t(7));
-            QCOMPARE(picture->status.mostSamplesPerPixel, std::uint64_t(107));
-            QCOMPARE(picture->status.meanSamplesPerPixel, ahead->samples().mean);
-            QVERIFY(std::isinf(picture->status.displayError));  // of all pixels, and some have seven samples
+            const Result<Image> image = film->readback();
+            QVERIFY(image);
+            QCOMPARE(image->status.samplesPerPixel, std::uint64_t(7));
+            QCOMPARE(image->status.mostSamplesPerPixel, std::uint64_t(107));
+            QCOMPARE(image->status.meanSamplesPerPixel, ahead->samples().mean);
+            QVERIFY(std::isinf(image->status.displayError));  // of all pixels, and some have seven samples
             for (const EvenTile& even : ahead->progress().evenTiles(wholeOf(scene)))
                 if (!isInside(even.tile, cells))
                     QVERIFY(film->accumulate(even.tile, 100, {}));
@@ -287,12 +287,12 @@ class FilmOfRegionsTest : public QObject {
             QCOMPARE((*film->film())->revision(), std::uint64_t(8));
             QVERIFY(sameBits((*film->film())->content(), test::render(next, 66).content()));
             QVERIFY(film->resolve({}));
-            const Result<Picture> picture = film->readback();  // not the one that was ordered before
-            QVERIFY(picture && picture->rgba == toneMap(**film->film(), {}));
+            const Result<Image> image = film->readback();  // not the one that was ordered before
+            QVERIFY(image && image->rgba == toneMap(**film->film(), {}));
         }
     }
 
-    void exposureRendersScheduleTakesWholePicturesOnly() {
+    void exposureRendersScheduleTakesWholeImagesOnly() {
         const Scene scene = someScene();
         const auto device = makeCpuDevice();
         QVERIFY(device->upload(scene));

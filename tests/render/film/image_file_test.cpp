@@ -128,14 +128,14 @@ class ImageFileTest : public QObject {
                 QCOMPARE(painted.pixel(x, y), x == 2 && y == 1 ? qRgb(255, 255, 255) : plain.pixel(x, y));
     }
 
-    /// A picture leaves the program without its status line.
-    void aSmoothedPngSaysSoAndHowFarItIs() {
+    /// An image leaves the program without its status line.
+    void aDenoisedPngSaysSoAndHowFarItIs() {
         const Film film = test::noisyFilmOf(
             {96, 64}, [](int x, int) { return 0.2 + 0.005 * x; }, 16);
         const FilmContent before = film.content();
         const auto text = [&](const pdr::Display& display) {
             (void)writePng(film, display, kFacts, at("a.png"));
-            return QImage(folder_.filePath("a.png")).text("pdrender/smoothed");
+            return QImage(folder_.filePath("a.png")).text("pdrender/denoised");
         };
         QVERIFY(text({1, false}).isEmpty());
         const QImage raw(folder_.filePath("a.png"));
@@ -145,18 +145,18 @@ class ImageFileTest : public QObject {
                 .match(text({1, true}))
                 .hasMatch(),
             qPrintable(text({1, true})));
-        const QImage smoothed(folder_.filePath("a.png"));
+        const QImage denoised(folder_.filePath("a.png"));
         const std::vector<std::uint8_t> shown = toneMap(film, {1, true});
-        QCOMPARE(smoothed.pixel(5, 0), qRgb(shown[20], shown[21], shown[22]));
-        QVERIFY(raw != smoothed);
+        QCOMPARE(denoised.pixel(5, 0), qRgb(shown[20], shown[21], shown[22]));
+        QVERIFY(raw != denoised);
         QVERIFY(sameBits(before, film.content()));
     }
 
-    /// The one line that the film has and the picture has not.
-    void aSmoothedPngSaysHowManyLinesAreMissing() {
+    /// The one line that the film has and the image has not.
+    void aDenoisedPngSaysHowManyLinesAreMissing() {
         const auto line = [](int x, int y) { return x < 80 && (y == 30 || y == 31) ? 0.38 : 0.5; };
         (void)writePng(test::noisyFilmOf({96, 64}, line, 16), {1, true}, kFacts, at("a.png"));
-        const QString text = QImage(folder_.filePath("a.png")).text("pdrender/smoothed");
+        const QString text = QImage(folder_.filePath("a.png")).text("pdrender/denoised");
         QVERIFY2(text.endsWith("; 1 line of the film missing"), qPrintable(text));
     }
 
@@ -287,7 +287,7 @@ class ImageFileTest : public QObject {
         QCOMPARE(contents(at("a.png")), contents(at("b.png")));
     }
 
-    void anOldPictureIsReplaced() {
+    void anOldImageIsReplaced() {
         std::ofstream(at("a.png")) << "old";
         QVERIFY(bool(writePng(exampleFilm({4, 4}), {1}, kFacts, at("a.png"))));
         QVERIFY(!QImage(folder_.filePath("a.png")).isNull());
@@ -308,7 +308,7 @@ class ImageFileTest : public QObject {
         QCOMPARE(names(), QStringList{"a.png"});
     }
 
-    void whatIsStoppedLeavesTheOldPicture() {
+    void whatIsStoppedLeavesTheOldImage() {
         std::ofstream(at("a.png")) << "old";
         std::stop_source stop;
         stop.request_stop();
@@ -322,7 +322,7 @@ class ImageFileTest : public QObject {
     }
 
     /// A limit on the size of files fails the write as a full disk does.
-    void afterAFullDiskTheOldPictureIsStillThere() {
+    void afterAFullDiskTheOldImageIsStillThere() {
         std::ofstream(at("a.png")) << "old";
         std::ofstream(at("a.exr")) << "old";
         const Film film = exampleFilm({300, 300});

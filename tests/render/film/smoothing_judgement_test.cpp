@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "render/device/emulated/emulated_gpu.h"
-#include "render/film/display/smoothed_view.h"
+#include "render/film/display/denoised_view.h"
 #include "render/film/display/tone_map.h"
 #include "render/film/error/shown_status.h"
 #include "tests/support/processor_time.h"
@@ -172,7 +172,7 @@ class SmoothingJudgementTest : public QObject {
         const ivec2 size(128, 96);
         for (const std::uint64_t samples : {8, 16, 64}) {
             const Film film = noisyFilmOf(size, discs, samples);
-            SmoothedView view;
+            DenoisedView view;
             view.judge(film, samples, {});
             const LevelErrorMap map = *view.errorMap(1);
             const std::vector<double> smooth = smoothRadiance(film);
@@ -280,7 +280,7 @@ class SmoothingJudgementTest : public QObject {
     /// The stated error is that of the denoised image, or of the film where the former is not known, and names which.
     void theNumberIsOfTheImageThatIsShown() {
         const FilmStatus film{.samplesPerPixel = 64, .displayError = 16, .tissuePixels = 100, .gain = 2};
-        const SmoothedError error{.levels = 5, .levelsAtMost = 7};
+        const DenoisedError error{.levels = 5, .levelsAtMost = 7};
         QCOMPARE(shownStatus(film, false, error).status.displayError, 16.0);
         QVERIFY(shownStatus(film, false, error).of == ErrorOf::film);
         QCOMPARE(shownStatus(film, true, error).status.displayError, 7.0);
@@ -314,21 +314,21 @@ class SmoothingJudgementTest : public QObject {
     }
 
     /// A grain as strong as the noise that is left cannot be told from it.
-    void theRawPictureIsShownOnceItIsTheBetterOne() {
+    void theRawImageIsShownOnceItIsTheBetterOne() {
         const ivec2 size(128, 96);
         const auto texture = [](int x, int y) { return 0.5 + 0.07 * (chance(5, std::size_t(y * 128 + x), 0) - 0.5); };
         const auto shown = [&](std::uint64_t samples, double sigma) {
-            SmoothedView view;
+            DenoisedView view;
             view.judge(noisyFilmOf(size, texture, samples, sigma), samples, {});
-            return view.better({1, true}).smoothed;
+            return view.better({1, true}).denoised;
         };
         QVERIFY(shown(4, 1));
         QVERIFY(!shown(64, 0.28));
-        QVERIFY(!SmoothedView().better({1, false}).smoothed);
+        QVERIFY(!DenoisedView().better({1, false}).denoised);
     }
 
     void itIsJudgedAtEachDoubling() {
-        SmoothedView view;
+        DenoisedView view;
         QVERIFY(!view.isDue(3));
         QVERIFY(view.isDue(4));
         view.judge(noisyFilmOf({64, 64}, discs, 5), 5, {});
@@ -340,25 +340,25 @@ class SmoothingJudgementTest : public QObject {
         QVERIFY(view.isDue(4) && !view.error(1));
     }
 
-    void devicesShowTheSameSmoothedPictureAndKeepTheirFilms() {
+    void devicesShowTheSameDenoisedImageAndKeepTheirFilms() {
         const Scene scene = litTissue();
-        std::vector<Picture> pictures;
+        std::vector<Image> images;
         for (const bool gpu : {false, true}) {
             const std::unique_ptr<Device> device = gpu ? makeEmulatedGpu() : makeCpuDevice(3);
             const auto film = *startFilm(*device, scene);
             QVERIFY(film->accumulate(9, {}));
             const FilmContent before = (*film->film())->content();
-            for (const bool smoothed : {false, true, false})
-                QVERIFY(film->resolve({0.5f, smoothed}) && (pictures.push_back(*film->readback()), true));
+            for (const bool denoised : {false, true, false})
+                QVERIFY(film->resolve({0.5f, denoised}) && (images.push_back(*film->readback()), true));
             QVERIFY(sameBits(before, (*film->film())->content()));
         }
         for (std::size_t i : {0u, 1u, 2u}) {
-            QCOMPARE(pictures[i].smoothed, i == 1);
-            QCOMPARE(pictures[i + 3].smoothed, i == 1);
-            QVERIFY(pictures[i].rgba == pictures[i + 3].rgba);
+            QCOMPARE(images[i].denoised, i == 1);
+            QCOMPARE(images[i + 3].denoised, i == 1);
+            QVERIFY(images[i].rgba == images[i + 3].rgba);
         }
-        QVERIFY(pictures[0].rgba == pictures[2].rgba && pictures[0].rgba != pictures[1].rgba);
-        QCOMPARE(pictures[1].status.relativeError, pictures[0].status.relativeError);
+        QVERIFY(images[0].rgba == images[2].rgba && images[0].rgba != images[1].rgba);
+        QCOMPARE(images[1].status.relativeError, images[0].status.relativeError);
     }
 };
 

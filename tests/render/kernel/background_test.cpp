@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 
 using namespace pdr;
 

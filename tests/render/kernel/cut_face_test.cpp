@@ -5,7 +5,7 @@
 
 #include "render/kernel/transport/event.h"
 #include "render/prepare/needs.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 
 using namespace pdr;
 

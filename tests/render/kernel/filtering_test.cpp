@@ -10,7 +10,7 @@
 #include "render/kernel/volume_sampling.h"
 #include "tests/support/devices/faulty_gpu.h"
 #include "tests/support/devices/texture_reading.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 #include "tests/support/scenes/random_scenes.h"
 #include "tests/support/scenes/tissue_scene.h"
 
@@ -160,7 +160,7 @@ class FilteringTest : public QObject {
         }
     }
 
-    void exactPicturesAreTheCpusBitByBit() {
+    void exactImagesAreTheCpusBitByBit() {
         const Scene scene = tissue(Filtering::exact);
         QVERIFY(test::sameBits(onEmulatedGpu(scene, 20), test::render(scene, 20)));
     }
@@ -170,7 +170,7 @@ class FilteringTest : public QObject {
     }
 
     /// Both images have the same samples: nearly all paths continue as they did.
-    void fastPicturesDifferByLessThanTheirNoise() {
+    void fastImagesDifferByLessThanTheirNoise() {
         const Film exact = onEmulatedGpu(tissue(Filtering::exact), 64),
                    fast = onEmulatedGpu(tissue(Filtering::fast), 64);
         QVERIFY(!test::sameBits(exact, fast));

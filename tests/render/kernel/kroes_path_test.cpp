@@ -5,7 +5,7 @@
 #include "render/kernel/baseline/kroes_path.h"
 #include "render/kernel/pixel.h"
 #include "render/volume/phantom.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 #include "tests/support/scenes/random_scenes.h"
 
 using namespace pdr;
@@ -34,7 +34,7 @@ Scene head() {
 }
 
 /// Thin tissue under all kinds of light: `which` % 7 = 0 all together; 1 .. 4 one alone; 5 light from all around, and
-/// tissue that shines; 6 a picture all around.
+/// tissue that shines; 6 an image all around.
 Scene thinScene(unsigned which) {
     Scene scene = test::anyScene(3 * which + 1);
     scene.model = Model::singleScattering;
@@ -104,7 +104,7 @@ class KroesPathTest : public QObject {
         QVERIFY(got.brighter.z(0) > test::allowedZ(2));
     }
 
-    void thePictureIsNotTheUnbiasedOne() {
+    void theImageIsNotTheUnbiasedOne() {
         const Film biased = test::render(marched(head()), 32), truth = test::render(head(), 32);
         const test::ImageMean got = test::imageMean(biased), right = test::imageMean(truth);
         const double z = (got.mean - right.mean) / std::hypot(got.standardError, right.standardError);

@@ -4,7 +4,7 @@
 
 #include "render/kernel/transport/integrator.h"
 #include "render/prepare/focus.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 
 using namespace pdr;
 
@@ -81,7 +81,7 @@ class LensTest : public QObject {
         QVERIFY(std::fabs(xx.z(0.25)) < allowed && std::fabs(yy.z(0.25)) < allowed);
     }
 
-    /// A small bright square far out of focus, with nothing else there: its picture is a disc, everywhere as bright,
+    /// A small bright square far out of focus, with nothing else there: its image is a disc, everywhere as bright,
     /// and holds all of its light.
     void blurOfASpotIsAnEvenDisc() {
         const double blur = 10, side = 2;  // mm at the square
@@ -120,7 +120,7 @@ class LensTest : public QObject {
         QVERIFY(whole.standardError < 0.01 * truth);
     }
 
-    /// Bounds of the view make room for what a lens spreads: with and without them it is the same picture.
+    /// Bounds of the view make room for what a lens spreads: with and without them it is the same image.
     void nothingIsLostBesideTheFocus() {
         for (const double focus : {30.0, 120.0, 1000.0}) {
             Scene scene = blob();

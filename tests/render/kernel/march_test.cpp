@@ -131,7 +131,7 @@ class MarchTest : public QObject {
         QCOMPARE(marchToCollision(prepared->flat, kThroughSlab, stream(1), 1e-4f), -1.0f);
     }
 
-    /// What has no end is counted and left out, in the picture too.
+    /// What has no end is counted and left out, in the image too.
     void samplesWithoutAnEndAreCounted() {
         Scene scene = test::plainScene(test::makeVolume({8, 8, 8}, dvec3(1e-25), [](int, int, int) { return 5; }), 1);
         scene.estimator = Estimator::kroesMarch;

@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "render/kernel/transport/integrator.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 
 using namespace pdr;
 

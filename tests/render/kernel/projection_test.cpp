@@ -1,4 +1,4 @@
-/// Pictures of the models without scattering, on every path through the CPU device.
+/// Images of the models without scattering, on every path through the CPU device.
 
 #include <QTest>
 
@@ -82,7 +82,7 @@ class ProjectionTest : public QObject {
     }
 
     /// Cells that are passed at once are passed, and nothing else changes.
-    void macrocellsDoNotChangeThePicture() {
+    void macrocellsDoNotChangeTheImage() {
         for (const Model model : kProjections) {
             const Scene scene = variedScene(model);
             const auto device = makeCpuDevice();

@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "render/kernel/ray.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 #include "tests/support/scenes/random_scenes.h"
 
 using namespace pdr;
@@ -14,7 +14,7 @@ namespace {
 constexpr int kComparisons = 60;  ///< in this file, at most
 constexpr std::uint64_t kSamples = 192;
 
-/// Whether two pictures may be of the same scene, and nothing went wrong in either. A scene too noisy to tell (10 % of
+/// Whether two images may be of the same scene, and nothing went wrong in either. A scene too noisy to tell (10 % of
 /// its mean) is none to test with.
 template <class Partner>
 bool alike(const Film& a, const Film& b, unsigned seed, Partner&& partner) {
@@ -29,14 +29,14 @@ bool alike(const Film& a, const Film& b, unsigned seed) {
     return alike(a, b, seed, [](ivec2 pixel) { return pixel; });
 }
 
-Film picture(const Scene& scene) {
+Film image(const Scene& scene) {
     return test::render(scene, kSamples);
 }
 
 /// Renders the scene with other random numbers.
-Film otherPicture(Scene scene) {
+Film otherImage(Scene scene) {
     scene.seed += 1000;
-    return picture(scene);
+    return image(scene);
 }
 
 Scene withGeometry(Scene scene, const VolumeGeometry& geometry, Voxels voxels) {
@@ -105,7 +105,7 @@ class PropertiesTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void macrocellsGiveThePictureOfOneGlobalBound() {
+    void macrocellsGiveTheImageOfOneGlobalBound() {
         const auto device = makeCpuDevice();
         for (unsigned seed = 1; seed <= 6; ++seed) {
             Scene scene = test::anyScene(seed);
@@ -143,7 +143,7 @@ class PropertiesTest : public QObject {
             const double truth = std::exp(-extinction * (chord.leave - chord.enter));
             scene.transferFunction.extinctionPerMm *= truth < 0.01 ? 0.02f : 1.0f;
             const double seen = truth < 0.01 ? std::pow(truth, 0.02) : truth;
-            const double n = 24 * 24 * kSamples, mean = test::imageMean(picture(scene)).mean;
+            const double n = 24 * 24 * kSamples, mean = test::imageMean(image(scene)).mean;
             const double z = (mean - seen) / (std::sqrt(seen * (1 - seen) / n) + 1e-6);
             QVERIFY2(std::fabs(z) < test::allowedZ(kComparisons),
                      qPrintable(QString("%1 instead of %2, z = %3").arg(mean).arg(seen).arg(z)));
@@ -154,9 +154,9 @@ class PropertiesTest : public QObject {
         for (unsigned seed = 11; seed <= 14; ++seed) {
             std::mt19937 random(seed);
             Scene scene = test::anyScene(seed);
-            const Film first = picture(scene);
+            const Film first = image(scene);
             std::ranges::shuffle(scene.lights, random);
-            QVERIFY(alike(first, otherPicture(scene), seed));
+            QVERIFY(alike(first, otherImage(scene), seed));
         }
     }
 
@@ -176,9 +176,9 @@ class PropertiesTest : public QObject {
             Scene scene = test::anyScene(seed);
             scene.camera.type = Camera::Type::orthographic;
             scene.camera.heightMm = 0.2 * scene.volume->geometry().radiusMm();  // near enough to see half a voxel
-            const Film near = picture(scene);
+            const Film near = image(scene);
             scene.camera.eyeMm = scene.camera.targetMm - 1e7 * scene.camera.forward();
-            QVERIFY(alike(near, otherPicture(scene), seed));
+            QVERIFY(alike(near, otherImage(scene), seed));
         }
     }
 
@@ -190,7 +190,7 @@ class PropertiesTest : public QObject {
             std::ranges::shuffle(order, random);
             const glm::bvec3 back(random() % 2, random() % 2, random() % 2);
             const Scene other = storedOtherwise(scene, {order[0], order[1], order[2]}, back);
-            QVERIFY(alike(picture(scene), otherPicture(other), seed));
+            QVERIFY(alike(image(scene), otherImage(other), seed));
         }
     }
 
@@ -199,7 +199,7 @@ class PropertiesTest : public QObject {
             std::mt19937 random(seed);
             const Scene scene = test::anyScene(seed);
             const Scene turned = moved(scene, anyIsometry(random, false));
-            QVERIFY(alike(picture(scene), otherPicture(turned), seed));
+            QVERIFY(alike(image(scene), otherImage(turned), seed));
         }
     }
 
@@ -208,10 +208,10 @@ class PropertiesTest : public QObject {
             std::mt19937 random(seed);
             const Scene scene = test::anyScene(seed);
             const Scene mirrored = moved(scene, anyIsometry(random, true));
-            const Film film = picture(scene), other = otherPicture(mirrored);
+            const Film film = image(scene), other = otherImage(mirrored);
             const auto across = [](ivec2 pixel) { return ivec2(23 - pixel.x, pixel.y); };
             QVERIFY(alike(film, other, seed, across));
-            // Negative control: without the mirror the pictures must differ.
+            // Negative control: without the mirror the images must differ.
             QVERIFY(test::likeness(film, other).p < 1e-6);
         }
     }
@@ -220,17 +220,17 @@ class PropertiesTest : public QObject {
         for (unsigned seed = 71; seed <= 74; ++seed) {
             Scene scene = test::anyScene(seed);
             scene.gradientFactor = 0;  // the face of a cut reflects, and the volume's own border does not
-            const Film whole = picture(scene);
+            const Film whole = image(scene);
             const VolumeGeometry& geometry = scene.volume->geometry();
             const dvec3 box = dvec3(geometry.size) * geometry.spacingMm();
             scene.clip.box = ClipBox{dvec3(0), box};
             scene.clip.shadows = seed % 2 == 0;
-            QVERIFY(test::sameBits(whole, picture(scene)));
+            QVERIFY(test::sameBits(whole, image(scene)));
             scene.clip.box = ClipBox{dvec3(1e-4), box - 1e-4};  // not known to be all: it has to be clipped
-            QVERIFY(alike(whole, otherPicture(scene), seed));
+            QVERIFY(alike(whole, otherImage(scene), seed));
             // Negative control.
             scene.clip.box = ClipBox{dvec3(0), 0.6 * box};
-            QVERIFY(test::likeness(whole, otherPicture(scene)).p < 1e-6);
+            QVERIFY(test::likeness(whole, otherImage(scene)).p < 1e-6);
         }
     }
 };

@@ -155,7 +155,7 @@ class TrackingTest : public QObject {
     }
 
     /// A voxel in which 16 million free paths of one side's bound lie beside nothing at all: rays that are tracked
-    /// through it end, as no number, and the picture counts them.
+    /// through it end, as no number, and the image counts them.
     void aRayThatWouldNeverEndIsCounted() {
         Scene scene = test::plainScene(
             test::makeVolume({2, 2, 2}, dvec3(1e6), [](int i, int, int) { return i == 0 ? 0 : 1000; }), 16);

@@ -1,17 +1,17 @@
-/// Lines drawn on a picture cut what lies behind them: in perspective a cone, in a parallel view a prism.
+/// Lines drawn on an image cut what lies behind them: in perspective a cone, in a parallel view a prism.
 
 #include "render/prepare/freehand_mask.h"
 
 #include <QTest>
 
 #include "render/scene/edit/view_geometry.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 
 using namespace pdr;
 
 namespace {
 
-/// A circle around the middle of the picture.
+/// A circle around the middle of the image.
 FreehandCut circle(const Camera& camera, double radius, bool keepInside) {
     FreehandCut cut{camera, {}, keepInside};
     for (int i = 0; i < 180; ++i)
@@ -92,7 +92,7 @@ class FreehandMaskTest : public QObject {
     }
 
     /// Where tissue was cut away, the image shows what is behind: nothing; beside the cut it stays as it was.
-    void thePictureShowsTheCut() {
+    void theImageShowsTheCut() {
         Scene scene = test::plainScene(block(), 1);
         scene.camera = aslant(Camera::Type::orthographic);
         scene.environment = {vec3(0.25f), true};

@@ -146,7 +146,7 @@ bool sameBits(const Film& a, const Film& b) {
     return true;
 }
 
-/// The picture of `scene` with more compiled in than it needs.
+/// The image of `scene` with more compiled in than it needs.
 Film renderedWith(const Scene& scene, std::uint32_t features) {
     const auto prepared = test::prepared(scene);
     prepared->flat.features |= features;
@@ -217,7 +217,7 @@ class NeedsTest : public QObject {
             QVERIFY(!other.couldBeLeftOut);
     }
 
-    /// Highlights that cannot show still decide where light is looked for: other samples would be another picture.
+    /// Highlights that cannot show still decide where light is looked for: other samples would be another image.
     void whatTheVolumeHoldsNeverChangesTheOrderOfSamples() {
         for (const Case& one : withoutInfluence())
             if (one.name == "highlights") {
@@ -249,7 +249,7 @@ class NeedsTest : public QObject {
     }
 
     /// An effect that is compiled in but has nothing to do leaves every bit as it is.
-    void effectsWithoutInfluenceLeaveThePictureBitIdentical() {
+    void effectsWithoutInfluenceLeaveTheImageBitIdentical() {
         const Film lean = renderedWith(plain(), 0);
         for (const Feature feature : {kSurface, kPlacedLights, kEnvironment, kEmission, kBounces})
             QVERIFY2(sameBits(lean, renderedWith(plain(), feature)), qPrintable(QString::number(feature)));
@@ -277,14 +277,14 @@ class NeedsTest : public QObject {
         }
     }
 
-    void effectsWithInfluenceChangeThePicture() {
+    void effectsWithInfluenceChangeTheImage() {
         const Film lean = renderedWith(plain(), 0);
         for (const Case& one : onePerEffect())
             QVERIFY2(!sameBits(lean, renderedWith(one.scene, 0)), one.name.c_str());
     }
 
     /// What an effect's leaveOut makes of its scene is the scene without it, bit by bit.
-    void leavingAnEffectOutGivesThePictureWithoutIt() {
+    void leavingAnEffectOutGivesTheImageWithoutIt() {
         const Film lean = renderedWith(plain(), 0);
         for (const Case& one : onePerEffect()) {
             Scene without = one.scene;
@@ -303,7 +303,7 @@ class NeedsTest : public QObject {
         scene.camera.focusMm = 123;  // of a closed lens
         scene.clip.box = ClipBox{dvec3(-1e6), dvec3(1e6)};
         scene.clip.shadows = true;
-        scene.environment.rotationDegrees = 40;  // of no picture
+        scene.environment.rotationDegrees = 40;  // of no image
         scene.model = Model::multipleScattering;
         scene.maxBounces = 1;
         QVERIFY(sameBits(lean, renderedWith(scene, 0)));

@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 
 using namespace pdr;
 

@@ -9,10 +9,10 @@ using namespace pdr;
 
 namespace {
 
-std::vector<PicturePoint> circle(double radius, int corners, double tremble = 0) {
+std::vector<ImagePoint> circle(double radius, int corners, double tremble = 0) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> off(-tremble, tremble);
-    std::vector<PicturePoint> outline;
+    std::vector<ImagePoint> outline;
     for (int i = 0; i < corners; ++i) {
         const double angle = 2 * M_PI * i / corners, r = radius + off(random);
         outline.push_back({0.1 + r * std::cos(angle), -0.2 + r * std::sin(angle)});
@@ -50,10 +50,10 @@ class DrawnOutlineTest : public QObject {
     }
 
     void fewCornersKeepTheLine() {
-        const std::vector<PicturePoint> drawn = circle(0.25, 900, 0.001), few = simplified(drawn, 0.002);
+        const std::vector<ImagePoint> drawn = circle(0.25, 900, 0.001), few = simplified(drawn, 0.002);
         QVERIFY2(few.size() > 10 && few.size() < 100, qPrintable(QString::number(few.size())));
         const OutlineDistance distance(few);
-        for (const PicturePoint& point : drawn)
+        for (const ImagePoint& point : drawn)
             QVERIFY(std::fabs(distance.at({point.x, point.y})) < 0.002 + distance.gridStep());
         QVERIFY(std::fabs(areaInside(few) / (M_PI * 0.25 * 0.25) - 1) < 0.02);
         QCOMPARE(simplified({{0, 0}, {1, 0}, {1, 1}, {0.5, 1}, {0, 1}}, 1e-9).size(), std::size_t(4));

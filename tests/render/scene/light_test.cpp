@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "render/kernel/transport/environment.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 
 using namespace pdr;
 
@@ -104,7 +104,7 @@ class LightTest : public QObject {
                 test::allowedZ(kComparisons) * got.standardError + 3e-3 * 4 * M_PI * 2);
     }
 
-    void pictureBringsTheLightOfItsTexels() {
+    void imageBringsTheLightOfItsTexels() {
         Scene scene = speck();
         std::vector<vec3> texels(8 * 4, vec3(0));
         texels[1 * 8 + 5] = vec3(30);
@@ -119,7 +119,7 @@ class LightTest : public QObject {
     }
 
     /// The image's middle lies towards the back, its right half on the patient's left, row 0 towards the head.
-    void pictureLiesAboutThePatientAsDocumented() {
+    void imageLiesAboutThePatientAsDocumented() {
         std::vector<vec3> texels;
         for (int i = 0; i < 16; ++i)
             texels.push_back(vec3(float(i)));
@@ -137,7 +137,7 @@ class LightTest : public QObject {
         QCOMPARE(at({1, -0.1f, 0.2f}), 6.0f);
     }
 
-    void samplesOfAPictureHaveTheDensityThatIsSaid() {
+    void samplesOfAnImageHaveTheDensityThatIsSaid() {
         std::mt19937 random(3);
         std::uniform_real_distribution<float> u(0, 1);
         std::vector<vec3> texels(24 * 12);
@@ -165,12 +165,12 @@ class LightTest : public QObject {
     }
 
     /// Each way of sampling light alone, and both together, give the same image.
-    void searchAlongScatteringDoesNotChangeThePicture() {
+    void searchAlongScatteringDoesNotChangeTheImage() {
         const Scene scene = shinyScene();
         verifyEqual(searched(scene, true), searched(scene, false));
     }
 
-    void searchForAPictureDoesNotChangeThePicture() {
+    void searchForAnImageDoesNotChangeTheImage() {
         Scene scene = shinyScene();
         std::vector<vec3> texels(16 * 8, vec3(0.2f));
         texels[2 * 16 + 2] = vec3(20);

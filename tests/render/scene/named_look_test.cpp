@@ -167,9 +167,9 @@ class NamedLookTest : public QObject {
 
     void aCutOfTheUsersOwnIsLeftAsItIs() {
         const VolumeGeometry box = VolumeGeometry::aligned({10, 20, 40}, {1, 2, 3}, {100, 200, 300});
-        PictureSetup setup;
+        ImageSetup setup;
         setup.estimator = Estimator::kroesMarch;
-        const PictureSetup heart = withNamedLook(setup, lookNamed("heart"), box);
+        const ImageSetup heart = withNamedLook(setup, lookNamed("heart"), box);
         QCOMPARE(heart.clip.planes.size(), std::size_t(1));
         QVERIFY(heart.clip.planes[0] == planeOf(*lookNamed("heart").cut, box));
         QVERIFY(heart.estimator == Estimator::kroesMarch && heart.lookName == "Heart and great vessels");

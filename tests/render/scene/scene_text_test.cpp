@@ -88,7 +88,7 @@ std::string tableOf(const std::string& name) {
            : is("box")         ? FieldTable::of<ClipBox>()
            : is("plane")       ? FieldTable::of<ClipPlane>()
            : is("freehand")    ? FieldTable::of<FreehandCut>()
-           : is("corner")      ? FieldTable::of<PicturePoint>()
+           : is("corner")      ? FieldTable::of<ImagePoint>()
            : is("camera")      ? FieldTable::of<Camera>()
            : is("schedule")    ? FieldTable::of<Schedule>()
            : is("film")        ? FieldTable::of(FilmField{scene.film})
@@ -175,7 +175,7 @@ class SceneTextTest : public QObject {
         int patients = 0, boxes = 0, lines = 0, kroes = 0;
         test::RandomFields random(1);
         for (int i = 0; i < 1000;) {
-            PictureSetup setup;
+            ImageSetup setup;
             describe(random, setup);
             std::ranges::sort(setup.look.transferFunction.nodes, {}, &TransferNode::hu);
             if (setup.look.window.lowHu > setup.look.window.highHu)
@@ -184,7 +184,7 @@ class SceneTextTest : public QObject {
                 continue;
             ++i;
             const std::string text = setupText(setup);
-            const Result<PictureSetup> read = setupFromJson(text, "a test");
+            const Result<ImageSetup> read = setupFromJson(text, "a test");
             QVERIFY2(read, read ? "" : read.error().text().c_str());
             QVERIFY2(*read == setup, text.c_str());
             patients += setup.look.rig.follows == LightRig::Follows::patient;
@@ -196,7 +196,7 @@ class SceneTextTest : public QObject {
     }
 
     void aWrongSessionNamesItsField() {
-        PictureSetup setup;
+        ImageSetup setup;
         setup.look.transferFunction.nodes = {{0, 0}};
         QVERIFY(check(setup));
         setup.look.rig.panels[0].radiance = -1;

@@ -45,7 +45,7 @@ class ViewGeometryTest : public QObject {
     }
 
     /// A pixel's ray meets the place that is seen at the pixel's middle.
-    void thePictureIsTheRenderers() {
+    void theImageIsTheRenderers() {
         for (const Camera::Type type : {Camera::Type::perspective, Camera::Type::orthographic}) {
             Scene scene = test::plainScene(test::bumpyVolume({40, 30, 30}, {3, 4, 5}, 7), 0.3f);
             scene.camera = aslant(type);

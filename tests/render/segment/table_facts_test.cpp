@@ -239,7 +239,7 @@ class TableFactsTest : public QObject {
                                                         "parts are kept."));
     }
 
-    void picturesSayByWhichRule() {
+    void imagesSayByWhichRule() {
         const HiddenTable table = hidden(*onTable(3).volume);
         const QString expected = QString("%1 ml of %2 ml, rule 2, -250 HU, 3 mm, 10 mm")
                                      .arg(table.hiddenMl, 0, 'f', 0)

@@ -7,7 +7,7 @@
 #include "render/device/host_accumulator.h"
 #include "render/session/batch_render.h"
 #include "tests/support/devices/failing_device.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 
 namespace pdr {
 

@@ -16,7 +16,7 @@ using namespace pdr;
 
 namespace {
 
-Scene picture(ivec2 film) {
+Scene image(ivec2 film) {
     Scene scene = test::tissueScene();
     scene.film = film;
     return scene;
@@ -110,9 +110,9 @@ class BiasLatticeTest : public QObject {
   private slots:
     void theBiasIsFoundWithinAFactorOfOneAndAHalf_data() {
         QTest::addColumn<Scene>("scene");
-        QTest::newRow("march") << marched(picture({140, 100}));
-        QTest::newRow("blur") << blurred(picture({140, 100}));
-        QTest::newRow("both") << blurred(marched(picture({140, 100})));
+        QTest::newRow("march") << marched(image({140, 100}));
+        QTest::newRow("blur") << blurred(image({140, 100}));
+        QTest::newRow("both") << blurred(marched(image({140, 100})));
     }
     void theBiasIsFoundWithinAFactorOfOneAndAHalf() {
         QFETCH(Scene, scene);
@@ -137,7 +137,7 @@ class BiasLatticeTest : public QObject {
 
     /// Compares rays to a visible tolerance with the same rays to a hundredth of it, on all pixels.
     void whatAToleranceDoesIsFoundWithinAFactorOfOneAndAHalf() {
-        Scene scene = picture({140, 100});
+        Scene scene = image({140, 100});
         scene.model = Model::emissionAbsorption;
         scene.toleranceLevels = 4;
         const auto device = makeCpuDevice();
@@ -157,7 +157,7 @@ class BiasLatticeTest : public QObject {
 
     /// Rounding is the only bias left: the lost first sample is none.
     void whatARunningMeanDoesIsFoundWithinAFactorOfOneAndAHalf() {
-        Scene scene = picture({70, 50});
+        Scene scene = image({70, 50});
         scene.schedule = {Schedule::Kind::kroes, false, false, true};
         const auto device = makeCpuDevice();
         BiasLattice lattice(withoutRounding(scene));
@@ -175,7 +175,7 @@ class BiasLatticeTest : public QObject {
     /// Both filters use the same random numbers, so nearly all that differs is the filter.
     void whatTextureUnitsDoLiesBelowTheBound() {
         const auto device = makeEmulatedGpu();
-        Scene fast = picture({40, 30});
+        Scene fast = image({40, 30});
         fast.filtering = Filtering::fast;
         const double truth = Films(fast, exactly(fast), 64, *device).differ();
         const auto found = measureBias(fast, 1, *device, 0, {});
@@ -188,7 +188,7 @@ class BiasLatticeTest : public QObject {
         const auto device = makeCpuDevice();
         std::stop_source source;
         source.request_stop();
-        BiasLattice lattice(withoutShortcuts(marched(picture({64, 64}))));
+        BiasLattice lattice(withoutShortcuts(marched(image({64, 64}))));
         QVERIFY(bool(lattice.addRound(*device, source.get_token())));
         QCOMPARE(lattice.samples(), std::uint64_t(0));
         QVERIFY(bool(lattice.addRound(*device, {})));
@@ -196,8 +196,8 @@ class BiasLatticeTest : public QObject {
     }
 
     /// The session measures between two frames and does not change the image.
-    void aSessionMeasuresItBesideThePicture() {
-        Scene scene = marched(picture({64, 48}));
+    void aSessionMeasuresItBesideTheImage() {
+        Scene scene = marched(image({64, 48}));
         scene.revision = 5;
         const auto device = makeCpuDevice();
         test::Screen screen;

@@ -32,9 +32,9 @@ struct Rendered {
     std::vector<float> make(const Display& display, bool atOnce, const std::stop_token& stop) {
         return exposures(pipeline.make(place, display, display, atOnce, stop));
     }
-    static std::vector<float> exposures(const Result<DisplayPipeline::Pictures>& pictures) {
+    static std::vector<float> exposures(const Result<DisplayPipeline::Images>& images) {
         std::vector<float> all;
-        for (const DisplayedPicture& each : *pictures)
+        for (const DisplayedImage& each : *images)
             all.push_back(each.display.exposure);
         return all;
     }
@@ -73,7 +73,7 @@ class DisplayPipelineTest : public QObject {
     void anInterruptedDenoisedImageIsNotShownButThoseBeforeItAre() {
         Rendered shown;
         QCOMPARE(shown.make(1, false), Exposures{});
-        QCOMPARE(shown.make({.exposure = 2, .smoothed = true}, false, stopped()), Exposures{1});
+        QCOMPARE(shown.make({.exposure = 2, .denoised = true}, false, stopped()), Exposures{1});
         QVERIFY(!shown.pipeline.hasWaiting());
         QCOMPARE(shown.make({.exposure = 3}, true, stopped()), Exposures{3});  // nothing takes long in this one
     }
@@ -118,10 +118,10 @@ class DisplayPipelineTest : public QObject {
         QVERIFY(pipeline.hasCoarser());
         QCOMPARE(pipeline.coarserSamples(), std::optional<std::uint64_t>(4));
         const Display asked{.exposure = 2};
-        const auto picture = pipeline.coarserPicture(asked, asked, {});
-        QVERIFY(picture && picture->display == asked);
-        QVERIFY(picture->size == ivec2(16));
-        QVERIFY(!pipeline.coarserPicture(asked, asked, stopped()));
+        const auto image = pipeline.coarserImage(asked, asked, {});
+        QVERIFY(image && image->display == asked);
+        QVERIFY(image->size == ivec2(16));
+        QVERIFY(!pipeline.coarserImage(asked, asked, stopped()));
         pipeline.reset(true);
         QVERIFY(pipeline.hasCoarser());
         pipeline.markShown();

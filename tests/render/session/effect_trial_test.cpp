@@ -19,7 +19,7 @@ struct Machine {
     int measurements = 0;
     std::mt19937 random{7};
 
-    Iterate picture(double seconds) {
+    Iterate image(double seconds) {
         return [this, seconds](std::uint32_t n, const std::stop_token&) -> Result<double> {
             const double off = noise * std::uniform_real_distribution<double>(-1, 1)(random);
             const double took = n * seconds * (1 + drift * measurements++ + off);
@@ -68,7 +68,7 @@ class EffectTrialTest : public QObject {
 
     void whatCostsMoreThanTheNoiseIsTold() {
         Machine machine{.noise = 0.05};
-        const auto cost = addedCost(machine.picture(0.012), machine.picture(0.010), 1);
+        const auto cost = addedCost(machine.image(0.012), machine.image(0.010), 1);
         QVERIFY(verdictOf(cost) == CostVerdict::costs);
         QVERIFY(cost.low < 2 && cost.high > 2 && cost.low > 1 && cost.high < 3);
     }
@@ -78,26 +78,26 @@ class EffectTrialTest : public QObject {
         int told = 0;
         for (unsigned seed = 0; seed < 400; ++seed) {
             Machine machine{.drift = 0.01, .noise = 0.1, .random = std::mt19937(seed)};
-            const auto cost = addedCost(machine.picture(0.01), machine.picture(0.01), 1);
+            const auto cost = addedCost(machine.image(0.01), machine.image(0.01), 1);
             told += verdictOf(cost) != CostVerdict::withinNoise;
         }
         QVERIFY2(told < 400 * 0.06, qPrintable(QString::number(told)));  // 3 of 100 are to be expected
         Machine drifting{.drift = 0.05};
-        QVERIFY(verdictOf(addedCost(drifting.picture(0.01), drifting.picture(0.01), 1)) == CostVerdict::withinNoise);
+        QVERIFY(verdictOf(addedCost(drifting.image(0.01), drifting.image(0.01), 1)) == CostVerdict::withinNoise);
     }
 
     void theBudgetIsKept() {
         for (const double seconds : {1e-7, 1e-4, 1e-3, 0.03}) {
             Machine machine;
-            addedCost(machine.picture(2 * seconds), machine.picture(seconds), 1);
+            addedCost(machine.image(2 * seconds), machine.image(seconds), 1);
             QVERIFY2(machine.spent <= 1.001, qPrintable(QString::number(machine.spent)));
             QCOMPARE(machine.measurements, 2 + 2 * kBandMeasurements);
         }
         Machine slow;  // one iteration each, however slow
-        addedCost(slow.picture(1), slow.picture(1), 1);
+        addedCost(slow.image(1), slow.image(1), 1);
         QVERIFY(slow.spent < 2 + 2 * kBandMeasurements + 0.001);
         Machine many;
-        CostsInTurn costs({many.picture(0.001), many.picture(0.02), many.picture(0.005)}, 2);
+        CostsInTurn costs({many.image(0.001), many.image(0.02), many.image(0.005)}, 2);
         QVERIFY(finish(costs) && many.spent <= 2.001);
         QVERIFY(std::fabs(costs.bands()[1].middle - 20) < 1e-9 && std::fabs(costs.bands()[2].low - 5) < 1e-9);
         QVERIFY(std::fabs(costs.share().middle + 19) < 1e-9);  // an effect that saves time may be left out, too
@@ -108,14 +108,14 @@ class EffectTrialTest : public QObject {
             return Error{"gone", "device", ""};
         };
         Machine machine;
-        CostsInTurn costs({machine.picture(0.1), broken}, 1);
+        CostsInTurn costs({machine.image(0.1), broken}, 1);
         QVERIFY(bool(costs.step()));
         QCOMPARE(costs.step().error().what, std::string("gone"));
     }
 
     void withoutItsShareAnIterationTakesTheRest() {
         Machine machine;
-        CostsInTurn costs({machine.picture(0.02), machine.picture(0.005)}, 1);
+        CostsInTurn costs({machine.image(0.02), machine.image(0.005)}, 1);
         QVERIFY(finish(costs));
         QVERIFY(std::fabs(costs.share().middle - 0.75) < 1e-9 && std::fabs(costs.added().middle - 15) < 1e-9);
     }

@@ -48,7 +48,7 @@ class ErrorMapTest : public QObject {
         QVERIFY(held.frame && !held.frame->errorMap);
     }
 
-    void aPictureThatIsHeldGetsItAtOnceAndLosesItAgain() {
+    void anImageThatIsHeldGetsItAtOnceAndLosesItAgain() {
         Held held;
         held.session.setErrorMap(true);
         const auto mapped = held.mapped();

@@ -8,7 +8,7 @@
 #include "tests/support/devices/failing_device.h"
 #include "tests/support/devices/screen.h"
 #include "tests/support/patience.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 
 using namespace pdr;
 using namespace std::chrono_literals;

@@ -10,7 +10,7 @@
 #include "tests/support/devices/failing_device.h"
 #include "tests/support/devices/reel.h"
 #include "tests/support/patience.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 
 using namespace pdr;
 using namespace std::chrono_literals;

@@ -13,12 +13,12 @@ using namespace pdr;
 namespace {
 
 /// An image whose errors were counted at so many samples per pixel.
-Picture counted(std::uint64_t samples, double error) {
-    Picture picture;
-    picture.status.samplesPerPixel = samples;
-    picture.status.meanSamplesPerPixel = double(samples);
-    picture.status.displayError = error;
-    return picture;
+Image counted(std::uint64_t samples, double error) {
+    Image image;
+    image.status.samplesPerPixel = samples;
+    image.status.meanSamplesPerPixel = double(samples);
+    image.status.displayError = error;
+    return image;
 }
 
 /// A tracker with a clock that advances only when a film is read.
@@ -29,7 +29,7 @@ struct Tracked {
 
     explicit Tracked(bool isCoarse = false) { tracker.startOver(isCoarse); }
 
-    void record(Picture picture, float exposure = 1) { tracker.record(picture, exposure, 0); }
+    void record(Image image, float exposure = 1) { tracker.record(image, exposure, 0); }
     /// Returns a film of `samples` on a device whose film takes readSeconds to read.
     Accumulator& film(std::uint32_t samples) {
         auto mishaps = std::make_shared<test::Mishaps>();
@@ -72,7 +72,7 @@ class QualityTrackerTest : public QObject {
     void anImageBetweenTwoCountsHasItsOwnSamplesAndTheLastError() {
         Tracked tracked;
         tracked.record(counted(100, 5));
-        Picture between = counted(104, 0);
+        Image between = counted(104, 0);
         between.surveyed = false;
         tracked.tracker.record(between, 1, 0);
         QCOMPARE(between.status.samplesPerPixel, std::uint64_t(104));

@@ -130,7 +130,7 @@ class RegionTest : public QObject {
         QVERIFY(other && sameBits(film, (*other)->content()));
     }
 
-    void aPictureThatIsHeldGoesOnInItWhereItIsWorse() {
+    void anImageThatIsHeldGoesOnInItWhereItIsWorse() {
         Watched watched(16);
         watched.session.submit(smallScene(), false);
         const auto whole = watched.reached();

@@ -29,7 +29,7 @@ class ResolutionLadderTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void aFirstPictureComesInTimeAndNoCoarserThanThat() {
+    void aFirstImageComesInTimeAndNoCoarserThanThat() {
         for (const double speed : {1e6, 3e6, 1e7, 5e7, 1e9})
             for (const double beginning : {0.0, 0.01, 0.02}) {
                 const ResolutionLadder ladder = measured(speed, beginning);
@@ -77,7 +77,7 @@ class ResolutionLadderTest : public QObject {
     }
 
     /// Otherwise the full film would have fewer pixels than the image before it.
-    void noPictureIsLargerThanTheFullFilm() {
+    void noImageIsLargerThanTheFullFilm() {
         for (int size = 100; size < 1100; ++size)
             for (int divider = ResolutionLadder::kCoarsest; divider > 1; divider = ResolutionLadder::next(divider))
                 QVERIFY(ResolutionLadder::finer(divider) * dividedFilm(ivec2(size), divider).x <= size);

@@ -47,8 +47,8 @@ struct Faulty {
             return ok;
         if (auto ok = film.resolve({.exposure = 3}); !ok)
             return ok;
-        if (auto picture = film.readback(); !picture)
-            return picture.error();
+        if (auto image = film.readback(); !image)
+            return image.error();
         const auto known = film.film();
         if (!known)
             return known.error();

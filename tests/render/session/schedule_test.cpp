@@ -7,7 +7,7 @@
 #include "render/device/baseline/kroes_accumulator.h"
 #include "render/device/emulated/host_gpu.h"
 #include "render/film/display/tone_map.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 #include "tests/support/scenes/random_scenes.h"
 
 using namespace pdr;
@@ -35,11 +35,11 @@ void accumulated(Accumulator& film, std::uint32_t n) {
     QVERIFY2(bool(done), done ? "" : done.error().text().c_str());
 }
 
-Picture shown(Accumulator& film, const Display& display = {}) {
+Image shown(Accumulator& film, const Display& display = {}) {
     if (!film.resolve(display))
         return {};
-    Result<Picture> picture = film.readback();
-    return picture ? *picture : Picture{};
+    Result<Image> image = film.readback();
+    return image ? *image : Image{};
 }
 
 vec3& radianceOf(DirectionalLight& light) {
@@ -101,7 +101,7 @@ class ScheduleTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void whereOnlyTheOrderDiffersThePictureIsOursBitByBit_data() {
+    void whereOnlyTheOrderDiffersTheImageIsOursBitByBit_data() {
         QTest::addColumn<Estimator>("estimator");
         QTest::addColumn<Model>("model");
         QTest::newRow("unbiased") << Estimator::unbiased << Model::singleScattering;
@@ -109,7 +109,7 @@ class ScheduleTest : public QObject {
         QTest::newRow("all orders") << Estimator::unbiased << Model::multipleScattering;
         QTest::newRow("no scattering") << Estimator::unbiased << Model::emissionAbsorption;
     }
-    void whereOnlyTheOrderDiffersThePictureIsOursBitByBit() {
+    void whereOnlyTheOrderDiffersTheImageIsOursBitByBit() {
         QFETCH(Estimator, estimator);
         QFETCH(Model, model);
         Scene scene = someScene(estimator);
@@ -122,7 +122,7 @@ class ScheduleTest : public QObject {
             QCOMPARE(b->samplesPerPixel(), a->samplesPerPixel());
             QCOMPARE(b->revision(), std::uint64_t(9));
             QVERIFY(test::sameBits(*a, *b));
-            const Picture left = shown(*ours.film, {0.5f}), right = shown(*theirs.film, {0.5f});
+            const Image left = shown(*ours.film, {0.5f}), right = shown(*theirs.film, {0.5f});
             QVERIFY(left.rgba.size() == 4 * 37 * 26 && left.rgba == right.rgba);
             QCOMPARE(right.status.meanLuminance, left.status.meanLuminance);
             QVERIFY(right.status.relativeError == left.status.relativeError);
@@ -270,7 +270,7 @@ class ScheduleTest : public QObject {
     void displayChangesWithoutAnIteration() {
         Made made(someScene(Estimator::unbiased), kRunningMean);
         accumulated(*made.film, 3);
-        const Picture bright = shown(*made.film, {0.1f}), dark = shown(*made.film, {10});
+        const Image bright = shown(*made.film, {0.1f}), dark = shown(*made.film, {10});
         QVERIFY(bright.rgba != dark.rgba);
         QVERIFY(dark.rgba == toneMap(**made.film->film(), {10}));
         QVERIFY(bright.rgba == toneMap(**made.film->film(), {0.1f}));

@@ -59,7 +59,7 @@ class SessionTest : public QObject {
 
     /// Work that takes longer than an image may, and is no part of it, is interrupted for another display; samples are
     /// not.
-    void anotherDisplayEndsWhatIsNoPartOfThePicture() {
+    void anotherDisplayEndsWhatIsNoPartOfTheImage() {
         RenderCommands commands;
         commands.submit(someScene(1), false);
         const auto step = commands.next({}, {});
@@ -164,14 +164,14 @@ class SessionTest : public QObject {
         test::Reel reel;
         Session session(makeCpuDevice(2), reel.sink());
         session.setIterationsPerFrame(1);
-        session.setDisplay({.smoothed = true});
+        session.setDisplay({.denoised = true});
         Scene scene = test::largeScene(1);
         scene.film = {96, 80};
         session.setStop({.levels = 1e-3});
         session.submit(scene, false);
         const auto says = [&](double levels) {
             return std::ranges::any_of(reel.frames(), [levels](const auto& frame) {
-                return frame->smoothedError && (levels == 0 || frame->smoothedError->levelsAtMost == levels);
+                return frame->denoisedError && (levels == 0 || frame->denoisedError->levelsAtMost == levels);
             });
         };
         QTRY_VERIFY_WITH_TIMEOUT(says(0), test::kPatience);
@@ -185,7 +185,7 @@ class SessionTest : public QObject {
     }
 
     /// Toggling denoising changes neither the film nor its status; the judgement comes with the samples.
-    void aSmoothedPictureIsToldWithItsErrorAndTheFilmGoesOn() {
+    void aDenoisedImageIsToldWithItsErrorAndTheFilmGoesOn() {
         test::Screen screen;
         Session session(makeCpuDevice(), screen.sink());
         session.setDisplay({1, true});
@@ -193,13 +193,13 @@ class SessionTest : public QObject {
         Scene scene = someScene(1);
         scene.film = {192, 128};
         session.submit(scene, false);
-        const auto judged = screen.await([](const Frame& f) { return f.smoothed && f.smoothedError; });
+        const auto judged = screen.await([](const Frame& f) { return f.denoised && f.denoisedError; });
         QVERIFY(judged && judged->status.samplesPerPixel >= kSamplesToJudge);
-        QVERIFY(judged->smoothedError->levels <= judged->smoothedError->levelsAtMost);
-        QVERIFY(judged->smoothedError->relativeAtMost < judged->status.relativeError);
+        QVERIFY(judged->denoisedError->levels <= judged->denoisedError->levelsAtMost);
+        QVERIFY(judged->denoisedError->relativeAtMost < judged->status.relativeError);
         session.setDisplay({1, false});
-        const auto raw = screen.await([](const Frame& f) { return !f.smoothed; });
-        QVERIFY(!raw->smoothedError && raw->status.samplesPerPixel >= judged->status.samplesPerPixel);
+        const auto raw = screen.await([](const Frame& f) { return !f.denoised; });
+        QVERIFY(!raw->denoisedError && raw->status.samplesPerPixel >= judged->status.samplesPerPixel);
         std::promise<FilmContent> held;
         session.requestSnapshot(1, [&](const Result<FilmView>& view) { held.set_value(view->film.content()); });
         const FilmContent content = held.get_future().get();

@@ -71,20 +71,20 @@ class TargetTest : public QObject {
     void theImageOnTheScreenIsHeldByItsOwnError() {
         Held held;
         held.session.setIterationsPerFrame(8);
-        held.session.setDisplay({.smoothed = true});
+        held.session.setDisplay({.denoised = true});
         Scene scene = smallScene(1);
         scene.film = {96, 80};
         held.session.setStop({.levels = 64});
         held.session.submit(scene, false);
-        const auto first = held.screen.await([](const Frame& f) { return f.reached && f.smoothedError; });
-        QVERIFY(first && first->smoothed && first->smoothedError->levelsAtMost < 0.8 * first->status.displayError);
-        const double between = std::sqrt(first->smoothedError->levelsAtMost * first->status.displayError);
+        const auto first = held.screen.await([](const Frame& f) { return f.reached && f.denoisedError; });
+        QVERIFY(first && first->denoised && first->denoisedError->levelsAtMost < 0.8 * first->status.displayError);
+        const double between = std::sqrt(first->denoisedError->levelsAtMost * first->status.displayError);
         held.session.setStop({.levels = between});
         const auto denoised = held.screen.await([&](const Frame& f) { return f.stop.levels == between; });
         QVERIFY(denoised && denoised->reached);
         QCOMPARE(denoised->status.samplesPerPixel, first->status.samplesPerPixel);
         held.session.setDisplay({});
-        const auto raw = held.screen.await([](const Frame& f) { return !f.smoothed && f.reached; });
+        const auto raw = held.screen.await([](const Frame& f) { return !f.denoised && f.reached; });
         QVERIFY(raw && raw->status.displayError <= between);
         QVERIFY(raw->status.samplesPerPixel > first->status.samplesPerPixel);
     }
@@ -166,10 +166,10 @@ class TargetTest : public QObject {
 
     /// During rendering the denoised image is judged at each doubling at most; in the end the statement refers to all
     /// samples.
-    void aHeldPictureIsJudgedAsItIs() {
+    void aHeldImageIsJudgedAsItIs() {
         Held held;
         held.session.setIterationsPerFrame(1);
-        held.session.setDisplay({.smoothed = true});
+        held.session.setDisplay({.denoised = true});
         Scene scene = smallScene(1);
         scene.film = {96, 64};
         held.session.setStop({.levels = 1e-3, .samples = 8});
@@ -179,7 +179,7 @@ class TargetTest : public QObject {
             QVERIFY(held.screen.await([&](const Frame& f) { return f.reached && f.stop.samples == samples; }));
             const auto truth = SmoothingJudgement::of(test::render(scene, samples), {})->overAll(1);
             QVERIFY(truth && truth->levelsAtMost > 0 && held.screen.await([&](const Frame& f) {
-                return f.reached && f.smoothedError && f.smoothedError->levelsAtMost == truth->levelsAtMost;
+                return f.reached && f.denoisedError && f.denoisedError->levelsAtMost == truth->levelsAtMost;
             }));
         }
     }

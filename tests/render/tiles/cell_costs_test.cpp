@@ -51,7 +51,7 @@ double ratio(const CellCosts& costs, const Tile& tile) {
 
 }  // namespace
 
-/// What parts of a picture cost, found by rendering them.
+/// What parts of an image cost, found by rendering them.
 class CellCostsTest : public QObject {
     Q_OBJECT
 
@@ -105,7 +105,7 @@ class CellCostsTest : public QObject {
     }
 
     /// The image of the previous test, with more pixels.
-    void anotherSizeIsTheSamePicture() {
+    void anotherSizeIsTheSameImage() {
         CellCosts coarse(kArea);
         for (unsigned order = 0; order < 8; ++order)
             coarse.learn(done(tilesOf(kArea, order), 0, order));

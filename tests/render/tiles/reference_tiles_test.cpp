@@ -5,7 +5,7 @@
 
 using namespace pdr;
 
-/// The pictures by which two machines are found to make the same bits.
+/// The images by which two machines are found to make the same bits.
 class ReferenceTilesTest : public QObject {
     Q_OBJECT
 

@@ -61,19 +61,19 @@ const std::vector<std::uint32_t> kOrders{1, 5, 40, 64, 30, 130};
 
 }  // namespace
 
-/// Pictures that several workers make together.
+/// Images that several workers make together.
 class SharedDeviceTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void pictureIsTheSameWhoeverMakesIt_data() {
+    void imageIsTheSameWhoeverMakesIt_data() {
         QTest::addColumn<int>("workers");
         QTest::addColumn<bool>("bySamples");
         for (const int workers : {0, 1, 2, 3, 7})
             for (const bool bySamples : {false, true})
                 QTest::addRow("%d workers, %s", workers, bySamples ? "blocks" : "tiles") << workers << bySamples;
     }
-    void pictureIsTheSameWhoeverMakesIt() {
+    void imageIsTheSameWhoeverMakesIt() {
         QFETCH(const int, workers);
         QFETCH(const bool, bySamples);
         const auto pool = newPool();
@@ -95,7 +95,7 @@ class SharedDeviceTest : public QObject {
         QCOMPARE(worker.status().state, WorkerState::ready);
     }
 
-    void pictureSurvivesThoseWhoLeave() {
+    void imageSurvivesThoseWhoLeave() {
         const auto pool = newPool();
         std::atomic<bool> done = false;
         std::jthread crowd([&] {
@@ -113,7 +113,7 @@ class SharedDeviceTest : public QObject {
         QVERIFY(sameBits(together, alone(sceneToShare(), kOrders)));
     }
 
-    void pictureSurvivesThoseWhoSayNothing() {
+    void imageSurvivesThoseWhoSayNothing() {
         const auto pool = newPool();
         NearbyWorker silent(pool, "silent", NearbyWorker::Nature::silent);
         NearbyWorker honest(pool, "honest");
@@ -141,7 +141,7 @@ class SharedDeviceTest : public QObject {
     }
 
     /// Who lies only when it is trusted: what it had added is taken again.
-    void pictureIsMadeAgainWithoutALiarsTiles() {
+    void imageIsMadeAgainWithoutALiarsTiles() {
         const auto pool = newPool();
         pool->setOwnHelps(false);
         NearbyWorker liar(pool, "liar", NearbyWorker::Nature::liesSeldom);
@@ -158,7 +158,7 @@ class SharedDeviceTest : public QObject {
     }
 
     /// Whoever renders to an end is told, and obeys a stop before all is taken again.
-    void pictureThatALiarHelpedWithBeginsAnew() {
+    void imageThatALiarHelpedWithBeginsAnew() {
         const auto pool = newPool();
         pool->setOwnHelps(false);
         NearbyWorker liar(pool, "liar", NearbyWorker::Nature::liesSeldom);
@@ -268,7 +268,7 @@ class SharedDeviceTest : public QObject {
         QVERIFY(sameBits((*film->film())->content(), alone(sceneToShare(), kOrders)));
     }
 
-    void partOfAPictureIsShared() {
+    void partOfAnImageIsShared() {
         const auto pool = newPool();
         NearbyWorker worker(pool, "one");
         const auto device = shareDevice(makeCpuDevice(1), pool), own = makeCpuDevice(1);

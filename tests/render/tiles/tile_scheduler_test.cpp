@@ -14,9 +14,9 @@ constexpr Tile kArea{0, 0, 250, 130};
 constexpr Ability kCells{4 * kFilmCell * kFilmCell, 1e5};
 
 /// What has been finished, checked as a film would check it.
-class Ledger {
+class EffectCosts {
   public:
-    explicit Ledger(const Tile& area) : progress_(area) {}
+    explicit EffectCosts(const Tile& area) : progress_(area) {}
     /// Whether all pixels of the portion were just where it begins.
     bool finish(const Portion& portion) {
         const auto here = progress_.evenTiles(portion.tile);
@@ -49,16 +49,16 @@ class TileSchedulerTest : public QObject {
         QFETCH(const int, goal);
         QFETCH(const double, work);
         TileScheduler scheduler({{kArea, 0, std::uint64_t(goal)}}, Split::tiles, 1);
-        Ledger ledger(kArea);
+        EffectCosts effectCosts(kArea);
         double now = 0;
         while (const auto portion = scheduler.take(1, {work, 1e6}, now++)) {
             QVERIFY(portion->samples == samplesInBlock(portion->samples.first, portion->samples.count));
-            QVERIFY(ledger.finish(*portion));
+            QVERIFY(effectCosts.finish(*portion));
             scheduler.finish(portion->number);
         }
         QVERIFY(scheduler.isDone());
-        QCOMPARE(ledger.counts().least, std::uint64_t(goal));
-        QCOMPARE(ledger.counts().most, std::uint64_t(goal));
+        QCOMPARE(effectCosts.counts().least, std::uint64_t(goal));
+        QCOMPARE(effectCosts.counts().most, std::uint64_t(goal));
     }
 
     void portionsAreAsLargeAsIsAsked() {
@@ -160,7 +160,7 @@ class TileSchedulerTest : public QObject {
         QVERIFY(scheduler.isDone());
     }
 
-    void blocksOfTheWholePictureAreFreeAtOnce() {
+    void blocksOfTheWholeImageAreFreeAtOnce() {
         TileScheduler scheduler({{kArea, 10, 200}}, Split::samples, 1);
         std::vector<SampleRange> taken;
         for (WorkerId worker = 1; worker <= 4; ++worker) {
@@ -185,8 +185,8 @@ class TileSchedulerTest : public QObject {
             std::mt19937 random(seed);
             const auto chance = [&](int in) { return int(random() % unsigned(in)) == 0; };
             TileScheduler scheduler({{{0, 0, 250, 64}, 3, 150}, {{0, 64, 250, 66}, 0, 70}}, Split::tiles, 1);
-            Ledger ledger(kArea);
-            ledger.finish({0, {0, 0, 250, 64}, {0, 3}});
+            EffectCosts effectCosts(kArea);
+            effectCosts.finish({0, {0, 0, 250, 64}, {0, 3}});
             std::map<std::uint64_t, std::pair<WorkerId, Portion>> held;
             double now = 0;
             for (int step = 0; !scheduler.isDone(); ++step) {
@@ -206,13 +206,13 @@ class TileSchedulerTest : public QObject {
                 const auto one = std::next(held.begin(), std::ptrdiff_t(random() % held.size()));
                 const auto [who, portion] = one->second;
                 if (scheduler.heldBy(who, portion.number)) {
-                    QVERIFY(ledger.finish(portion));
+                    QVERIFY(effectCosts.finish(portion));
                     scheduler.finish(portion.number);
                 }
                 held.erase(one);
             }
-            QCOMPARE(ledger.counts().least, 70u);
-            QCOMPARE(ledger.counts().most, 150u);
+            QCOMPARE(effectCosts.counts().least, 70u);
+            QCOMPARE(effectCosts.counts().most, 150u);
         }
     }
 };

@@ -164,7 +164,7 @@ class FrameBudgetTest : public QObject {
 
     /// A scene's first image and those during a drag come when they are ready, not when the next ones have been
     /// requested; at rest the copies overlap the iterations.
-    void firstAndMovingPicturesDoNotQueue() {
+    void firstAndMovingImagesDoNotQueue() {
         Trial trial(0.2, 0, 4);
         const auto session = trial.session();
         const double start = trial.clock->seconds();
@@ -182,7 +182,7 @@ class FrameBudgetTest : public QObject {
         }
     }
 
-    void picturesComeInOrderAndNoneIsLost() {
+    void imagesComeInOrderAndNoneIsLost() {
         Trial trial(0.001, 0.002, 3);
         const auto session = trial.session();
         session->setIterationsPerFrame(3);

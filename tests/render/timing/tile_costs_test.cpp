@@ -39,10 +39,10 @@ std::vector<double> halfAir() {
 }
 
 /// Returns the longest over the mean time of a node if `nodes` take tiles from one queue, as a mean over many images.
-double played(const TileCosts& costs, int nodes, int tilesPerNode, int pictures) {
+double played(const TileCosts& costs, int nodes, int tilesPerNode, int images) {
     std::mt19937 random(7);
     double sum = 0;
-    for (int picture = 0; picture < pictures; ++picture) {
+    for (int image = 0; image < images; ++image) {
         std::priority_queue<double, std::vector<double>, std::greater<>> ends;
         for (int node = 0; node < nodes; ++node)
             ends.push(0);
@@ -58,7 +58,7 @@ double played(const TileCosts& costs, int nodes, int tilesPerNode, int pictures)
         }
         sum += last / (all / nodes);
     }
-    return sum / pictures;
+    return sum / images;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "app/desktop/desktop.h"
 #include "app/looks/looks.h"
+#include "app/presenters/saving_presenter.h"
 #include "tests/support/patience.h"
 
 namespace pdr::app {
@@ -40,7 +41,7 @@ struct Trial {
     /// Returns all texts of the status bar with their tool tips; empty if it shows nothing about an image.
     QString said() {
         QStringList words;
-        for (const QLabel* label : desktop.window().foot().findChildren<QLabel*>())
+        for (const QLabel* label : desktop.window().accuracyStatus().findChildren<QLabel*>())
             if (!label->isHidden() && !label->text().isEmpty())
                 words << label->text() << label->toolTip();
         return words.join('\n');
@@ -50,8 +51,8 @@ struct Trial {
     /// two launches, so that no samples are in flight.
     std::uint64_t heldSamples() {
         const QString file = folder.filePath("held.png");
-        QSignalSpy saved(&desktop.bridge(), &RenderBridge::saved);
-        desktop.bridge().save(file);
+        QSignalSpy saved(&desktop.presenter<SavingPresenter>().saver(), &ImageSaver::saved);
+        desktop.presenter<SavingPresenter>().saver().save(file);
         const auto held = [&] {
             return saved.isEmpty() ? 0 : QImage(file).text("pdrender/samplesPerPixel").toULongLong();
         };

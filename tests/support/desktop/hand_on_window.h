@@ -5,7 +5,7 @@
 
 #include "app/document/document.h"
 #include "tests/support/desktop/mouse.h"
-#include "tests/support/scenes/pictures.h"
+#include "tests/support/scenes/images.h"
 
 namespace pdr::app {
 

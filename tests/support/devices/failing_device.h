@@ -82,20 +82,20 @@ class FailingAccumulator final : public Accumulator {
         spend(mishaps_->displaySeconds, {});
         if (Result<void> shown = film_->resolve(display, stop); !shown)
             return shown;
-        Result<Picture> picture = film_->readback();  // whatever the inner film's own maxInFlight() is
-        if (!picture)
-            return picture.error();
-        pictures_.push_back({busyUntil_, *std::move(picture)});
+        Result<Image> image = film_->readback();  // whatever the inner film's own maxInFlight() is
+        if (!image)
+            return image.error();
+        images_.push_back({busyUntil_, *std::move(image)});
         return {};
     }
 
-    Result<Picture> readback() override {
+    Result<Image> readback() override {
         mishaps_->before("readback");
         if (Result<void> well = mishaps_->call(mishaps_->readbacks); !well)
             return well.error();
-        mishaps_->wait(pictures_.front().first, {});
-        Picture oldest = std::move(pictures_.front().second);
-        pictures_.pop_front();
+        mishaps_->wait(images_.front().first, {});
+        Image oldest = std::move(images_.front().second);
+        images_.pop_front();
         return oldest;
     }
 
@@ -116,7 +116,7 @@ class FailingAccumulator final : public Accumulator {
 
     Result<void> restart(const Tile& area, std::uint64_t revision) override {
         mishaps_->before("film");
-        pictures_.clear();
+        images_.clear();
         busyUntil_ = 0;  // work for the last scene is dropped
         return film_->restart(area, revision);
     }
@@ -130,8 +130,8 @@ class FailingAccumulator final : public Accumulator {
 
     std::unique_ptr<Accumulator> film_;
     std::shared_ptr<Mishaps> mishaps_;
-    double busyUntil_ = 0;                             ///< time at which all requested work is done
-    std::deque<std::pair<double, Picture>> pictures_;  ///< images, each with the time at which it arrives
+    double busyUntil_ = 0;                         ///< time at which all requested work is done
+    std::deque<std::pair<double, Image>> images_;  ///< images, each with the time at which it arrives
 };
 
 class FailingDevice final : public Device {

@@ -1,7 +1,7 @@
 #pragma once
 /// A coordinator's end of one connection, in the thread of the test, which decides when the link sends.
 
-#include "app/coordinator/node_link.h"
+#include "app/coordinator/node_connection.h"
 #include "app/coordinator/reference_bits.h"
 #include "app/remote/dial.h"
 #include "app/remote/listener.h"
@@ -26,9 +26,9 @@ struct OneLink {
     }
     void meet(remote::Channel* other) {
         channel = other;
-        link = std::make_unique<nodes::NodeLink>(channel, coordinator);
-        QObject::connect(link.get(), &nodes::NodeLink::joined, &listener, [this] { hasJoined = true; });
-        QObject::connect(link.get(), &nodes::NodeLink::over, &listener,
+        link = std::make_unique<nodes::NodeConnection>(channel, coordinator);
+        QObject::connect(link.get(), &nodes::NodeConnection::joined, &listener, [this] { hasJoined = true; });
+        QObject::connect(link.get(), &nodes::NodeConnection::over, &listener,
                          [this](const Text& why) { reason = QString::fromStdString(why); });
     }
 
@@ -38,7 +38,7 @@ struct OneLink {
     remote::Listener listener{kCoordinator};
     std::unique_ptr<remote::Dial> dial;
     remote::Channel* channel = nullptr;  ///< channel of the link
-    std::unique_ptr<nodes::NodeLink> link;
+    std::unique_ptr<nodes::NodeConnection> link;
     bool hasJoined = false;
     std::optional<QString> reason;  ///< why the connection is over; none: it is not over
 };

@@ -51,17 +51,16 @@ inline Film knownFilm(const std::vector<Known>& pixels, std::uint32_t n) {
 
 /// Returns the status that a screen gets, from the CPU and from a GPU's programs; an empty status if they disagree.
 inline FilmStatus shownStatus(const Film& film, float exposure) {
-    const FilmStatus cpu = pictureOf(film, {exposure}).status;
+    const FilmStatus cpu = imageOf(film, {exposure}).status;
     const auto device = makeEmulatedGpu();
     const auto live = *device->film(film.size(), 1, {});
     if (!live->resume(film) || !live->resolve({exposure}))
         return {};
-    const Result<Picture> picture = live->readback();
-    if (!picture || picture->status.displayError != cpu.displayError ||
-        picture->status.tissuePixels != cpu.tissuePixels || picture->status.fewBrightSamples != cpu.fewBrightSamples ||
-        picture->status.unseenShare != cpu.unseenShare ||
-        !(std::fabs(picture->status.relativeError - cpu.relativeError) <= 1e-12 * cpu.relativeError ||
-          picture->status.relativeError == cpu.relativeError))
+    const Result<Image> image = live->readback();
+    if (!image || image->status.displayError != cpu.displayError || image->status.tissuePixels != cpu.tissuePixels ||
+        image->status.fewBrightSamples != cpu.fewBrightSamples || image->status.unseenShare != cpu.unseenShare ||
+        !(std::fabs(image->status.relativeError - cpu.relativeError) <= 1e-12 * cpu.relativeError ||
+          image->status.relativeError == cpu.relativeError))
         return {};
     return cpu;
 }

@@ -32,8 +32,8 @@ class TestAccuracyPanel : public QObject {
     void aRuleIsTypedInThreeFields();
     void samplesThatWereLeftOutAreCounted();
     void itIsFoldedAwayUntilTheSentenceIsClicked();
-    void itHasAKeyAndLeavesThePictureItsPart();
-    void thePictureAloneIsAlone();
+    void itHasAKeyAndLeavesTheImageItsPart();
+    void theImageAloneIsAlone();
 };
 
 static const QRectF kArea(50, 10, 400, 120);
@@ -172,7 +172,7 @@ void TestAccuracyPanel::noiseAndWhatIsNotNoiseAreTwoSentences() {
 
     AccuracyPanel panel;
     panel.setAccuracy(accuracyNow(), {.levels = 4});
-    panel.setBias({"smoothed", "stretched"});
+    panel.setBias({"denoised", "stretched"});
     panel.setMaking("64 samples on the CPU");
     QStringList facts;
     for (const QLabel* label : panel.findChildren<QLabel*>())
@@ -180,7 +180,7 @@ void TestAccuracyPanel::noiseAndWhatIsNotNoiseAreTwoSentences() {
             facts << label->accessibleName() + ": " + label->text();
     QCOMPARE(facts, QStringList({QString::fromUtf8("Limit reached first: ±4 comes first: in 1.6 min, with 256 samples"),
                                  "Noise: ±8 levels for 95 % of the tissue; 8 % of its light",
-                                 "Systematic error: smoothed\nstretched", "Invalid samples: No sample was left out",
+                                 "Systematic error: denoised\nstretched", "Invalid samples: No sample was left out",
                                  "Rendered on: 64 samples on the CPU"}));
     panel.clear();
     for (const QLabel* label : panel.findChildren<QLabel*>())
@@ -243,7 +243,7 @@ void TestAccuracyPanel::itIsFoldedAwayUntilTheSentenceIsClicked() {
     MainWindow& window = whole.window;
     activate(window);
     QVERIFY(!test::the<AccuracyPanel>(window).isVisible());
-    window.foot().setAccuracy(accuracyNow());
+    window.accuracyStatus().setAccuracy(accuracyNow());
     const auto* sentence = window.status().findChild<QLabel*>();
     QVERIFY(sentence->text().startsWith("Good for planning"));
     const QPoint place = sentence->mapTo(&window.status(), QPoint(30, sentence->height() / 2));
@@ -255,7 +255,7 @@ void TestAccuracyPanel::itIsFoldedAwayUntilTheSentenceIsClicked() {
     QVERIFY(!test::the<AccuracyPanel>(window).isVisible());
 }
 
-void TestAccuracyPanel::itHasAKeyAndLeavesThePictureItsPart() {
+void TestAccuracyPanel::itHasAKeyAndLeavesTheImageItsPart() {
     const test::WholeWindow whole;
     MainWindow& window = whole.window;
     activate(window);
@@ -267,7 +267,7 @@ void TestAccuracyPanel::itHasAKeyAndLeavesThePictureItsPart() {
     QVERIFY(!test::the<AccuracyPanel>(window).isVisible());
 }
 
-void TestAccuracyPanel::thePictureAloneIsAlone() {
+void TestAccuracyPanel::theImageAloneIsAlone() {
     const test::WholeWindow whole;
     MainWindow& window = whole.window;
     activate(window);

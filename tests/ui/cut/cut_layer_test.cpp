@@ -16,11 +16,11 @@ using Kind = CutHandle::Kind;
 static const Uncut kBody{{-100, -80, -120}, {100, 80, 120}};
 
 /// An image of 300 x 200 pixels that counts the clicks beside the handles; the body is seen from the right front.
-class CutPicture : public Viewport {
+class CutImage : public Viewport {
   public:
-    CutPicture() {
+    CutImage() {
         resize(300, 200);
-        setPicture({QImage(300, 200, QImage::Format_RGB32), camera});
+        setImage({QImage(300, 200, QImage::Format_RGB32), camera});
         tools().add(behind);
         tools().add(*layer);
         layer->setCuts({}, kBody);
@@ -57,7 +57,7 @@ class TestCutLayer : public QObject {
 
   private slots:
     void aDraggedFaceGoesWhereTheMouseIs() {
-        CutPicture picture;
+        CutImage picture;
         const CutHandle head{Kind::face, 5};
         picture.drag(picture.at(head), picture.at(head) + QPoint(0, 20));
         QVERIFY(picture.edited.box && picture.edited.box->highMm.z < 115);
@@ -71,15 +71,15 @@ class TestCutLayer : public QObject {
     }
 
     void theHandleStaysUnderTheMouse() {
-        CutPicture picture;
+        CutImage picture;
         const CutHandle head{Kind::face, 5};
         const QPoint from = picture.at(head), to = from + QPoint(1, 25);
         picture.drag(from, to);
         QVERIFY(std::abs(picture.at(head).y() - to.y()) <= 1);
     }
 
-    void besideAHandleTheHandReachesThePicture() {
-        CutPicture picture;
+    void besideAHandleTheHandReachesTheImage() {
+        CutImage picture;
         QTest::mouseClick(&picture, Qt::LeftButton, {}, {5, 5});
         picture.doubleClick({5, 5});
         QCOMPARE(picture.behind.clicks, 1);
@@ -95,7 +95,7 @@ class TestCutLayer : public QObject {
     }
 
     void theHandleUnderTheMouseHasItsCursor() {
-        CutPicture picture;
+        CutImage picture;
         picture.hover(picture.at({Kind::face, 5}));
         QCOMPARE(picture.cursor().shape(), Qt::SizeAllCursor);
         picture.hover({5, 5});
@@ -107,7 +107,7 @@ class TestCutLayer : public QObject {
     }
 
     void givenUpItIsAsBefore() {
-        CutPicture picture;
+        CutImage picture;
         QSignalSpy givenUp(picture.layer, &CutLayer::gestureGivenUp);
         const QPoint head = picture.at({Kind::face, 5});
         QVERIFY(!picture.layer->cancel());
@@ -122,7 +122,7 @@ class TestCutLayer : public QObject {
     }
 
     void aDoubleClickBringsASideBack() {
-        CutPicture picture;
+        CutImage picture;
         Clip clip = withCutOff(withCutOff({}, kBody, 5, 50), kBody, 0, 30);
         clip.planes = {{{0, 20, 0}, {0.3, -1, 0}}};
         picture.layer->setCuts(clip, kBody);
@@ -136,7 +136,7 @@ class TestCutLayer : public QObject {
     }
 
     void planesAreMovedAndTilted() {
-        CutPicture picture;
+        CutImage picture;
         Clip clip;
         clip.planes = {{{0, 0, 0}, {0, -1, 0}}};
         picture.layer->setCuts(clip, kBody);
@@ -167,7 +167,7 @@ class TestCutLayer : public QObject {
     }
 
     void whatIsNotThereIsNotDrawn() {
-        CutPicture picture;
+        CutImage picture;
         const auto isDrawn = [&] {
             QImage image(picture.size(), QImage::Format_RGB32);
             image.fill(Qt::black);

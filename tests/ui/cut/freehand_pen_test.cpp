@@ -13,9 +13,9 @@
 namespace pdr::ui {
 
 /// An image of 300 x 200 pixels with a pen; it counts the clicks that the pen does not take.
-class PenPicture : public Viewport {
+class PenImage : public Viewport {
   public:
-    PenPicture() {
+    PenImage() {
         resize(300, 200);
         showImage({300, 200}, {});
         tools().add(behind);
@@ -23,7 +23,7 @@ class PenPicture : public Viewport {
         QObject::connect(pen, &FreehandPen::drawn, [this](const FreehandCut& cut) { cuts.push_back(cut); });
         show();
     }
-    void showImage(QSize size, const Camera& camera) { setPicture({QImage(size, QImage::Format_RGB32), camera}); }
+    void showImage(QSize size, const Camera& camera) { setImage({QImage(size, QImage::Format_RGB32), camera}); }
     int clicksBehind() {
         QTest::mouseClick(this, Qt::LeftButton, {}, {150, 100});
         return behind.clicks;
@@ -61,74 +61,74 @@ class TestFreehandPen : public QObject {
     void aLineIsAnsweredAndCuts() {
         QFETCH(QString, answer);
         QFETCH(bool, keeps);
-        PenPicture picture;
-        QCOMPARE(picture.clicksBehind(), 1);  // it blocks nothing
-        picture.pen->startDrawing();
-        picture.drawSquare();
-        QVERIFY(picture.cuts.empty());
-        QVERIFY(picture.button(answer)->isVisible());
-        picture.button(answer)->click();
-        QCOMPARE(picture.cuts.size(), std::size_t(1));
-        QCOMPARE(picture.cuts[0].keepInside, keeps);
-        QVERIFY(std::abs(areaInside(picture.cuts[0].outline) - 0.25) < 1e-9);  // of 200 pixels
-        QVERIFY(OutlineDistance(picture.cuts[0].outline).at({0, 0}) > 0.24);
-        QVERIFY(!picture.pen->isDrawing() && !picture.button(answer)->isVisible());
+        PenImage image;
+        QCOMPARE(image.clicksBehind(), 1);  // it blocks nothing
+        image.pen->startDrawing();
+        image.drawSquare();
+        QVERIFY(image.cuts.empty());
+        QVERIFY(image.button(answer)->isVisible());
+        image.button(answer)->click();
+        QCOMPARE(image.cuts.size(), std::size_t(1));
+        QCOMPARE(image.cuts[0].keepInside, keeps);
+        QVERIFY(std::abs(areaInside(image.cuts[0].outline) - 0.25) < 1e-9);  // of 200 pixels
+        QVERIFY(OutlineDistance(image.cuts[0].outline).at({0, 0}) > 0.24);
+        QVERIFY(!image.pen->isDrawing() && !image.button(answer)->isVisible());
     }
 
     void aSecondLineTakesThePlaceOfTheFirst() {
-        PenPicture picture;
-        picture.pen->startDrawing();
-        picture.drawSquare();
-        picture.drawSquare();
-        picture.button("Remove inside")->click();
-        QCOMPARE(picture.cuts.size(), std::size_t(1));
-        QVERIFY(std::abs(areaInside(picture.cuts[0].outline) - 0.25) < 1e-9);
+        PenImage image;
+        image.pen->startDrawing();
+        image.drawSquare();
+        image.drawSquare();
+        image.button("Remove inside")->click();
+        QCOMPARE(image.cuts.size(), std::size_t(1));
+        QVERIFY(std::abs(areaInside(image.cuts[0].outline) - 0.25) < 1e-9);
     }
 
     void aClickOrAStrokeDrawsNothing() {
-        PenPicture picture;
-        QSignalSpy ended(picture.pen, &FreehandPen::ended);
-        picture.pen->startDrawing();
-        QTest::mouseClick(&picture, Qt::LeftButton, {}, {50, 50});
+        PenImage image;
+        QSignalSpy ended(image.pen, &FreehandPen::ended);
+        image.pen->startDrawing();
+        QTest::mouseClick(&image, Qt::LeftButton, {}, {50, 50});
         QCOMPARE(ended.size(), 1);
-        picture.pen->startDrawing();
-        QTest::mousePress(&picture, Qt::LeftButton, {}, {50, 50});
-        test::dragOn(picture, {150, 51});
-        QTest::mouseRelease(&picture, Qt::LeftButton, {}, {150, 51});
+        image.pen->startDrawing();
+        QTest::mousePress(&image, Qt::LeftButton, {}, {50, 50});
+        test::dragOn(image, {150, 51});
+        QTest::mouseRelease(&image, Qt::LeftButton, {}, {150, 51});
         QCOMPARE(ended.size(), 2);
-        QVERIFY(picture.cuts.empty() && !picture.pen->isDrawing());
+        QVERIFY(image.cuts.empty() && !image.pen->isDrawing());
     }
 
     void givenUpNothingIsDrawn() {
-        PenPicture picture;
-        picture.pen->startDrawing();
-        picture.drawSquare();
-        picture.pen->stopDrawing();
-        QVERIFY(!picture.button("Keep inside")->isVisible());
-        QVERIFY(picture.cuts.empty() && picture.clicksBehind() == 1);
+        PenImage image;
+        image.pen->startDrawing();
+        image.drawSquare();
+        image.pen->stopDrawing();
+        QVERIFY(!image.button("Keep inside")->isVisible());
+        QVERIFY(image.cuts.empty() && image.clicksBehind() == 1);
     }
 
     void cancelledItEnds() {
-        PenPicture picture;
-        QSignalSpy ended(picture.pen, &FreehandPen::ended);
-        QVERIFY(!picture.tools().cancel());
-        picture.pen->startDrawing();
-        QCOMPARE(picture.cursor().shape(), Qt::CrossCursor);
-        QVERIFY(picture.tools().cancel());
-        QVERIFY(ended.size() == 1 && !picture.pen->isDrawing());
-        QCOMPARE(picture.cursor().shape(), Qt::ArrowCursor);
+        PenImage image;
+        QSignalSpy ended(image.pen, &FreehandPen::ended);
+        QVERIFY(!image.tools().cancel());
+        image.pen->startDrawing();
+        QCOMPARE(image.cursor().shape(), Qt::CrossCursor);
+        QVERIFY(image.tools().cancel());
+        QVERIFY(ended.size() == 1 && !image.pen->isDrawing());
+        QCOMPARE(image.cursor().shape(), Qt::ArrowCursor);
     }
 
     /// A line belongs to the view that it was drawn on.
     void anotherViewForgetsTheLine() {
-        PenPicture picture;
-        picture.pen->startDrawing();
-        picture.drawSquare();
-        picture.showImage({150, 100}, {});  // a finer picture of the same view
-        QVERIFY(picture.button("Keep inside")->isVisible());
-        picture.showImage({300, 200}, {.eyeMm = {1, 2, 3}});
-        QVERIFY(!picture.button("Keep inside")->isVisible());
-        QVERIFY(picture.pen->isDrawing());
+        PenImage image;
+        image.pen->startDrawing();
+        image.drawSquare();
+        image.showImage({150, 100}, {});  // a finer image of the same view
+        QVERIFY(image.button("Keep inside")->isVisible());
+        image.showImage({300, 200}, {.eyeMm = {1, 2, 3}});
+        QVERIFY(!image.button("Keep inside")->isVisible());
+        QVERIFY(image.pen->isDrawing());
     }
 };
 

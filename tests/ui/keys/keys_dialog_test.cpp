@@ -15,7 +15,7 @@ class TestKeysDialog : public QObject {
   private slots:
     void anActionTakesAnotherKey();
     void aKeyThatIsTakenIsNamed();
-    void keysOfThePictureStay();
+    void keysOfTheImageStay();
     void choicesComeBackAndDefaultsToo();
     void keysMayBeSwappedInTheFile();
     void everyActionOfTheWindowIsListedAndExplained();
@@ -69,7 +69,7 @@ void TestKeysDialog::aKeyThatIsTakenIsNamed() {
     QVERIFY2(said.join('\n').contains("? belongs to \"three\""), qPrintable(said.join('\n')));
 }
 
-void TestKeysDialog::keysOfThePictureStay() {
+void TestKeysDialog::keysOfTheImageStay() {
     Hand hand;
     const KeyBindings bindings(hand.list);
     for (const Qt::Key key : {Qt::Key_Left, Qt::Key_Escape, Qt::Key_Plus})
@@ -117,9 +117,9 @@ void TestKeysDialog::everyActionOfTheWindowIsListedAndExplained() {
         }
     }
     QVERIFY(keys.size() > 20);
-    window.setKeys({{"smoothed", "Ctrl+Alt+S"}});
+    window.setKeys({{"denoised", "Ctrl+Alt+S"}});
     QVERIFY(std::ranges::any_of(window.findChildren<QAction*>(), [](const QAction* action) {
-        return action->objectName() == "smoothed" && action->shortcut() == QKeySequence("Ctrl+Alt+S");
+        return action->objectName() == "denoised" && action->shortcut() == QKeySequence("Ctrl+Alt+S");
     }));
 }
 

@@ -82,13 +82,13 @@ class LookGalleryTest : public QObject {
         QVERIFY(shows(gallery, "Look Bone"));
     }
 
-    void picturesStayWithTheirLooks() {
+    void imagesStayWithTheirLooks() {
         LookGallery gallery;
         gallery.setLooks(kLooks);
         QImage red(96, 96, QImage::Format_RGB32);
         red.fill(Qt::red);
-        gallery.setPicture(1, red);
-        gallery.setPicture(7, red);
+        gallery.setImage(1, red);
+        gallery.setImage(7, red);
         QList<LookCard> others{kLooks[1], kLooks[0]};
         gallery.setLooks(others);
         const QIcon icon = named(gallery, "Look Heart and great vessels")->icon();
@@ -124,7 +124,7 @@ class LookGalleryTest : public QObject {
             panel.resize(280, height);
             QCoreApplication::processEvents();
             QVERIFY(panel.gallery().isVisible());
-            QVERIFY(panel.gallery().parentWidget()->height() >= LookGallery::kPicture);
+            QVERIFY(panel.gallery().parentWidget()->height() >= LookGallery::kImage);
         }
     }
 

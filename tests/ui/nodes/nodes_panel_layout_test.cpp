@@ -12,7 +12,7 @@
 #include "tests/support/desktop/the.h"
 #include "tests/support/desktop/whole_window.h"
 #include "tests/support/processor_time.h"
-#include "ui/accuracy/effect_ledger.h"
+#include "ui/accuracy/effect_costs.h"
 #include "ui/nodes/nodes_panel.h"
 #include "ui/window/main_window.h"
 
@@ -30,7 +30,7 @@ class TestNodesPanelLayout : public QObject {
     void itsTextStandsOut();
     void itFitsIntoSmallWindows_data();
     void itFitsIntoSmallWindows();
-    void itLeavesThePictureItsPart();
+    void itLeavesTheImageItsPart();
     void sixtyFourNodesTenTimesASecondCostNext();
 };
 
@@ -109,14 +109,14 @@ void TestNodesPanelLayout::itFitsIntoSmallWindows() {
     }
 }
 
-void TestNodesPanelLayout::itLeavesThePictureItsPart() {
+void TestNodesPanelLayout::itLeavesTheImageItsPart() {
     const test::WholeWindow whole;
     MainWindow& window = whole.window;
     window.resize(1024, 768);
     window.show();
     window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&window));
-    window.foot().setRemarks({"a remark"});
+    window.accuracyStatus().setRemarks({"a remark"});
     window.viewport().setFocus();
     QVERIFY(!test::the<NodesPanel>(window).isVisible());
     QTest::keyClick(&window, Qt::Key_F12);
@@ -130,9 +130,9 @@ void TestNodesPanelLayout::itLeavesThePictureItsPart() {
     QCoreApplication::processEvents();
     QCOMPARE(window.size(), QSize(800, 600));
     QTest::keyClick(&window, Qt::Key_F6);
-    QVERIFY(test::the<EffectLedger>(window).isVisible() && !test::the<NodesPanel>(window).isVisible());
+    QVERIFY(test::the<EffectCosts>(window).isVisible() && !test::the<NodesPanel>(window).isVisible());
     QTest::keyClick(&window, Qt::Key_F12);
-    QVERIFY(!test::the<EffectLedger>(window).isVisible() && test::the<NodesPanel>(window).isVisible());
+    QVERIFY(!test::the<EffectCosts>(window).isVisible() && test::the<NodesPanel>(window).isVisible());
     QTest::keyClick(&window, Qt::Key_F12);
     QVERIFY(!test::the<NodesPanel>(window).isVisible());
 }

@@ -39,10 +39,10 @@ class TestErrorMap : public QObject {
     void coloursBecomeEvenlyLighterAndEvenlyOther();
     void theScaleGoesFromOneToSixtyFourLevels();
     void whatIsNotKnownIsGreyAndWhatIsNoTissueIsLeftAsItIs();
-    void theMapLiesOnThePictureAndLettersOnTheMap();
+    void theMapLiesOnTheImageAndLettersOnTheMap();
     void aLegendStandsBesideTheMapAlone();
     void theLegendLeavesThePatientLegible();
-    void theMapHasAKeyAlsoWhereThePictureIsAlone();
+    void theMapHasAKeyAlsoWhereTheImageIsAlone();
 };
 
 /// The colours have eight bits per channel: each eighth of a doubling is lighter, and each half of one differs as much
@@ -78,8 +78,8 @@ void TestErrorMap::whatIsNotKnownIsGreyAndWhatIsNoTissueIsLeftAsItIs() {
 }
 
 /// Returns a white image of 300 x 200 pixels, whose left half has an error map of 8 levels.
-static ShownPicture shownWithMap() {
-    ShownPicture shown;
+static ShownImage shownWithMap() {
+    ShownImage shown;
     shown.image = QImage(300, 200, QImage::Format_RGBX8888);
     shown.image.fill(Qt::white);
     shown.errorMap = QImage(300, 200, QImage::Format_Indexed8);
@@ -96,10 +96,10 @@ static QImage shot(Viewport& viewport) {
     return viewport.grab().toImage().scaled(300, 200);
 }
 
-void TestErrorMap::theMapLiesOnThePictureAndLettersOnTheMap() {
+void TestErrorMap::theMapLiesOnTheImageAndLettersOnTheMap() {
     Viewport viewport;
-    ShownPicture shown = shownWithMap();
-    viewport.setPicture(shown);
+    ShownImage shown = shownWithMap();
+    viewport.setImage(shown);
     const QImage with = shot(viewport);
     QVERIFY(close(with.pixelColor(60, 130), errorColour(8)));
     QCOMPARE(with.pixelColor(200, 160), QColor(Qt::white));
@@ -109,16 +109,16 @@ void TestErrorMap::theMapLiesOnThePictureAndLettersOnTheMap() {
             letters += !close(with.pixelColor(x, y), errorColour(8));
     QVERIFY(letters > 20);
     shown.errorMap = {};
-    viewport.setPicture(shown);
+    viewport.setImage(shown);
     QCOMPARE(shot(viewport).pixelColor(60, 130), QColor(Qt::white));
 }
 
 void TestErrorMap::aLegendStandsBesideTheMapAlone() {
     Viewport viewport;
-    ShownPicture shown = shownWithMap();
+    ShownImage shown = shownWithMap();
     shown.errorMap.fill(int(kNoTissueBin));
     const auto coloured = [&](const QColor& colour) {
-        viewport.setPicture(shown);
+        viewport.setImage(shown);
         const QImage image = shot(viewport);
         int count = 0;
         for (int y = 0; y < 120; ++y)
@@ -136,9 +136,9 @@ void TestErrorMap::aLegendStandsBesideTheMapAlone() {
 void TestErrorMap::theLegendLeavesThePatientLegible() {
     Viewport viewport;
     viewport.setOverlay([] { return QStringList{"DOE", "ID 7", "1960-03-29", "lung"}; });
-    ShownPicture shown = shownWithMap();
+    ShownImage shown = shownWithMap();
     shown.errorMap.fill(int(kNoTissueBin));
-    viewport.setPicture(shown);
+    viewport.setImage(shown);
     const QImage image = shot(viewport);
     const int lines = 4 * QFontMetrics(viewport.font()).lineSpacing();
     const auto isOfTheScale = [&](int x, int y) { return close(image.pixelColor(x, y), errorColour(10)); };
@@ -150,7 +150,7 @@ void TestErrorMap::theLegendLeavesThePatientLegible() {
     QVERIFY(below >= 5);
 }
 
-void TestErrorMap::theMapHasAKeyAlsoWhereThePictureIsAlone() {
+void TestErrorMap::theMapHasAKeyAlsoWhereTheImageIsAlone() {
     MainWindow window;
     window.show();
     window.activateWindow();

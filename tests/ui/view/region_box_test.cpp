@@ -11,9 +11,9 @@
 namespace pdr::ui {
 
 /// A view of 200 x 100 pixels that counts the clicks that the box does not take.
-class Picture : public Viewport {
+class Image : public Viewport {
   public:
-    Picture() {
+    Image() {
         resize(200, 100);
         tools().add(behind);
         box = new RegionBox(this);
@@ -28,7 +28,7 @@ class Picture : public Viewport {
     RegionBox* box;
 };
 
-static void drag(Picture& picture, QPoint from, QPoint to) {
+static void drag(Image& picture, QPoint from, QPoint to) {
     QTest::mousePress(&picture, Qt::LeftButton, {}, from);
     test::dragOn(picture, to);
     QTest::mouseRelease(&picture, Qt::LeftButton, {}, to);
@@ -39,22 +39,22 @@ class TestRegionBox : public QObject {
 
   private slots:
     void theHandReachesOtherToolsThroughIt() {
-        Picture picture;
+        Image picture;
         picture.box->setBox(QRectF(0, 0, 1, 1));
         drag(picture, {50, 50}, {80, 80});
         QCOMPARE(picture.behind.clicks, 1);
     }
 
-    void aDragDrawsABoxInPartsOfThePicture_data() {
+    void aDragDrawsABoxInPartsOfTheImage_data() {
         QTest::addColumn<QPoint>("from");
         QTest::addColumn<QPoint>("to");
         QTest::newRow("down") << QPoint(50, 20) << QPoint(150, 60);
         QTest::newRow("up") << QPoint(150, 60) << QPoint(50, 20);
     }
-    void aDragDrawsABoxInPartsOfThePicture() {
+    void aDragDrawsABoxInPartsOfTheImage() {
         QFETCH(QPoint, from);
         QFETCH(QPoint, to);
-        Picture picture;
+        Image picture;
         QSignalSpy drawn(picture.box, &RegionBox::drawn), notDrawn(picture.box, &RegionBox::notDrawn);
         picture.box->startDrawing();
         drag(picture, from, to);
@@ -65,8 +65,8 @@ class TestRegionBox : public QObject {
         QCOMPARE(picture.behind.clicks, 1);
     }
 
-    void itEndsAtThePicturesEdge() {
-        Picture picture;
+    void itEndsAtTheImagesEdge() {
+        Image picture;
         QSignalSpy drawn(picture.box, &RegionBox::drawn);
         picture.box->startDrawing();
         drag(picture, {100, 50}, {500, 500});
@@ -74,15 +74,15 @@ class TestRegionBox : public QObject {
     }
 
     void aClickDrawsNone() {
-        Picture picture;
+        Image picture;
         QSignalSpy drawn(picture.box, &RegionBox::drawn), notDrawn(picture.box, &RegionBox::notDrawn);
         picture.box->startDrawing();
         drag(picture, {50, 50}, {53, 90});
         QVERIFY(drawn.isEmpty() && notDrawn.size() == 1 && !picture.box->isDrawing());
     }
 
-    void itIsSeenWhereItIsInAPictureOfAnySize() {
-        Picture picture;
+    void itIsSeenWhereItIsInAnImageOfAnySize() {
+        Image picture;
         picture.box->setBox(QRectF(0.25, 0.5, 0.5, 0.25));
         for (const QSize size : {QSize(200, 100), QSize(400, 300)}) {
             picture.resize(size);

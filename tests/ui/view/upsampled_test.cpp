@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "ui/view/shown_picture.h"
+#include "ui/view/shown_image.h"
 #include "ui/view/upsampled.h"
 
 namespace pdr::ui {
@@ -57,10 +57,10 @@ void TestUpsampled::aCoarseImageOnTheScreenHasNoKinks() {
     lines.setRenderHint(QPainter::SmoothPixmapTransform);
     lines.drawImage(QRectF(0, 0, 360, 240), coarse);
     lines.end();
-    ShownPicture picture;
+    ShownImage picture;
     picture.image = coarse;
     QPainter painter(&shown);
-    paintShownPicture(painter, picture, {.size = {360, 240}});
+    paintShownImage(painter, picture, {.size = {360, 240}});
     painter.end();
     QVERIFY2(kink(upsampled(coarse, {360, 240})) * 2 < kink(straight),
              qPrintable(QString("%1, %2").arg(kink(upsampled(coarse, {360, 240}))).arg(kink(straight))));

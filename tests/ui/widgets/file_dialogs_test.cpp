@@ -8,7 +8,7 @@
 #include <QTimer>
 
 #include "tests/support/desktop/whole_window.h"
-#include "ui/output/picture_size_box.h"
+#include "ui/output/image_size_box.h"
 #include "ui/output/save_dialog.h"
 #include "ui/window/main_window.h"
 
@@ -35,14 +35,14 @@ class TestFileDialogs : public QObject {
     void whereTheHandWasIsNotKept_data();
     void whereTheHandWasIsNotKept();
     void whatWasKeptByOtherProgramsStays();
-    void theDialogForSavingGoesWithItsPicture();
-    void aPictureOfAnotherSizeIsOrderedWithItsTarget();
+    void theDialogForSavingGoesWithItsImage();
+    void anImageOfAnotherSizeIsOrderedWithItsTarget();
     void savingBeginsWithTheOffer();
-    void savingBeginsWhereTheLastPictureIs();
+    void savingBeginsWhereTheLastImageIs();
 
   private:
     /// Connects the action for saving to the dialog, which begins with `offer`; the order goes to `ordered`.
-    void connectSaving(MainWindow& window, std::optional<PictureOrder>& ordered, const PictureOffer& offer = {});
+    void connectSaving(MainWindow& window, std::optional<ImageOrder>& ordered, const ImageOffer& offer = {});
     /// Opens the dialog with `key`, goes to the patient's folder and takes what is there, or gives up.
     void use(MainWindow& window, const QKeySequence& key, bool accept);
 
@@ -60,11 +60,10 @@ void TestFileDialogs::cleanup() {
     QSettings(QSettings::UserScope, "QtProject").clear();
 }
 
-void TestFileDialogs::connectSaving(MainWindow& window, std::optional<PictureOrder>& ordered,
-                                    const PictureOffer& offer) {
+void TestFileDialogs::connectSaving(MainWindow& window, std::optional<ImageOrder>& ordered, const ImageOffer& offer) {
     QAction* save = window.menuActions().save;
     save->setEnabled(true);
-    connect(save, &QAction::triggered, this, [&, save, offer] { ordered = askForPicture(&window, *save, offer); });
+    connect(save, &QAction::triggered, this, [&, save, offer] { ordered = askForImage(&window, *save, offer); });
 }
 
 void TestFileDialogs::use(MainWindow& window, const QKeySequence& key, bool accept) {
@@ -92,7 +91,7 @@ void TestFileDialogs::whereTheHandWasIsNotKept_data() {
 void TestFileDialogs::whereTheHandWasIsNotKept() {
     QFETCH(bool, accept);
     QString opened;
-    std::optional<PictureOrder> saved;
+    std::optional<ImageOrder> saved;
     {
         MainWindow window;
         connectSaving(window, saved);
@@ -130,9 +129,9 @@ void TestFileDialogs::whatWasKeptByOtherProgramsStays() {
     QCOMPARE(QSettings(QSettings::UserScope, "QtProject").value("FileDialog/history").toStringList(), theirs);
 }
 
-void TestFileDialogs::theDialogForSavingGoesWithItsPicture() {
+void TestFileDialogs::theDialogForSavingGoesWithItsImage() {
     MainWindow window;
-    std::optional<PictureOrder> ordered;
+    std::optional<ImageOrder> ordered;
     connectSaving(window, ordered);
     window.show();
     int seen = 0;
@@ -148,13 +147,13 @@ void TestFileDialogs::theDialogForSavingGoesWithItsPicture() {
 }
 
 /// The target is good for planning unless another is chosen.
-void TestFileDialogs::aPictureOfAnotherSizeIsOrderedWithItsTarget() {
+void TestFileDialogs::anImageOfAnotherSizeIsOrderedWithItsTarget() {
     MainWindow window;
-    std::optional<PictureOrder> ordered;
+    std::optional<ImageOrder> ordered;
     connectSaving(window, ordered);
     window.show();
     QTimer::singleShot(0, &window, [&] {
-        const auto* box = QApplication::activeModalWidget()->findChild<PictureSizeBox*>();
+        const auto* box = QApplication::activeModalWidget()->findChild<ImageSizeBox*>();
         QVERIFY(box && box->isVisible());
         box->findChild<QComboBox*>()->setCurrentIndex(2);
     });
@@ -168,7 +167,7 @@ void TestFileDialogs::aPictureOfAnotherSizeIsOrderedWithItsTarget() {
 
 void TestFileDialogs::savingBeginsWithTheOffer() {
     MainWindow window;
-    std::optional<PictureOrder> ordered;
+    std::optional<ImageOrder> ordered;
     connectSaving(window, ordered, {.name = "Bone_A_2026-11-25", .folder = patient_});
     window.show();
     QString file;
@@ -183,7 +182,7 @@ void TestFileDialogs::savingBeginsWithTheOffer() {
 }
 
 /// Saving begins in the documents folder, then in the last image's folder, also after other dialogs.
-void TestFileDialogs::savingBeginsWhereTheLastPictureIs() {
+void TestFileDialogs::savingBeginsWhereTheLastImageIs() {
     QVERIFY(QDir().mkpath(home().filePath("Documents")));
     const test::WholeWindow whole;
     MainWindow& window = whole.window;

@@ -26,20 +26,20 @@ class TestMainWindow : public QObject {
     void theSixViewsHaveKeys_data();
     void theSixViewsHaveKeys();
     void theFirstViewAndPauseHaveKeys();
-    void theRawPictureHasAKey();
+    void theRawImageHasAKey();
     void undoAndRedoHaveKeysAndNeedSomethingToUndo();
-    void keysWorkWhenThePictureIsAlone();
+    void keysWorkWhenTheImageIsAlone();
     void coloursAreChosenInTheMenu();
     void theStartOffersWaysToOpen();
     void recentFoldersAreOffered();
     void withoutAVolumeNothingActsOnIt();
-    void thePictureSaysWhoAndAloneHowGood();
-    void theKeyboardIsSeenOnThePicture();
+    void theImageSaysWhoAndAloneHowGood();
+    void theKeyboardIsSeenOnTheImage();
     void theKeysAreShownAndGoAwayAgain();
     void escapeCancelsAndClosesTheMessage();
     void aDroppedFolderIsOpened();
     void aDroppedFileStandsForItsFolder();
-    void aDroppedPictureOfASkyIsNoFolder();
+    void aDroppedImageOfASkyIsNoFolder();
     void settersAreSilent();
     void itHasAnIconWithoutAPluginForSvg();
 };
@@ -95,11 +95,11 @@ void TestMainWindow::theFirstViewAndPauseHaveKeys() {
     QCOMPARE(pause[1][0].toBool(), false);
 }
 
-void TestMainWindow::theRawPictureHasAKey() {
+void TestMainWindow::theRawImageHasAKey() {
     MainWindow window;
     activate(window);
-    window.menuActions().smoothed->setChecked(true);
-    QSignalSpy chosen(window.menuActions().smoothed, &QAction::triggered);
+    window.menuActions().denoised->setChecked(true);
+    QSignalSpy chosen(window.menuActions().denoised, &QAction::triggered);
     QTest::keyClick(&window.viewport(), Qt::Key_S);
     QTest::keyClick(&window.viewport(), Qt::Key_S);
     QCOMPARE(chosen.count(), 2);
@@ -122,7 +122,7 @@ void TestMainWindow::undoAndRedoHaveKeysAndNeedSomethingToUndo() {
     QCOMPARE(redo.count(), 1);
 }
 
-void TestMainWindow::keysWorkWhenThePictureIsAlone() {
+void TestMainWindow::keysWorkWhenTheImageIsAlone() {
     const test::WholeWindow whole;
     MainWindow& window = whole.window;
     activate(window);
@@ -206,7 +206,7 @@ void TestMainWindow::withoutAVolumeNothingActsOnIt() {
 }
 
 /// The texts are in the upper left corner, where nothing else is written.
-void TestMainWindow::thePictureSaysWhoAndAloneHowGood() {
+void TestMainWindow::theImageSaysWhoAndAloneHowGood() {
     const test::WholeWindow whole;
     MainWindow& window = whole.window;
     activate(window);
@@ -218,7 +218,7 @@ void TestMainWindow::thePictureSaysWhoAndAloneHowGood() {
     window.status().setText("Good for planning");
     QImage black(640, 480, QImage::Format_RGB32);
     black.fill(Qt::black);
-    window.viewport().setPicture({black, Camera{}});
+    window.viewport().setImage({black, Camera{}});
     const auto corner = [&] {
         const QImage all = window.viewport().grab().toImage();
         const QImage part = all.copy(0, 0, all.width() / 3, all.height() / 5);
@@ -244,13 +244,13 @@ void TestMainWindow::thePictureSaysWhoAndAloneHowGood() {
     QCOMPARE(test::the<SeriesPanel>(window).patient(), QString("Family, Given"));
 }
 
-void TestMainWindow::theKeyboardIsSeenOnThePicture() {
+void TestMainWindow::theKeyboardIsSeenOnTheImage() {
     const test::WholeWindow whole;
     MainWindow& window = whole.window;
     activate(window);
     QImage black(64, 48, QImage::Format_RGB32);
     black.fill(Qt::black);
-    window.viewport().setPicture({black, Camera{}});
+    window.viewport().setImage({black, Camera{}});
     const auto edge = [&] { return window.viewport().grab().toImage().pixelColor(0, 20).lightness(); };
     test::the<SeriesPanel>(window).setFocus();
     window.viewport().setFocus(Qt::MouseFocusReason);
@@ -311,7 +311,7 @@ void TestMainWindow::aDroppedFileStandsForItsFolder() {
     QCOMPARE(droppedOn(window, file.fileName()), folder.path());
 }
 
-void TestMainWindow::aDroppedPictureOfASkyIsNoFolder() {
+void TestMainWindow::aDroppedImageOfASkyIsNoFolder() {
     MainWindow window;
     QSignalSpy sky(&window, &MainWindow::skyDropped);
     const QTemporaryDir folder;

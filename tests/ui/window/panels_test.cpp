@@ -49,14 +49,14 @@ class TestPanels : public QObject {
     void toReachTheListByTabChoosesNothing();
     void theListShowsAllSeriesAndTheirVerdicts();
     void choosingALoadableSeriesAsksForIt();
-    void anUnloadableSeriesGivesItsReasonInsteadOfAPicture();
-    void thePatientNamedIsTheOneInThePicture();
+    void anUnloadableSeriesGivesItsReasonInsteadOfAnImage();
+    void thePatientNamedIsTheOneInTheImage();
     void namesAreHiddenEverywhereInTheList();
     void seriesSettersAreSilent();
     void lookControlsEmitWhatTheHandChose();
     void lookSettersAreSilent();
     void brightnessBeyondTheSliderIsKeptAtItsEnd();
-    void aSmoothedPictureIsMarkedWithItsError();
+    void aDenoisedImageIsMarkedWithItsError();
     void tissueThatWasNotSeenYetIsSaid();
     void theStatusNamesTheDeviceAndItsIterations();
     void theStatusSaysWhatIsForComparison();
@@ -142,7 +142,7 @@ void TestPanels::choosingALoadableSeriesAsksForIt() {
     QCOMPARE(chosen.first().first().toInt(), 2);
 }
 
-void TestPanels::anUnloadableSeriesGivesItsReasonInsteadOfAPicture() {
+void TestPanels::anUnloadableSeriesGivesItsReasonInsteadOfAnImage() {
     SeriesPanel panel;
     panel.resize(330, 500);
     panel.show();
@@ -154,7 +154,7 @@ void TestPanels::anUnloadableSeriesGivesItsReasonInsteadOfAPicture() {
     QCOMPARE(panel.detail(), "a.dcm and b.dcm are 10 mm apart, the others 5 mm.");
 }
 
-void TestPanels::thePatientNamedIsTheOneInThePicture() {
+void TestPanels::thePatientNamedIsTheOneInTheImage() {
     dicom::ScanResult scan = threeSeries();
     scan.series[2].patient.name = "Other^Somebody";
     SeriesPanel panel;
@@ -244,19 +244,19 @@ void TestPanels::brightnessBeyondTheSliderIsKeptAtItsEnd() {
     QCOMPARE(panel.findChild<QSlider*>()->value(), panel.findChild<QSlider*>()->maximum());
 }
 
-void TestPanels::aSmoothedPictureIsMarkedWithItsError() {
-    SmoothedError error{.levels = 4.2, .levelsAtMost = 6.9};
-    QCOMPARE(smoothedTexts(error, 0), QStringList{QString::fromUtf8("Denoised, error ±7")});
-    QCOMPARE(smoothedTexts(std::nullopt, 0), QStringList{"Denoised, error not known yet"});
+void TestPanels::aDenoisedImageIsMarkedWithItsError() {
+    DenoisedError error{.levels = 4.2, .levelsAtMost = 6.9};
+    QCOMPARE(denoisedTexts(error, 0), QStringList{QString::fromUtf8("Denoised, error ±7")});
+    QCOMPARE(denoisedTexts(std::nullopt, 0), QStringList{"Denoised, error not known yet"});
     const QString thin = "thin structures may be further off";
     QCOMPARE(hiddenDetailTexts(error), QStringList{thin});
     error.hiddenContrast = 0.371;
     QCOMPARE(hiddenDetailTexts(error), (QStringList{thin, "detail below 38 % contrast may be missing"}));
     error.hiddenContrast = 1.2;
     QCOMPARE(hiddenDetailTexts(error), (QStringList{thin, "fine detail may be missing"}));
-    QCOMPARE(smoothedTexts(error, 1).back(), "1 thin line hidden by denoising: E shows where");
-    QCOMPARE(smoothedTexts(error, 3).back(), "3 thin lines hidden by denoising: E shows where");
-    QCOMPARE(smoothedTexts(error, 200).back(), "200 or more thin lines hidden by denoising: E shows where");
+    QCOMPARE(denoisedTexts(error, 1).back(), "1 thin line hidden by denoising: E shows where");
+    QCOMPARE(denoisedTexts(error, 3).back(), "3 thin lines hidden by denoising: E shows where");
+    QCOMPARE(denoisedTexts(error, 200).back(), "200 or more thin lines hidden by denoising: E shows where");
 }
 
 void TestPanels::tissueThatWasNotSeenYetIsSaid() {
@@ -283,14 +283,14 @@ void TestPanels::theStatusSaysWhatIsForComparison() {
 }
 
 void TestPanels::theStatusSaysWhatIsTrueOfABox() {
-    FilmStatus box{.displayError = 3.9, .tissuePixels = 7}, picture{.displayError = 18, .tissuePixels = 99};
-    QCOMPARE(boxText(box, false, picture), QString::fromUtf8("in the region ±4 (95 % of the tissue)"));
-    QCOMPARE(boxText(box, true, picture),
+    FilmStatus box{.displayError = 3.9, .tissuePixels = 7}, image{.displayError = 18, .tissuePixels = 99};
+    QCOMPARE(boxText(box, false, image), QString::fromUtf8("in the region ±4 (95 % of the tissue)"));
+    QCOMPARE(boxText(box, true, image),
              QString::fromUtf8("whole image, waiting for the region: ±18 (95 % of the tissue)"));
     QCOMPARE(boxText(box, true, {}), "the rest of the image waits for the region");
     box.displayError = std::numeric_limits<double>::infinity();
-    QCOMPARE(boxText(box, false, picture), "the region is still black");
-    QCOMPARE(boxText({}, false, picture), "no tissue in the region");
+    QCOMPARE(boxText(box, false, image), "the region is still black");
+    QCOMPARE(boxText({}, false, image), "no tissue in the region");
 }
 
 void TestPanels::aLongStatusDoesNotWidenTheWindow() {

@@ -151,12 +151,12 @@ void TestWindowHabits::longRemarksEndInDots() {
     window.resize(860, 640);
     activate(window);
     const QString remark = QString("a long remark ").repeated(20).trimmed();
-    window.foot().setRemarks({remark});
-    window.foot().setLimit("Voxel size 0.9 x 0.9 x 0.4 mm");
+    window.accuracyStatus().setRemarks({remark});
+    window.accuracyStatus().setLimit("Voxel size 0.9 x 0.9 x 0.4 mm");
     window.status().showForAWhile("saved as " + QString("/a/long/folder").repeated(12));
     QCoreApplication::processEvents();
     int dotted = 0;
-    for (const QLabel* label : window.foot().findChildren<QLabel*>()) {
+    for (const QLabel* label : window.accuracyStatus().findChildren<QLabel*>()) {
         const bool whole = label->fontMetrics().horizontalAdvance(label->text()) <= label->width();
         QVERIFY2(whole || qobject_cast<const ElidedLabel*>(label), qPrintable(label->text()));
         QVERIFY2(whole || label->toolTip().contains(label->text()), qPrintable(label->text()));
@@ -198,9 +198,9 @@ void TestWindowHabits::theRightButtonOffersWhatOneDoesMost() {
     MainWindow window;
     activate(window);
     QTest::mouseClick(&window.viewport(), Qt::RightButton, {}, {100, 100});
-    const auto* menu = window.findChild<QMenu*>("pictureMenu");
+    const auto* menu = window.findChild<QMenu*>("imageMenu");
     QVERIFY(menu && menu->isVisible());
-    for (const char* name : {"firstView", "pause", "smoothed", "copy", "save", "alone", "fitImage"})
+    for (const char* name : {"firstView", "pause", "denoised", "copy", "save", "alone", "fitImage"})
         QVERIFY2(menu->actions().contains(window.findChild<QAction*>(name)), name);
 }
 
@@ -218,8 +218,8 @@ void TestWindowHabits::keysOfOtherProgramsWorkHere() {
     window.viewport().setCamera(Camera{});
     QTest::keyClick(&window.viewport(), Qt::Key_Home);
     QCOMPARE(reset.count(), 1);
-    window.foot().strip().setFocus();
-    QTest::keyClick(&window.foot().strip(), Qt::Key_Home);  // its own
+    window.accuracyStatus().strip().setFocus();
+    QTest::keyClick(&window.accuracyStatus().strip(), Qt::Key_Home);  // its own
     QCOMPARE(reset.count(), 1);
     window.viewport().setFocus();
     QTest::keyClick(&window, Qt::Key_F1);

@@ -7,7 +7,7 @@
 #include "tests/support/desktop/the.h"
 #include "tests/support/desktop/whole_window.h"
 #include "ui/accuracy/accuracy_panel.h"
-#include "ui/accuracy/effect_ledger.h"
+#include "ui/accuracy/effect_costs.h"
 #include "ui/looks/look_panel.h"
 #include "ui/nodes/nodes_panel.h"
 #include "ui/rendering/render_panel.h"
@@ -21,14 +21,14 @@ class TestWindowRoom : public QObject {
 
   private slots:
     void oneOfThePanelsBelowMakesRoomForTheOther();
-    void theAccuracyFloatsOverThePicture();
+    void theAccuracyFloatsOverTheImage();
     void noPanelIsSqueezed_data();
     void noPanelIsSqueezed();
-    void anEditorLeavesThePictureMostOfTheWindow_data();
-    void anEditorLeavesThePictureMostOfTheWindow();
+    void anEditorLeavesTheImageMostOfTheWindow_data();
+    void anEditorLeavesTheImageMostOfTheWindow();
     void editorsGiveWayToEachOther();
-    void thePictureIsTheLargestThing_data();
-    void thePictureIsTheLargestThing();
+    void theImageIsTheLargestThing_data();
+    void theImageIsTheLargestThing();
     void whatGaveWayComesBackWithTheRoom();
     void whatIsOpenedByHandStays();
 };
@@ -45,7 +45,7 @@ void TestWindowRoom::oneOfThePanelsBelowMakesRoomForTheOther() {
     MainWindow& window = whole.window;
     activate(window);
     const auto shown = [&] {
-        return std::pair(test::the<NodesPanel>(window).isVisible(), test::the<EffectLedger>(window).isVisible());
+        return std::pair(test::the<NodesPanel>(window).isVisible(), test::the<EffectCosts>(window).isVisible());
     };
     window.resize(1200, 800);
     QTest::keyClick(&window, Qt::Key_F12);
@@ -58,7 +58,7 @@ void TestWindowRoom::oneOfThePanelsBelowMakesRoomForTheOther() {
 }
 
 /// The panel takes no room from the image, and covers nothing in its corners.
-void TestWindowRoom::theAccuracyFloatsOverThePicture() {
+void TestWindowRoom::theAccuracyFloatsOverTheImage() {
     const test::WholeWindow whole;
     MainWindow& window = whole.window;
     window.resize(1366, 768);
@@ -89,7 +89,7 @@ void TestWindowRoom::noPanelIsSqueezed() {
     const test::WholeWindow whole;
     MainWindow& window = whole.window;
     activate(window);
-    window.foot().setRemarks({"a remark"});
+    window.accuracyStatus().setRemarks({"a remark"});
     window.resize(size);
     for (const int key : {int(Qt::Key_F8), int(Qt::Key_F12), int(Qt::Key_F5), int(Qt::Key_F7), int(Qt::Key_F9)}) {
         QTest::keyClick(&window, Qt::Key(key));
@@ -97,11 +97,11 @@ void TestWindowRoom::noPanelIsSqueezed() {
         QVERIFY(test::the<LookPanel>(window).isVisible());
         for (const QPushButton* button : test::the<LookPanel>(window).findChildren<QPushButton*>())
             QVERIFY2(button->height() >= button->minimumSizeHint().height(), qPrintable(button->text()));
-        QVERIFY(test::the<LookPanel>(window).gallery().parentWidget()->height() >= LookGallery::kPicture);
+        QVERIFY(test::the<LookPanel>(window).gallery().parentWidget()->height() >= LookGallery::kImage);
     }
 }
 
-void TestWindowRoom::anEditorLeavesThePictureMostOfTheWindow_data() {
+void TestWindowRoom::anEditorLeavesTheImageMostOfTheWindow_data() {
     QTest::addColumn<QString>("name");
     QTest::addColumn<int>("key");
     QTest::addColumn<QSize>("size");
@@ -113,26 +113,26 @@ void TestWindowRoom::anEditorLeavesThePictureMostOfTheWindow_data() {
 }
 
 /// The image keeps 60 %; panels that gave way come back in whichever way the editor is closed.
-void TestWindowRoom::anEditorLeavesThePictureMostOfTheWindow() {
+void TestWindowRoom::anEditorLeavesTheImageMostOfTheWindow() {
     QFETCH(QString, name);
     QFETCH(int, key);
     QFETCH(QSize, size);
     const test::WholeWindow whole;
     MainWindow& window = whole.window;
     activate(window);
-    window.foot().setRemarks({"a remark"});
+    window.accuracyStatus().setRemarks({"a remark"});
     window.resize(size);
     QCoreApplication::processEvents();
     const auto shown = [&] {
         return std::pair(test::the<SeriesPanel>(window).isVisible(), test::the<RenderPanel>(window).isVisible());
     };
     const auto before = shown();
-    const auto picture = [&] { return double(window.viewport().width()) * window.viewport().height(); };
+    const auto image = [&] { return double(window.viewport().width()) * window.viewport().height(); };
     const auto editor = [&] { return window.findChild<QDockWidget*>(name)->isVisible(); };
     QTest::keyClick(&window, Qt::Key(key));
     QTRY_VERIFY(editor());
-    QTRY_VERIFY2(picture() >= 0.6 * size.width() * size.height(),
-                 qPrintable(QString::number(picture() / (size.width() * size.height()))));
+    QTRY_VERIFY2(image() >= 0.6 * size.width() * size.height(),
+                 qPrintable(QString::number(image() / (size.width() * size.height()))));
     QVERIFY(test::the<LookPanel>(window).isVisible() || size.height() < 900);  // there is no room for both
     for (QToolButton* fold : window.findChildren<QToolButton*>())
         if (fold->accessibleName() == QString("Close %1").arg(name))
@@ -165,7 +165,7 @@ void TestWindowRoom::editorsGiveWayToEachOther() {
     QVERIFY(test::the<RenderPanel>(window).isVisible());  // what gave way to the first
 }
 
-void TestWindowRoom::thePictureIsTheLargestThing_data() {
+void TestWindowRoom::theImageIsTheLargestThing_data() {
     QTest::addColumn<QSize>("size");
     QTest::addColumn<double>("share");
     QTest::newRow("800 x 600") << QSize(800, 600) << 0.5;
@@ -174,13 +174,13 @@ void TestWindowRoom::thePictureIsTheLargestThing_data() {
 }
 
 /// The image is the largest with any one panel open on the right.
-void TestWindowRoom::thePictureIsTheLargestThing() {
+void TestWindowRoom::theImageIsTheLargestThing() {
     QFETCH(QSize, size);
     QFETCH(double, share);
     const test::WholeWindow whole;
     MainWindow& window = whole.window;
     activate(window);
-    window.foot().setRemarks({"a remark"});
+    window.accuracyStatus().setRemarks({"a remark"});
     for (const int key : {0, int(Qt::Key_F5), int(Qt::Key_F8), int(Qt::Key_F7), int(Qt::Key_F9), int(Qt::Key_F4)}) {
         window.resize(size);
         if (key != 0)

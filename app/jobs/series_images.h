@@ -1,0 +1,29 @@
+#pragma once
+/// Makes small images of the series of a folder, by which the user tells them apart before choosing one. They stay in
+/// memory and are not written to disk.
+
+#include <QImage>
+
+#include "app/jobs/background_job.h"
+#include "dicom/series.h"
+
+namespace pdr::app {
+
+class SeriesImages : public BackgroundJob {
+    Q_OBJECT
+
+  public slots:
+    /// Reads the middle slice of each loadable series and emits made() for each. A series that cannot be read gets no
+    /// image.
+    void make(const pdr::dicom::ScanResult& scan);
+
+  signals:
+    /// Reports the middle slice of the series with index `series` in the scan.
+    void made(int series, const QImage& image);
+};
+
+/// Returns the middle slice of `series`, which must be loadable, seen from the feet with the first row above, in its
+/// true shape and at most 96 pixels long. Null if it cannot be read.
+QImage seriesImage(const dicom::Series& series);
+
+}  // namespace pdr::app

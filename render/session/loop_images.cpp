@@ -1,0 +1,142 @@
+/// How the render thread makes images of a film, and when it shows them.
+
+#include <utility>
+
+#include "render/session/known_bias.h"
+#include "render/session/loop.h"
+
+namespace pdr {
+
+/// Requests an image, and sends the images that are due. The requested image itself is sent at once if it is the first
+/// one or coarse, is timed, or shows no new iterations. `adds`: it shows new iterations. Sends nothing if denoising was
+/// interrupted because a newer request is waiting; if that is only another display, the film stays, and the next step
+/// shows the previously denoised image on it.
+Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool adds) {
+    const Display asked = commands.display();
+    const Display display = quality_.denoised().better(
+        {asked.exposure, smooths(asked), quality_.isSurveyDue(scheduler_.samples().mean, asked.exposure)});
+    // Make the image
+    const bool within = step.render && !adds;  // the current frame continues
+    const bool atOnce = display_.isFresh() || coarse() || scheduler_.isTimed() || !adds;
+    const double start = clock_();
+    const std::stop_token& stop = step.redisplay || !givesWay() ? step.stop : step.detour;
+    const bool guided =
+        display.denoised && display_.findGuide(place_, ResolutionLadder::finer(scheduler_.divider()), step.stop);
+    Result<DisplayPipeline::Images> images =
+        guided ? display_.makeOnGuide(place_, asked, adds) : display_.make(place_, asked, display, atOnce, stop);
+    if (!images)
+        return images.error();
+    if (display.denoised && step.stop.stop_requested()) {
+        place_.tearFilm();
+        return {};
+    }
+    const double displaySeconds = clock_() - start;
+    if (display.denoised && stop.stop_requested()) {
+        quality_.addSeconds(displaySeconds);
+        display_.breakOff();
+        return {};
+    }
+    // Account for the time
+    display_.markShown();
+    const FrameScheduler::Iterations taken = within ? FrameScheduler::Iterations() : scheduler_.endFrame();
+    quality_.addSeconds(taken.seconds + displaySeconds);
+    if (adds)
+        scheduler_.addImage({taken, displaySeconds, overlaps(), guided});
+    // State the quality, then send
+    for (DisplayedImage& each : *images)
+        quality_.record(each.image, each.display.exposure, scheduler_.secondsAhead());
+    if (Result<void> updated = updateQuality(asked, step.stop); !updated)
+        return updated;
+    send(*std::move(images), scheduler_.wanted(demand(step.pace)));
+    return scheduler_.isTimed() && adds ? timeDisplay(display, taken.n, taken.seconds + displaySeconds)
+                                        : Result<void>();
+}
+
+/// Judges the error of the denoised image, if one is shown at rest and this is due. A change of brightness interrupts
+/// it.
+Result<void> Session::Loop::judge(const RenderCommands::Iteration& step) {
+    if (!canJudge() || !quality_.isJudgementDue(partSamples(), step.render) || step.detour.stop_requested())
+        return {};
+    return quality_.judge(*place_.film(), partSamples(), step.detour);
+}
+
+/// Updates the error map, if one is requested, and the status of the region.
+Result<void> Session::Loop::updateQuality(const Display& asked, const std::stop_token& stop) {
+    Accumulator& film = *place_.film();
+    if (!commands.errorMap())
+        quality_.dropErrorMap();
+    else if (Result<void> mapped = quality_.mapErrors(film, partSamples(), asked.exposure, stop); !mapped)
+        return mapped;
+    const std::optional<Tile> region = quality_.region().tile(place_.size());
+    return region ? quality_.lookAtRegion(film, scheduler_.sweep().samplesOf(*region), {asked.exposure, smooths(asked)})
+                  : Result<void>();
+}
+
+/// Shows the coarser film on another display.
+Result<void> Session::Loop::showCoarser(const RenderCommands::Iteration& step) {
+    const Display asked = commands.display();
+    std::optional<DisplayedImage> image = display_.coarserImage(asked, {asked.exposure, smooths(asked)}, step.stop);
+    if (!image)
+        return {};
+    auto frame = frameOf(*std::move(image), ResolutionLadder::kSamples);
+    frame->coarse = true;
+    sink_(std::move(frame));
+    return {};
+}
+
+/// Times the display of a frame alone. If work runs asynchronously, the duration of a call says nothing, so the frame
+/// was made with nothing else in flight, in `frameSeconds`. Now only its display is repeated; the remaining time
+/// is that of its n iterations.
+Result<void> Session::Loop::timeDisplay(const Display& display, std::uint32_t n, double frameSeconds) {
+    const double start = clock_();
+    if (Result<void> ordered = place_.film()->resolve(display); !ordered)
+        return ordered;
+    if (const Result<Image> again = place_.film()->readback(); !again)
+        return again.error();
+    const double displaySeconds = clock_() - start;
+    scheduler_.addTimedFrame(n, frameSeconds, displaySeconds);
+    quality_.addSeconds(displaySeconds);
+    return {};
+}
+
+void Session::Loop::send(DisplayPipeline::Images images, std::uint32_t n) {
+    for (DisplayedImage& image : images)
+        sink_(frameOf(std::move(image), n));
+}
+
+std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedImage image, std::uint32_t n) {
+    auto frame = std::make_shared<Frame>();
+    // Describe the scene
+    frame->revision = place_.revision();
+    frame->camera = scene_.camera;
+    frame->lookName = scene_.lookName;
+    frame->maskAwaited = scene_.maskAwaited;
+    frame->notShown = scene_.mask ? scene_.mask->hidden() : Text();
+    frame->clip = scene_.clip;
+    frame->estimator = scene_.estimator;
+    // State the progress
+    frame->coarse = coarse();
+    const StopRequest stop = commands.stopRequest();
+    frame->stop = stop.rule;
+    frame->reached = stop.isMet(progress());
+    // Add the image and its quality
+    frame->size = image.size;
+    frame->display = image.display;
+    frame->rgba = std::move(image.image.rgba);
+    frame->status = image.image.status;
+    frame->denoised = image.image.denoised;
+    quality_.describe(*frame, scheduler_.secondsAhead());
+    frame->bias = biasFacts(scene_, frame->status, place_.info().name);
+    frame->bias.measured = bias_.known(frame->display.exposure);
+    frame->bias.isDenoised = frame->denoised;
+    // Add how it was made
+    frame->iterationsPerSecond = scheduler_.timer().iterationsPerSecond();
+    frame->iterations = n;
+    if (scene_.schedule.kind == Schedule::Kind::pd)  // in other schedules iterations include their own display
+        frame->efficiency = scheduler_.timer().efficiency();
+    frame->device = place_.info().name;
+    frame->schedule = scene_.schedule;
+    return frame;
+}
+
+}  // namespace pdr

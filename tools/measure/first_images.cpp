@@ -1,0 +1,213 @@
+/// Measures how good the image is soon after an edit, in the real window: the image after 0.1, 1 and 10 seconds,
+/// denoised and raw, against an image of many samples of another seed.
+///   first_images FOLDER [-o SHEET.jpg] [--reference N] [--threads N] [--look NAME]
+/// FOLDER holds a CT. The edit is a view from the front. Prints a line for each image: its samples and pixels, the
+/// levels of 255 within which 95 % of the tissue are once the image is stretched to the view as the window does,
+/// and the error that the window states. With -o the images are drawn on one sheet: raw above, denoised below, the
+/// reference on the right.
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QElapsedTimer>
+#include <QPainter>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "app/desktop/desktop.h"
+#include "app/looks/looks.h"
+#include "render/film/display/tone_map.h"
+#include "ui/theme/theme.h"
+
+namespace pdr::app {
+namespace {
+
+constexpr std::array<double, 3> kSeconds{0.1, 1, 10};
+
+struct Plan {
+    QString folder, out, look;
+    int reference, threads;
+};
+
+using Shown = std::shared_ptr<const Frame>;
+
+QImage imageOf(const std::vector<std::uint8_t>& rgba, ivec2 size) {
+    return QImage(rgba.data(), size.x, size.y, 4 * size.x, QImage::Format_RGBA8888)
+        .convertToFormat(QImage::Format_RGB32);
+}
+
+/// Returns the image stretched to the view, as the window does.
+QImage stretched(const QImage& image, QSize view) {
+    if (image.size() == view)
+        return image;
+    QImage out(view, QImage::Format_RGB32);
+    QPainter painter(&out);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(QRectF(QPointF(0, 0), QSizeF(view)), image);
+    return out;
+}
+
+/// Levels of 255 that 95 % of the tissue are off: of each pixel the channel that is off most.
+int levelsOff(const QImage& picture, const QImage& truth, const Film& tissue) {
+    std::vector<int> levels;
+    for (int y = 0; y < truth.height(); ++y)
+        for (int x = 0; x < truth.width(); ++x) {
+            if (!tissue.pixel(x, y).tissue)
+                continue;
+            const QRgb a = picture.pixel(x, y), b = truth.pixel(x, y);
+            levels.push_back(std::max(
+                {std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))}));
+        }
+    if (levels.empty())
+        return 0;
+    const auto at = levels.begin() + std::ptrdiff_t(0.95 * double(levels.size() - 1));
+    std::ranges::nth_element(levels, at);
+    return *at;
+}
+
+/// The images on the screen kSeconds after a view from the front, which comes after one from the left.
+std::array<Shown, kSeconds.size()> shownAfterEdit(Desktop& desktop) {
+    desktop.document().setView(StandardView::left);
+    QTest::qWait(3000);
+    QElapsedTimer clock;
+    clock.start();
+    desktop.document().setView(StandardView::anterior);
+    const std::uint64_t revision = desktop.document().scene().revision;
+    std::array<Shown, kSeconds.size()> shown;
+    for (std::size_t i = 0; i < kSeconds.size(); ++i) {
+        QTest::qWait(std::max(0, int(1e3 * kSeconds[i] - double(clock.elapsed()))));
+        if (const Shown& last = desktop.bridge().lastFrame(); last && last->revision == revision)
+            shown[i] = last;
+    }
+    return shown;
+}
+
+/// An image that was on the screen, with a text below it: its true error, and the stated one.
+struct Trial {
+    QString text;
+    QImage image;
+};
+
+QString said(const Frame& frame) {
+    if (frame.denoised && frame.denoisedError)
+        return QString("said: ±%1, at most ±%2")
+            .arg(frame.denoisedError->levels, 0, 'f', 1)
+            .arg(frame.denoisedError->levelsAtMost, 0, 'f', 1);
+    if (!frame.denoised && std::isfinite(frame.status.displayError))
+        return QString("said: ±%1").arg(frame.status.displayError, 0, 'f', 1);
+    return "nothing said yet";
+}
+
+Trial trialOf(const char* kind, double seconds, const Shown& shown, const QImage& truth, const Film& tissue) {
+    const QString name = QString("%1, %2 s").arg(kind).arg(seconds);
+    if (!shown)
+        return {name + ": no picture yet", {}};
+    const QImage picture = stretched(imageOf(shown->rgba, shown->size), truth.size());
+    const int levels = levelsOff(picture, truth, tissue);
+    std::printf("%-14s %4d x %-4d pixels  %4llu samples  95 %% of the tissue within %3d levels  %s\n", qPrintable(name),
+                shown->size.x, shown->size.y, (unsigned long long)shown->status.samplesPerPixel, levels,
+                said(*shown).toUtf8().constData());
+    return {QString("%1: ±%2\n%3").arg(name).arg(levels).arg(said(*shown)), picture};
+}
+
+/// The part of the image with tissue, and a margin.
+QRect tissueIn(const Film& film) {
+    QRect box;
+    for (int y = 0; y < film.size().y; ++y)
+        for (int x = 0; x < film.size().x; ++x)
+            if (film.pixel(x, y).tissue)
+                box |= QRect(x, y, 1, 1);
+    return box.adjusted(-8, -8, 8, 8) & QRect(0, 0, film.size().x, film.size().y);
+}
+
+/// Two rows of images, and one on the right.
+QImage sheetOf(const std::vector<Trial>& trials, const Trial& reference, const QRect& part) {
+    constexpr int kText = 40, kGap = 6;
+    const QSize cell(part.width() + kGap, part.height() + kText + kGap);
+    const int columns = int(trials.size()) / 2;
+    QImage sheet(cell.width() * (columns + 1), 2 * cell.height(), QImage::Format_RGB32);
+    sheet.fill(Qt::white);
+    QPainter painter(&sheet);
+    const auto draw = [&](const Trial& trial, int column, double row) {
+        const QPoint at(column * cell.width(), int(row * cell.height()));
+        painter.drawImage(at, trial.image, part);
+        painter.drawText(QRect(at + QPoint(2, part.height()), QSize(part.width(), kText)), Qt::AlignTop, trial.text);
+    };
+    for (int i = 0; i < int(trials.size()); ++i)
+        draw(trials[std::size_t(i)], i % columns, i / columns);
+    draw(reference, columns, 0.5);
+    return sheet;
+}
+
+/// Nothing: it could not be made.
+std::shared_ptr<const Film> referenceOf(Scene scene, const Plan& plan) {
+    scene.seed += 1;
+    const std::unique_ptr<Device> device = makeCpuDevice(plan.threads);
+    const auto live = startFilm(*device, scene);
+    if (!live || !(*live)->accumulate(std::uint32_t(plan.reference), {}))
+        return nullptr;
+    return *(*live)->film();
+}
+
+int run(const Plan& plan) {
+    QTemporaryDir settings;
+    Desktop desktop(*bundledLooks(), makeCpuDevice(plan.threads), settings.filePath("settings.ini"), plan.threads);
+    desktop.window().show();
+    desktop.open(plan.folder);
+    if (!QTest::qWaitFor([&] { return desktop.bridge().lastFrame() && !desktop.bridge().lastFrame()->coarse; },
+                         600'000)) {
+        std::printf("no picture of %s\n", qPrintable(plan.folder));
+        return 1;
+    }
+    for (std::size_t i = 0; i < desktop.document().looks().fitted().size(); ++i)
+        if (QString::fromStdString(desktop.document().looks().fitted()[i].name).contains(plan.look))
+            desktop.document().chooseLook(int(i));
+    QTest::qWait(2000);
+    const auto denoised = shownAfterEdit(desktop);
+    desktop.document().setDenoised(false);
+    const auto raw = shownAfterEdit(desktop);
+    const Display display{desktop.document().display().exposure, true};
+    const Scene scene = desktop.document().scene();
+    desktop.bridge().setPaused(true);
+
+    const auto film = referenceOf(scene, plan);
+    if (!film)
+        return 1;
+    const Image best = imageOf(*film, display);
+    const QImage truth = imageOf(best.rgba, scene.film);
+    QString about = QString("reference: %1 samples, denoised").arg(plan.reference);
+    if (const auto error = SmoothingJudgement::of(*film)->overAll(display.exposure))
+        about += QString("\nwithin ±%1, at most ±%2").arg(error->levels, 0, 'f', 1).arg(error->levelsAtMost, 0, 'f', 1);
+    std::printf("%s, %s: view of %d x %d pixels\n%s\n", qPrintable(plan.folder), qPrintable(plan.look), scene.film.x,
+                scene.film.y, about.toUtf8().constData());
+    std::vector<Trial> trials;
+    for (const auto& [kind, shown] : {std::pair("raw", &raw), std::pair("denoised", &denoised)})
+        for (std::size_t i = 0; i < kSeconds.size(); ++i)
+            trials.push_back(trialOf(kind, kSeconds[i], (*shown)[i], truth, *film));
+    const Trial reference{about, truth};
+    if (!plan.out.isEmpty() && !sheetOf(trials, reference, tissueIn(*film)).save(plan.out, nullptr, 88))
+        return 1;
+    return 0;
+}
+
+}  // namespace
+}  // namespace pdr::app
+
+int main(int argc, char** argv) {
+    QApplication application(argc, argv);
+    pdr::ui::applyTheme(application, pdr::ui::ThemeChoice::dark);
+    QCommandLineParser parser;
+    parser.addPositionalArgument("FOLDER", "a folder with a CT");
+    parser.addOption({"o", "draw all pictures on this sheet", "FILE"});
+    parser.addOption({"look", "part of its name", "NAME", "Bone"});
+    parser.addOption({"reference", "samples of the reference", "N", "256"});
+    parser.addOption({"threads", "0: one per core", "N", "0"});
+    parser.addHelpOption();
+    parser.process(application);
+    if (parser.positionalArguments().size() != 1)
+        parser.showHelp(2);
+    return pdr::app::run({parser.positionalArguments()[0], parser.value("o"), parser.value("look"),
+                          parser.value("reference").toInt(), parser.value("threads").toInt()});
+}
