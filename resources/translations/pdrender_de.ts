@@ -4612,6 +4612,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>nach dieser Kachel ist nicht gefragt</translation>
     </message>
     <message>
+        <source>no tissue at this point: %1 % of the light passes</source>
+        <translation>kein Gewebe an dieser Stelle: %1 % des Lichts gehen hindurch</translation>
+    </message>
+    <message>
         <source>no tissue in the region</source>
         <translation>kein Gewebe im Bereich</translation>
     </message>
@@ -4690,6 +4694,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>one render node has the whole image</source>
         <translation>ein Render-Rechner hat das ganze Bild</translation>
+    </message>
+    <message>
+        <source>only %1 % of the light here stops at one depth, which was taken</source>
+        <translation>nur %1 % des Lichts enden hier in einer Tiefe, die genommen wurde</translation>
     </message>
     <message>
         <source>orientation</source>
@@ -5100,6 +5108,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die Blende ist offen</translation>
     </message>
     <message>
+        <source>the light here stops at %1 depths: the one with the most, %2 %, was taken</source>
+        <translation>das Licht endet hier in %1 Tiefen: Genommen wurde die mit dem größten Anteil, %2 %</translation>
+    </message>
+    <message>
         <source>the link leads nowhere</source>
         <translation>der Verweis führt ins Leere</translation>
     </message>
@@ -5396,6 +5408,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>diese Datei darf nicht geschrieben werden</translation>
     </message>
     <message>
+        <source>this image adds up all depths: no point of it is one place</source>
+        <translation>dieses Bild summiert alle Tiefen: Keine Stelle darin ist ein einzelner Ort</translation>
+    </message>
+    <message>
         <source>this is a file, not a folder</source>
         <translation>das ist eine Datei, kein Ordner</translation>
     </message>
@@ -5530,6 +5546,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>what is cut away lies outside the volume</source>
         <translation>was weggeschnitten ist, liegt außerhalb des Volumens</translation>
+    </message>
+    <message>
+        <source>what is seen here is spread over %1 mm of depth: too translucent to be one place</source>
+        <translation>was hier zu sehen ist, verteilt sich über %1 mm Tiefe: zu durchscheinend für einen einzelnen Ort</translation>
     </message>
     <message>
         <source>which of them comes first is not known yet</source>

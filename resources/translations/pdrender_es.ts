@@ -4612,6 +4612,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no se pide esa tesela</translation>
     </message>
     <message>
+        <source>no tissue at this point: %1 % of the light passes</source>
+        <translation>no hay tejido en este punto: pasa el %1 % de la luz</translation>
+    </message>
+    <message>
         <source>no tissue in the region</source>
         <translation>no hay tejido en la región</translation>
     </message>
@@ -4690,6 +4694,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>one render node has the whole image</source>
         <translation>un equipo de render tiene la imagen entera</translation>
+    </message>
+    <message>
+        <source>only %1 % of the light here stops at one depth, which was taken</source>
+        <translation>solo el %1 % de la luz se detiene aquí a una misma profundidad, la elegida</translation>
     </message>
     <message>
         <source>orientation</source>
@@ -5100,6 +5108,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el objetivo está abierto</translation>
     </message>
     <message>
+        <source>the light here stops at %1 depths: the one with the most, %2 %, was taken</source>
+        <translation>la luz se detiene aquí a %1 profundidades: se ha elegido la de mayor parte, el %2 %</translation>
+    </message>
+    <message>
         <source>the link leads nowhere</source>
         <translation>el enlace no lleva a ninguna parte</translation>
     </message>
@@ -5396,6 +5408,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no está permitido escribir este archivo</translation>
     </message>
     <message>
+        <source>this image adds up all depths: no point of it is one place</source>
+        <translation>esta imagen suma todas las profundidades: ningún punto suyo es un único lugar</translation>
+    </message>
+    <message>
         <source>this is a file, not a folder</source>
         <translation>esto es un archivo, no una carpeta</translation>
     </message>
@@ -5530,6 +5546,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>what is cut away lies outside the volume</source>
         <translation>lo cortado queda fuera del volumen</translation>
+    </message>
+    <message>
+        <source>what is seen here is spread over %1 mm of depth: too translucent to be one place</source>
+        <translation>lo que se ve aquí se reparte en %1 mm de profundidad: es demasiado translúcido para ser un único lugar</translation>
     </message>
     <message>
         <source>which of them comes first is not known yet</source>
