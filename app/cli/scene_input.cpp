@@ -12,7 +12,7 @@
 #include "app/scan/scene_volume.h"
 #include "render/base/file_ending.h"
 #include "render/prepare/flatten.h"
-#include "render/prepare/focus.h"
+#include "render/prepare/layers_text.h"
 #include "render/scene/fit_view.h"
 #include "render/scene/visible_mask.h"
 
@@ -143,17 +143,22 @@ Result<void> expose(LoadedScene& work, const segment::BodyParts& parts, const Vo
     return {};
 }
 
-Result<void> focus(Scene& scene, ivec2 pixel) {
+/// Makes sharp what `pixel` shows: of several layers the one with the greatest share of the light, with a note.
+Result<void> focus(LoadedScene& work, ivec2 pixel) {
+    Scene& scene = work.scene;
     if (pixel.x >= scene.film.x || pixel.y >= scene.film.y)
         return Error{"lies outside the image of " + std::to_string(scene.film.x) + " x " +
                          std::to_string(scene.film.y) + " pixels",
                      "--focus", ""};
-    const auto depth = depthUnder(*Flattener().prepare(scene), pixel);
-    if (!depth)
-        return Error{
-            "there is nothing to focus on under pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y),
-            "--focus", "Take a pixel that shows opaque tissue."};
-    scene.camera.focusMm = *depth;
+    const LayersUnder under = layersUnder(*Flattener().prepare(scene), vec2(pixel) + 0.5f);
+    const std::string where = std::to_string(pixel.x) + "," + std::to_string(pixel.y);
+    const Text text = layersText(under);
+    if (under.layers.empty())
+        return Error{"there is nothing to focus on under pixel " + where + ": " + text, "--focus",
+                     "Take a pixel that shows opaque tissue."};
+    scene.camera.focusMm = under.heaviest()->depthMm;
+    if (!text.empty())
+        work.notes.push_back("focus on pixel " + where + ": " + text);
     return {};
 }
 
@@ -193,7 +198,7 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
         if (auto ok = expose(work, parts, body); !ok)
             return ok.error();
     if (input.focusAt)
-        if (auto ok = focus(work.scene, *input.focusAt); !ok)
+        if (auto ok = focus(work, *input.focusAt); !ok)
             return ok.error();
     return work;
 }

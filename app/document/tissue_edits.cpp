@@ -43,7 +43,7 @@ void TissueEdits::drag(QPointF inHeights, bool moving) {
 
 /// The bell's width follows the tissue's spread: 2.4 standard deviations, about the full width at half maximum of a
 /// normal distribution, clamped to [kNarrowestBell, kWidestBell].
-void TissueEdits::addBell(const TissueUnder& tissue) {
+void TissueEdits::addBell(const TissueBehind& tissue) {
     const TransferFunction& function = document_.setup().look.transferFunction;
     const Curve opacity = curveOf(function, TissueChannel::opacity);
     const float height = heightOf(opacity), width = std::clamp(2.4f * tissue.spread, kNarrowestBell, kWidestBell);

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/document/document.h"
-#include "render/prepare/focus.h"
+#include "render/prepare/tissue_behind.h"
 
 namespace pdr::app {
 
@@ -25,7 +25,7 @@ class TissueEdits : public QObject {
     /// per height.
     void drag(QPointF inHeights, bool moving);
     /// Adds a bell to the opacity at the tissue's HU, as high as the maximum of the opacity. One step to undo.
-    void addBell(const pdr::TissueUnder& tissue);
+    void addBell(const pdr::TissueBehind& tissue);
 
   private:
     Document& document_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "render/prepare/flatten.h"
+#include "render/prepare/layers_text.h"
 
 namespace pdr::app {
 
@@ -47,26 +48,35 @@ void TissueStudy::setVolume(const std::shared_ptr<const Volume>& volume) {
     });
 }
 
-/// Calls `find` with the prepared scene and its pixel at `place`, and `tell` with the result.
+/// Calls `find` with the prepared scene and what is seen at `place`, and `tell` with the result.
 template <class Find, class Tell>
 void TissueStudy::look(const Scene& scene, QPointF place, Find find, Tell tell) {
     start([this, scene, place, find, tell]() -> std::function<void()> {
         if (!scene.check())
             return [] {};
-        const ivec2 pixel(int(place.x() * scene.film.x), int(place.y() * scene.film.y));
-        const auto found = find(*Flattener().prepare(scene), pixel);
-        if (!found)
-            return [this] { emit nothingFound(); };
-        return [tell, found = *found] { tell(found); };
+        const auto prepared = Flattener().prepare(scene);
+        const LayersUnder under = layersUnder(*prepared, vec2(dvec2(place.x(), place.y()) * dvec2(scene.film)));
+        const Text text = layersText(under);
+        if (under.layers.empty())
+            return [this, text] { emit nothingFound(text); };
+        return [this, text, tell, found = find(*prepared, under)] {
+            tell(found);
+            if (!text.empty())
+                emit layerTaken(text);
+        };
     });
 }
 
 void TissueStudy::pick(const Scene& scene, QPointF place) {
-    look(scene, place, tissueUnder, [this](const TissueUnder& tissue) { emit tissueFound(tissue); });
+    const auto tissue = [](const PreparedScene& prepared, const LayersUnder& under) {
+        return tissueBehind(prepared, under.heaviest()->placeMm, under.direction);
+    };
+    look(scene, place, tissue, [this](const TissueBehind& found) { emit tissueFound(found); });
 }
 
 void TissueStudy::measureDepth(const Scene& scene, QPointF place) {
-    look(scene, place, depthUnder, [this](double depthMm) { emit depthFound(depthMm); });
+    const auto depth = [](const PreparedScene&, const LayersUnder& under) { return under.heaviest()->depthMm; };
+    look(scene, place, depth, [this](double depthMm) { emit depthFound(depthMm); });
 }
 
 }  // namespace pdr::app

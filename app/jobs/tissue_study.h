@@ -1,6 +1,7 @@
 #pragma once
 /// Examines a volume's tissue in the background: its histogram, the tissue at a place of the image, and its distance.
-/// Holds the volume only while it is examined.
+/// Holds the volume only while it is examined. Where the light stops in several layers (prepare/layers_under.h), the
+/// layer with the greatest share is examined, and that is told; fog is refused.
 
 #include <QObject>
 #include <QPointF>
@@ -8,7 +9,9 @@
 #include <atomic>
 #include <memory>
 
-#include "render/prepare/focus.h"
+#include "render/base/text.h"
+#include "render/prepare/layers_under.h"
+#include "render/prepare/tissue_behind.h"
 #include "render/scene/scene.h"
 #include "render/volume/histogram.h"
 
@@ -35,10 +38,12 @@ class TissueStudy : public QObject {
 
   signals:
     void histogramFound(const std::shared_ptr<const pdr::Histogram>& histogram);
-    void tissueFound(const pdr::TissueUnder& tissue);
+    void tissueFound(const pdr::TissueBehind& tissue);
     /// `depthMm`: along the view [mm from the eye].
     void depthFound(double depthMm);
-    void nothingFound();
+    /// Says after tissueFound() or depthFound() which of several layers was examined.
+    void layerTaken(const pdr::Text& which);
+    void nothingFound(const pdr::Text& why);
 
   private:
     template <class Work>

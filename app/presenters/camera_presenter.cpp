@@ -1,6 +1,7 @@
 #include "app/presenters/camera_presenter.h"
 
 #include "app/document/background_colour.h"
+#include "ui/text/room_text.h"
 
 namespace pdr::app {
 
@@ -22,8 +23,9 @@ void CameraPresenter::connectFocus() {
             study_.measureDepth(document().scene(), place);
     });
     connect(&study_, &TissueStudy::depthFound, &document(), &Document::setFocus);
-    connect(&study_, &TissueStudy::nothingFound, this,
-            [this] { window().status().showForAWhile(ui::MainWindow::tr("No tissue at this point")); });
+    for (const auto remark : {&TissueStudy::layerTaken, &TissueStudy::nothingFound})
+        connect(&study_, remark, this,
+                [this](const Text& text) { window().status().showForAWhile(ui::sentence(text)); });
 }
 
 void CameraPresenter::setBackground(const std::optional<QColor>& colour) {

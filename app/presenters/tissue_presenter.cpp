@@ -1,5 +1,7 @@
 #include "app/presenters/tissue_presenter.h"
 
+#include "ui/text/room_text.h"
+
 namespace pdr::app {
 
 TissuePresenter::TissuePresenter(const Workspace& workspace)
@@ -21,8 +23,9 @@ void TissuePresenter::connectTools() {
     connect(panel_, &ui::TissuePanel::pickingChosen, &pick_, &ui::PickTool::setActive);
     connect(&pick_, &ui::PickTool::activeChanged, panel_, &ui::TissuePanel::setPicking);
     connect(&study_, &TissueStudy::tissueFound, &edits_, &TissueEdits::addBell);
-    connect(&study_, &TissueStudy::nothingFound, this,
-            [this] { window().status().showForAWhile(ui::MainWindow::tr("No tissue at this point")); });
+    for (const auto remark : {&TissueStudy::layerTaken, &TissueStudy::nothingFound})
+        connect(&study_, remark, this,
+                [this](const Text& text) { window().status().showForAWhile(ui::sentence(text)); });
 }
 
 void TissuePresenter::pick(QPointF place) {

@@ -2218,10 +2218,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Kein Tisch wurde ausgeblendet, denn %1.</translation>
     </message>
     <message>
-        <source>No tissue at this point</source>
-        <translation>Kein Gewebe an dieser Stelle</translation>
-    </message>
-    <message>
         <source>No tissue is in view</source>
         <translation>Kein Gewebe im Bild</translation>
     </message>

@@ -2218,10 +2218,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>No se ocultó ninguna mesa, porque %1.</translation>
     </message>
     <message>
-        <source>No tissue at this point</source>
-        <translation>No hay tejido en este punto</translation>
-    </message>
-    <message>
         <source>No tissue is in view</source>
         <translation>No hay tejido a la vista</translation>
     </message>

@@ -12,6 +12,7 @@
 #include "tests/support/desktop/the.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/patience.h"
+#include "tests/support/scenes/plates.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {
@@ -27,6 +28,8 @@ class TestTissueInWindow : public QObject {
     void aClickOnTheImageShowsTheTissueThere();
     void theButtonPicksOnce();
     void besideTheAnatomyNothingIsPicked();
+    void inFogNothingIsPicked();
+    void ofSeveralLayersTheHeaviestIsTaken();
     void whatIsClosedIsNotHeld();
     void nothingIsToldOfWhatIsClosed();
 
@@ -108,7 +111,7 @@ void TestTissueInWindow::aClickOnTheImageShowsTheTissueThere() {
     QTest::mouseClick(&trial.desktop.window().viewport(), Qt::LeftButton, Qt::ControlModifier,
                       trial.desktop.window().viewport().rect().center());
     QTRY_COMPARE_WITH_TIMEOUT(found.count(), 1, test::kPatience);
-    const float hu = std::round(found.front().front().value<TissueUnder>().hu);
+    const float hu = std::round(found.front().front().value<TissueBehind>().hu);
     const TransferFunction& after = document.setup().look.transferFunction;
     const float top = heightOf(curveOf(before.transferFunction, TissueChannel::opacity));
     QVERIFY(std::abs(after.opacityAt(hu) - top) < 1e-5f);
@@ -145,6 +148,35 @@ void TestTissueInWindow::besideTheAnatomyNothingIsPicked() {
     QTest::mouseClick(&trial.desktop.window().viewport(), Qt::LeftButton, Qt::ControlModifier, {3, 3});
     QTRY_COMPARE_WITH_TIMEOUT(nothing.count(), 1, test::kPatience);
     QVERIFY(!trial.desktop.document().canUndo());
+    QVERIFY(trial.said().contains("No tissue at this point: 100 % of the light passes."));
+}
+
+void TestTissueInWindow::inFogNothingIsPicked() {
+    Trial trial;
+    trial.openAndWait(series_);
+    Document& document = trial.desktop.document();
+    const TransferFunction fog{0.01f, {{.hu = -200, .opacity = 0}, {.hu = -100, .opacity = 1}}};
+    emit test::the<ui::TissuePanel>(trial.desktop.window()).transferFunctionEdited(fog, false);
+    const ImageSetup before = document.setup();
+    ui::Viewport& viewport = trial.desktop.window().viewport();
+    QSignalSpy nothing(&trial.desktop.presenter<TissuePresenter>().study(), &TissueStudy::nothingFound);
+    QTest::mouseClick(&viewport, Qt::LeftButton, Qt::ControlModifier, viewport.rect().center());
+    QTRY_COMPARE_WITH_TIMEOUT(nothing.count(), 1, test::kPatience);
+    QVERIFY(document.setup() == before);
+    QVERIFY(trial.said().contains("What is seen here is spread over"));
+}
+
+void TestTissueInWindow::ofSeveralLayersTheHeaviestIsTaken() {
+    const double front = 0.3, back = 0.45;
+    const Scene scene = test::platesScene({{150, test::depthFor(front)}, {60, test::depthFor(back, front)}});
+    TissueStudy study;
+    QSignalSpy depth(&study, &TissueStudy::depthFound), which(&study, &TissueStudy::layerTaken);
+    study.measureDepth(scene, {0.56, 0.56});
+    QTRY_COMPARE_WITH_TIMEOUT(which.count(), 1, test::kPatience);
+    QCOMPARE(depth.count(), 1);
+    QVERIFY(std::abs(depth.front().front().toDouble() - (1100 - test::heightOf(60))) < 0.5);
+    QCOMPARE(which.front().front().value<Text>(),
+             "the light here stops at 2 depths: the one with the most, 45 %, was taken");
 }
 
 /// Another series is read when the volume before is freed: also while its tissue is looked at.

@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "render/kernel/transport/integrator.h"
-#include "render/prepare/focus.h"
+#include "render/prepare/layers_under.h"
 #include "tests/support/scenes/images.h"
 
 using namespace pdr;
@@ -139,13 +139,11 @@ class LensTest : public QObject {
     void whatIsUnderAPixelHasItsDepth() {
         Scene scene = test::slab(1e6, {0, 0, -1}, 0.8f);  // opaque, its face at z = 10, the eye at z = 500
         scene.film = {8, 8};
-        const auto depth = depthUnder(*test::prepared(scene), {3, 5});
-        QVERIFY(depth && std::fabs(*depth - 490) < 0.1);
+        const LayersUnder under = layersUnder(*test::prepared(scene), {3.5f, 5.5f});
+        QVERIFY(under.seen == SeenAt::place && std::fabs(under.layers[0].depthMm - 490) < 0.1);
         scene.camera.eyeMm.x += 1000;
         scene.camera.targetMm.x += 1000;
-        QVERIFY(!depthUnder(*test::prepared(scene), {3, 5}));
-        scene.camera = blob().camera;
-        QVERIFY(!depthUnder(*test::prepared(scene), {-1, 5}));
+        QVERIFY(layersUnder(*test::prepared(scene), {3.5f, 5.5f}).seen == SeenAt::nothing);
     }
 };
 

@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "render/kernel/transport/integrator.h"
-#include "render/prepare/focus.h"
+#include "render/prepare/layers_under.h"
 #include "tests/support/scenes/scenes.h"
 #include "tests/support/statistics.h"
 
@@ -88,8 +88,8 @@ class CameraTest : public QObject {
         scene.transferFunction.extinctionPerMm = 1e4f;
         scene.camera.fovDegrees = 10;  // all of the film shows the volume's face
         for (const ivec2 pixel : {ivec2(100, 40), ivec2(70, 2), ivec2(130, 78)}) {
-            const auto depth = depthUnder(*test::prepared(scene), pixel);
-            QVERIFY(depth && std::fabs(*depth - 400) < 0.01);
+            const LayersUnder under = layersUnder(*test::prepared(scene), vec2(pixel) + 0.5f);
+            QVERIFY(under.seen == SeenAt::place && std::fabs(under.layers[0].depthMm - 400) < 0.01);
         }
     }
 

@@ -12,7 +12,7 @@
 #include <tuple>
 
 #include "render/prepare/flatten.h"
-#include "render/prepare/focus.h"
+#include "render/prepare/layers_under.h"
 #include "render/scene/orbit.h"
 #include "render/scene/scene.h"
 #include "tests/support/scenes/axis_views.h"
@@ -73,7 +73,9 @@ std::string seenAt(const std::shared_ptr<const Volume>& volume, const Camera& ca
     scene.film = ivec2(kFilm);
     const auto prepared = Flattener().prepare(scene);
     const EdgeLetters letters = edgeLetters(camera);
-    const auto seen = [&](int x, int y) { return tissueUnder(*prepared, ivec2(kMiddle) + ivec2(x, y)).has_value(); };
+    const auto seen = [&](int x, int y) {
+        return layersUnder(*prepared, vec2(kMiddle + x, kMiddle + y) + 0.5f).seen == SeenAt::place;
+    };
     std::string found;
     for (const auto& [letter, x, y] :
          {std::tuple(letters.left, -kOut, 0), std::tuple(letters.right, kOut, 0), std::tuple(letters.top, 0, -kOut),
