@@ -6,6 +6,7 @@
 
 #include "render/kernel/bounds/view_footprint.h"
 #include "render/kernel/features.h"
+#include "render/kernel/flat_grid.h"
 #include "render/kernel/sobol.h"
 #include "render/kernel/transport/event.h"
 #include "render/kernel/transport/majorant_traversal.h"
@@ -20,26 +21,16 @@ namespace pdr {
 
 namespace {
 
-void flattenGrid(FlatGrid& flat, const std::int16_t* values, ivec3 size) {
-    flat.voxels = values;
-    flat.size = size;
-    flat.lastIndex = vec3(size - 1);
-    flat.lastCorner = glm::max(vec3(size - 2), vec3(0));
-    flat.stepX = size.x > 1 ? 1 : 0;
-    flat.stepY = size.y > 1 ? size.x : 0;
-    flat.stepZ = size.z > 1 ? std::int64_t(size.x) * size.y : 0;
-}
-
 void flattenVolume(FlatVolume& flat, const Volume& volume) {
     const glm::dmat3 localFromIndex(volume.geometry().patientFromIndex);
-    flattenGrid(flat, volume.voxels().data(), volume.size());
+    static_cast<FlatGrid&>(flat) = flatGrid(volume.voxels().data(), volume.size());
     flat.exactIndexFromLocal = glm::inverse(localFromIndex);
     flat.indexFromLocal = mat3(flat.exactIndexFromLocal);
     flat.localFromIndex = mat3(localFromIndex);
 }
 
 void flattenMask(FlatMask& flat, const Mask& mask) {
-    flattenGrid(flat, mask.weights().data(), mask.grid().size());
+    static_cast<FlatGrid&>(flat) = flatGrid(mask.weights().data(), mask.grid().size());
     flat.shift = mask.grid().shift;
     flat.nodesPerVoxel = 1.0f / vec3(ivec3(1) << flat.shift);
 }

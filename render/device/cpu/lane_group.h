@@ -9,16 +9,10 @@
 #include <cstring>
 
 #include "render/base/lanes.h"
-#include "render/kernel/flat_scene.h"
+#include "render/kernel/flat_grid.h"
 #include "render/kernel/ray.h"
 
 namespace pdr {
-
-/// Returns whether lanes can read the volume: they read voxels in pairs along x and count them in 32 bits.
-inline bool lanesCanRead(const FlatVolume& volume) {
-    const std::int64_t voxels = std::int64_t(volume.size.x) * volume.size.y * volume.size.z;
-    return volume.size.x > 1 && voxels <= INT32_MAX;
-}
 
 /// A group of kLanes rays in lockstep. A lane whose ray has ended waits until kIdleLanes do; then they take new rays
 /// together.
