@@ -40,7 +40,7 @@ QString fileNameOf(const FittedLooks& looks, const Frame& frame) {
     QString look = nameText(looks, frame.lookName).replace(noLetters, "-");
     while (look.endsWith('-'))
         look.chop(1);
-    const QString side = QString::fromStdString(ui::orientationLetters(-frame.camera.forward()));
+    const QString side = QString::fromStdString(orientationLetters(-frame.camera.forward()));
     return QStringList{look, side, QDate::currentDate().toString(Qt::ISODate)}.join('_');
 }
 

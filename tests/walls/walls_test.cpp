@@ -22,7 +22,7 @@ class WallsTest : public QObject {
 
     /// Our own rooms: the longest matching entry counts.
     static QList<Wall> rooms() {
-        const QString below = "|^render/(base|volume|scene|film|accuracy|timing)/|^dicom/series.h";
+        const QString below = "|^render/(base|volume|slice|scene|film|accuracy|timing)/|^dicom/series.h";
         QList<Wall> all{
             {"render/base/", "^render/base/"},
             {"render/volume/", "^render/(base|volume)/"},
@@ -32,6 +32,7 @@ class WallsTest : public QObject {
             {"render/kernel/quadrature/", "^render/(base|kernel/([^/]*$|bounds|walk|transport|quadrature))"},
             {"render/kernel/bounds/", "^render/(base|kernel/([^/]*$|bounds))"},
             {"render/kernel/baseline/", "^render/(base|kernel/([^/]*$|bounds|transport|baseline))"},
+            {"render/slice/", "^render/(base/|volume/|slice/|kernel/[^/]*$)"},
             {"render/film/", "^render/(base/|denoise/|film/[^/]*$)"},
             {"render/film/error/", "^render/(base/|denoise/|film/([^/]*$|error/))"},
             {"render/film/display/", "^render/(base/|denoise/|film/([^/]*$|error/|display/))"},

@@ -16,6 +16,7 @@
 #include "render/scene/orbit.h"
 #include "render/scene/scene.h"
 #include "tests/support/scenes/axis_views.h"
+#include "tests/support/scenes/stored_ways.h"
 #include "ui/annotation/orientation_cube.h"
 #include "ui/annotation/orientation_letters.h"
 
@@ -27,21 +28,6 @@ using test::Side;
 
 std::vector<Camera> axisViews(Camera::Type type) {
     return test::axisViews(type, 10, 105);
-}
-
-/// The 48 ways of an axis of voxels to be an axis of the patient, half of them mirrored.
-std::vector<dmat3> signedPermutations() {
-    std::vector<dmat3> all;
-    std::array axes{0, 1, 2};
-    do
-        for (int signs = 0; signs < 8; ++signs) {
-            dmat3 axesOfVoxels(0);
-            for (int i = 0; i < 3; ++i)
-                axesOfVoxels[i][axes[std::size_t(i)]] = signs >> i & 1 ? -1 : 1;
-            all.push_back(axesOfVoxels);
-        }
-    while (std::ranges::next_permutation(axes).found);
-    return all;
 }
 
 /// Returns a volume of air with a cube at that side of the patient, who is centred at the origin.
@@ -133,7 +119,7 @@ class TestOrientationViews : public QObject {
 
 /// Tests every storage order of the scan and each of the 24 views along axes; each letter is tested in each.
 void TestOrientationViews::theMarkedSideIsWhereItsLetterIs() {
-    const auto orientations = signedPermutations();
+    const auto orientations = test::signedPermutations();
     QCOMPARE(orientations.size(), std::size_t(48));
     const std::array views{axisViews(Camera::Type::perspective), axisViews(Camera::Type::orthographic)};
     QCOMPARE(views[0].size(), std::size_t(24));
