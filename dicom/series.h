@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "render/base/text.h"
+#include "render/slice/grey_window.h"
 #include "render/volume/volume.h"
 
 namespace pdr::dicom {
@@ -92,6 +93,12 @@ struct SliceRef {
     SliceIdentity identity;
 };
 
+/// The grey window that files ask for (WindowCenter, WindowWidth, VOILUTFunction). It changes no HU.
+struct StatedWindow {
+    std::optional<GreyWindow> window;  ///< none: none is stated, or only one that cannot be used
+    Text ignored;                      ///< why a stated window cannot be used, a sentence; empty: there is no such one
+};
+
 /// A series and all that identifies it. Names, numbers, dates and UIDs go to the screen and into DICOM objects of the
 /// same study; none may reach a render node, a log or, unless the user asks for the patient's name on it, an image.
 struct Series {
@@ -105,6 +112,8 @@ struct Series {
     VolumeGeometry geometry;
     /// The source of the slices, which their pixels are read from; null before a scan.
     std::shared_ptr<const SeriesSource> source{};
+    /// The window of the middle slice, or else of the first slice that has one.
+    StatedWindow window{};
 };
 
 /// A file that looks like DICOM but cannot be used at all, with the reason.

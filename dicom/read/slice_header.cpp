@@ -133,6 +133,34 @@ void readMeaning(DcmItem& item, ValueMeaning& meaning) {
     meaning.paddingLimit = sixteenBits(item, DCM_PixelPaddingRangeLimit);
 }
 
+/// Returns the VOI LUT Function of that name; LINEAR is meant where none is stated.
+std::optional<VoiFunction> voiFunction(const std::string& name) {
+    if (name.empty() || name == "LINEAR")
+        return VoiFunction::linear;
+    if (name == "LINEAR_EXACT")
+        return VoiFunction::linearExact;
+    if (name == "SIGMOID")
+        return VoiFunction::sigmoid;
+    return {};
+}
+
+StatedWindow readWindow(DcmItem& item) {
+    if (!item.tagExistsWithValue(DCM_WindowCenter) && !item.tagExistsWithValue(DCM_WindowWidth))
+        return {};
+    const auto centre = numbers<1>(item, DCM_WindowCenter), width = numbers<1>(item, DCM_WindowWidth);
+    if (!centre || !width)
+        return {{}, phrase("the grey window in the files is left out: its centre or its width is no number")};
+    const std::string name = text(item, DCM_VOILUTFunction);
+    const auto function = voiFunction(name);
+    if (!function)
+        return {{}, phrase("the grey window in the files is left out: its function \"%1\" is not known", name)};
+    const GreyWindow window{(*centre)[0], (*width)[0], *function};
+    if (!window.valid())
+        return {{},
+                phrase("the grey window in the files is left out: no window is %1 HU wide", numberOf(window.width))};
+    return {window, {}};
+}
+
 void readPlane(DcmItem& item, SliceHeader& header) {
     if (const auto p = numbers<3>(item, DCM_ImagePositionPatient))
         header.position = dvec3((*p)[0], (*p)[1], (*p)[2]);
@@ -163,6 +191,7 @@ bool parseHeader(const NamedBytes& object, SliceHeader& header, bool& isDirector
     readFacts(item, header);
     readPixelFormat(item, header);
     readMeaning(item, header.meaning);
+    header.window = readWindow(item);
     readPlane(item, header);
     return parsed;
 }

@@ -46,6 +46,7 @@ struct SliceHeader {
     int columns = 0, rows = 0, frames = 1;
     PixelFormat format;
     ValueMeaning meaning;
+    StatedWindow window;  ///< the first, if several are stated
 
     std::optional<dvec3> position;         ///< ImagePositionPatient [mm], LPS
     std::optional<dvec3> rowDirection;     ///< direction of a row (ImageOrientationPatient 0..2)

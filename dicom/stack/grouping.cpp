@@ -93,11 +93,28 @@ StackAnalysis analyseWithoutCopies(Headers& headers, const SeriesSource& source,
     return analysis;
 }
 
+/// Returns the window of the middle slice. Where that has none, the first slice with one is asked, then the first that
+/// says why it has none.
+StatedWindow windowOf(const Headers& sorted) {
+    const StatedWindow& middle = sorted[sorted.size() / 2]->window;
+    if (middle.window)
+        return middle;
+    for (const SliceHeader* slice : sorted)
+        if (slice->window.window)
+            return slice->window;
+    const auto ignored = std::ranges::find_if(sorted, [](const auto* slice) { return !slice->window.ignored.empty(); });
+    return ignored == sorted.end() ? StatedWindow() : (*ignored)->window;
+}
+
 Series seriesOf(const Headers& headers, const StackAnalysis& analysis) {
     const SliceHeader& first = *headers.front();
     Series series{first.patient, first.study, first.series, analysis.verdict, {}, analysis.geometry};
+    Headers sorted;
     for (const int index : analysis.order)
-        series.slices.push_back({headers[index]->file, 0, identityOf(*headers[index])});
+        sorted.push_back(headers[index]);
+    for (const SliceHeader* slice : sorted)
+        series.slices.push_back({slice->file, 0, identityOf(*slice)});
+    series.window = windowOf(sorted);
     return series;
 }
 

@@ -5060,6 +5060,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>der Gradientenfaktor ist größer als 0</translation>
     </message>
     <message>
+        <source>the grey window in the files is left out: its centre or its width is no number</source>
+        <translation>das Graufenster der Dateien bleibt außer Acht: seine Mitte oder seine Breite ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the grey window in the files is left out: its function "%1" is not known</source>
+        <translation>das Graufenster der Dateien bleibt außer Acht: seine Funktion „%1“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the grey window in the files is left out: no window is %1 HU wide</source>
+        <translation>das Graufenster der Dateien bleibt außer Acht: kein Fenster ist %1 HU breit</translation>
+    </message>
+    <message>
         <source>the image cannot be read as OpenEXR (%1)</source>
         <translation>das Bild kann nicht als OpenEXR gelesen werden (%1)</translation>
     </message>

@@ -5060,6 +5060,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el factor de gradiente es mayor que 0</translation>
     </message>
     <message>
+        <source>the grey window in the files is left out: its centre or its width is no number</source>
+        <translation>la ventana de grises de los archivos no se tiene en cuenta: su centro o su anchura no es un número</translation>
+    </message>
+    <message>
+        <source>the grey window in the files is left out: its function "%1" is not known</source>
+        <translation>la ventana de grises de los archivos no se tiene en cuenta: su función «%1» es desconocida</translation>
+    </message>
+    <message>
+        <source>the grey window in the files is left out: no window is %1 HU wide</source>
+        <translation>la ventana de grises de los archivos no se tiene en cuenta: ninguna ventana tiene %1 HU de ancho</translation>
+    </message>
+    <message>
         <source>the image cannot be read as OpenEXR (%1)</source>
         <translation>la imagen no se puede leer como OpenEXR (%1)</translation>
     </message>

@@ -48,7 +48,7 @@ class WallsTest : public QObject {
             {"render/device/", "^render/(base|kernel|film|prepare|device)/|^render/scene/(scene|schedule).h"},
             {"render/session/", "^render/(base|volume|kernel|film|scene|prepare|device|accuracy|timing|session)/"},
             {"render/tiles/", "^render/(base|volume|film|device|timing|tiles)/|^render/scene/(scene|schedule).h"},
-            {"dicom/", "^dicom/[^/]*$|^render/(base|volume)/"},
+            {"dicom/", "^dicom/[^/]*$|^render/(base|volume)/|^render/slice/grey_window.h$"},
             {"dicom/read/", "^dicom/([^/]*$|read/)|^render/base/"},
             {"dicom/source/", "^dicom/[^/]*$|^render/base/"},
             {"dicom/stack/", "^dicom/([^/]*$|read/|stack/)|^render/(base|volume)/"},
