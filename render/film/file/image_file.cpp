@@ -4,15 +4,12 @@
 #include <ImfDoubleAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
-#include <png.h>
 
 #include <algorithm>
 #include <cmath>
-#include <csetjmp>
 #include <utility>
 #include <vector>
 
@@ -24,6 +21,8 @@
 #include "render/film/display/tone_map.h"
 #include "render/film/error/likely_error.h"
 #include "render/film/error/local_error.h"
+#include "render/film/file/exr_stream.h"
+#include "render/film/file/png_encoder.h"
 #include "render/film/levels_text.h"
 
 namespace pdr {
@@ -48,66 +47,7 @@ Result<void> commitUnlessStopped(ReplacingFile& file, const std::stop_token& sto
     return stop.stop_requested() ? cancelled() : file.commit();
 }
 
-// ---- PNG
-
-void writeChunk(png_structp png, png_bytep bytes, png_size_t count) {
-    // The file remembers a failure and reports it at commit, so libpng need not jump.
-    static_cast<ReplacingFile*>(png_get_io_ptr(png))->write(bytes, count);
-}
-
-void flushNothing(png_structp) {}
-
-struct PngImage {
-    ivec2 size;
-    std::vector<png_bytep> rows;
-    std::vector<png_text> texts;
-};
-
-/// Encodes the image. libpng reports errors by longjmp, so nothing in this function may need a destructor.
-bool encodePng(png_structp png, png_infop info, PngImage& image) {
-    if (setjmp(png_jmpbuf(png)))
-        return false;
-    png_set_IHDR(png, info, png_uint_32(image.size.x), png_uint_32(image.size.y), 8, PNG_COLOR_TYPE_RGB,
-                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-    png_set_text(png, info, image.texts.data(), int(image.texts.size()));
-    png_write_info(png, info);
-    png_set_filler(png, 0, PNG_FILLER_AFTER);  // drops the alpha, which is 255 everywhere
-    png_write_image(png, image.rows.data());
-    png_write_end(png, info);
-    return true;
-}
-
-bool encodePng(PngImage& image, ReplacingFile& file) {
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
-    png_infop info = png ? png_create_info_struct(png) : nullptr;
-    if (info)
-        png_set_write_fn(png, &file, writeChunk, flushNothing);
-    const bool ok = info && encodePng(png, info, image);
-    png_destroy_write_struct(&png, &info);
-    return ok;
-}
-
 // ---- OpenEXR
-
-/// An OpenEXR output stream that writes to a ReplacingFile. The library takes exceptions for errors.
-class ExrStream : public Imf::OStream {
-  public:
-    ExrStream(ReplacingFile& file, const std::string& name) : Imf::OStream(name.c_str()), file_(file) {}
-
-    void write(const char bytes[], int count) override {
-        if (!file_.write(bytes, std::size_t(count)))
-            throw std::ios_base::failure("write");
-    }
-    std::uint64_t tellp() override { return file_.position(); }
-    void seekp(std::uint64_t position) override {
-        if (!file_.seek(position))
-            throw std::ios_base::failure("seek");
-    }
-
-  private:
-    ReplacingFile& file_;
-};
 
 constexpr const char* kChannels[] = {"R", "G", "B", "error.R", "error.G", "error.B", "bound.R", "bound.G", "bound.B"};
 constexpr std::size_t kChannelCount = std::size(kChannels);
@@ -126,11 +66,7 @@ Imf::Header exrHeader(ivec2 size, const Provenance& from) {
     header.insert("software", Imf::StringAttribute(from.program));
     header.insert("samplesPerPixel", Imf::DoubleAttribute(double(from.status.samplesPerPixel)));
     header.insert("renderTimeSeconds", Imf::DoubleAttribute(from.seconds));
-    for (const Fact& fact : factsOf(from))
-        if (const auto* words = std::get_if<std::string>(&fact.value))
-            header.insert(fact.name, Imf::StringAttribute(*words));
-        else
-            header.insert(fact.name, Imf::DoubleAttribute(std::get<double>(fact.value)));
+    insertFacts(header, factsOf(from));
     return header;
 }
 
@@ -188,23 +124,7 @@ Result<void> writePng(const Film& film, const Display& wanted, DenoisedView& vie
     facts.push_back({"Software", provenance.program});
     facts.push_back({"Comment", "Not for diagnostic use."});
 
-    // Point libpng to the rows and the texts
-    PngImage image{film.size(), {}, {}};
-    for (int y = 0; y < image.size.y; ++y)
-        image.rows.push_back(&rgba[std::size_t(y) * std::size_t(image.size.x) * 4]);
-    std::vector<std::string> values;
-    values.reserve(facts.size());
-    for (const Fact& fact : facts)
-        values.push_back(textOf(fact));
-    for (std::size_t i = 0; i < facts.size(); ++i) {
-        png_text entry{};
-        entry.compression = PNG_TEXT_COMPRESSION_NONE;
-        entry.key = facts[i].name.data();
-        entry.text = values[i].data();
-        entry.text_length = values[i].size();
-        image.texts.push_back(entry);
-    }
-    if (!encodePng(image, *file))
+    if (!encodePng(film.size(), rgba, facts, *file))
         return Error{phrase("the image could not be encoded as PNG"), path.string(), phrase("Try OpenEXR (.exr).")};
     return commitUnlessStopped(*file, stop);
 }
