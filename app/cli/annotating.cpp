@@ -27,7 +27,7 @@ QImage picture(const QString& letter) {
 }  // namespace
 
 bool mayWriteLetters(int argc, const char* const* argv) {
-    if (argc < 2 || argv[1] != std::string_view("render"))
+    if (argc < 2 || (argv[1] != std::string_view("render") && argv[1] != std::string_view("slice")))
         return false;
     for (int i = 2; i < argc; ++i) {
         const std::string_view argument(argv[i]);
@@ -45,11 +45,15 @@ Result<void> checkFonts(ui::Annotate wanted) {
                  "Install one (fonts-dejavu-core), or add --annotations none."};
 }
 
+Error noPatientKnown() {
+    return {"a raw file knows no patient", "--annotations", "Say sides instead of patient."};
+}
+
 Result<std::optional<ui::Annotations>> annotationsOf(const LoadedScene& loaded, ui::Annotate wanted) {
     if (wanted == ui::Annotate::none)
         return std::optional<ui::Annotations>();
     if (wanted == ui::Annotate::patient && !loaded.series)
-        return Error{"a raw file knows no patient", "--annotations", "Say sides instead of patient."};
+        return noPatientKnown();
     const Scene& scene = loaded.scene;
     const QString notShown = scene.mask ? QString::fromStdString(scene.mask->hidden()) : QString();
     const QStringList texts = ui::annotationTexts(

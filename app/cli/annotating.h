@@ -15,6 +15,9 @@ bool mayWriteLetters(int argc, const char* const* argv);
 /// Checks that this machine has a font if `wanted` requires letters. Errors: there is none.
 Result<void> checkFonts(ui::Annotate wanted);
 
+/// Returns the error that the patient's data is requested and the voxels come from a raw file.
+Error noPatientKnown();
+
 /// Returns the annotations of an image; null if none are requested. Errors: the patient's data is requested and the
 /// voxels come from a raw file, which has none.
 Result<std::optional<ui::Annotations>> annotationsOf(const LoadedScene& loaded, ui::Annotate wanted);

@@ -1,5 +1,5 @@
-/// Entry point of pdrender-cli with its commands info, looks, render, accuracy, effects, replay, cluster, example. Exit
-/// codes: 0 on success, 1 on an error, 2 on wrong usage.
+/// Entry point of pdrender-cli with its commands info, looks, render, slice, accuracy, effects, replay, cluster,
+/// example. Exit codes: 0 on success, 1 on an error, 2 on wrong usage.
 
 #include <QGuiApplication>
 #include <QLocale>
@@ -19,6 +19,7 @@
 #include "app/cli/looks_command.h"
 #include "app/cli/render_command.h"
 #include "app/cli/replay_command.h"
+#include "app/cli/slice_command.h"
 #include "app/command_line/command_words.h"
 #include "app/program/program.h"
 #include "render/base/version.h"
@@ -32,6 +33,7 @@ constexpr const char* kHelp =
     "  pdrender-cli info FOLDER [--json]                      list the series in a folder of DICOM files\n"
     "  pdrender-cli looks                                     list how a scan can look\n"
     "  pdrender-cli render FOLDER|SCENE.json -o FILE ...      render an image (.png, .exr)\n"
+    "  pdrender-cli slice FOLDER|SCENE.json --plane PLANE -o FILE ...  write a slice as an image or as HU\n"
     "  pdrender-cli accuracy FOLDER|SCENE.json -o DIR ...     measure what accuracy costs in time\n"
     "  pdrender-cli effects FOLDER|SCENE.json ...             list what the image needs, why, and at what cost\n"
     "  pdrender-cli replay FOLDER|SCENE.json --pixel X,Y ...  tell how one sample came about, event by event\n"
@@ -61,6 +63,8 @@ int run(QStringList arguments) {
         return runLooks(arguments);
     if (command == "render")
         return runRender(arguments);
+    if (command == "slice")
+        return runSlice(arguments);
     if (command == "accuracy")
         return runAccuracy(arguments);
     if (command == "effects")

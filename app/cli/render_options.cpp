@@ -3,9 +3,10 @@
 #include <QRegularExpression>
 
 #include "app/cli/node_options.h"
+#include "app/cli/output_options.h"
+#include "app/cli/parsed_options.h"
 #include "app/cli/scene_options.h"
 #include "app/command_line/option_reader.h"
-#include "render/film/file/image_format.h"
 
 namespace pdr::app {
 namespace {
@@ -60,18 +61,6 @@ void describeReplay(QCommandLineParser& parser) {
     });
 }
 
-std::vector<std::filesystem::path> readOutputs(const QCommandLineParser& parser) {
-    std::vector<std::filesystem::path> outputs;
-    for (const QString& name : parser.values("output")) {
-        outputs.emplace_back(name.toStdString());
-        if (!imageFormat(outputs.back()))
-            usageError("-o", "must end in .png or .exr, not be " + name.toStdString());
-    }
-    if (outputs.empty())
-        usageError("-o", "says where the image goes, and is missing", "Add -o image.png.");
-    return outputs;
-}
-
 Stops readStops(const Reader& reader) {
     Stops stops;
     stops.samples = reader.whole("samples", 1, 1'000'000'000);
@@ -93,17 +82,6 @@ std::string readDevice(const QCommandLineParser& parser) {
     if (!QRegularExpression("^(auto|cpu|cuda(:\\d{1,3})?)$").match(name).hasMatch())
         usageError("--device", "must be auto, cpu, cuda or a number after it such as cuda:1");
     return name.toStdString();
-}
-
-ui::Annotate readAnnotate(const QCommandLineParser& parser) {
-    const QString word = parser.value("annotations");
-    if (word == "none")
-        return ui::Annotate::none;
-    if (word == "patient")
-        return ui::Annotate::patient;
-    if (word != "sides")
-        usageError("--annotations", "must be none, sides or patient");
-    return ui::Annotate::sides;
 }
 
 void readRender(const QCommandLineParser& parser, RenderOptions& options) {
@@ -143,34 +121,6 @@ void readReplay(const QCommandLineParser& parser, ReplayOptions& options) {
         usageError("--pixel", "says which pixel, and is missing", "Add --pixel 400,300.");
     options.pixel = *pixel;
     options.sample = Reader(parser).whole("sample", 0, UINT64_MAX).value_or(0);
-}
-
-/// Parses `arguments` of `command` with the options that `describe` adds, and passes them to `read` unless they ask for
-/// help.
-template <class Options>
-Result<Options> parsed(const QString& command, const QStringList& arguments, void (*describe)(QCommandLineParser&),
-                       void (*read)(const QCommandLineParser&, Options&)) {
-    QCommandLineParser parser;
-    describe(parser);
-    if (!parser.parse(QStringList(command) + arguments))
-        return Error{parser.errorText().toStdString(), command.toStdString(), ""};
-    Options options;
-    options.help = parser.isSet("help");
-    try {
-        if (!options.help)
-            read(parser, options);
-    } catch (const Error& error) {
-        return error;
-    }
-    return options;
-}
-
-std::string optionsText(void (*describe)(QCommandLineParser&)) {
-    QCommandLineParser parser;
-    describe(parser);
-    QString text = parser.helpText();
-    text.remove(0, text.indexOf('\n') + 1);  // the parser's usage line lacks the command word
-    return text.toStdString();
 }
 
 }  // namespace

@@ -35,4 +35,21 @@ inline std::vector<float> exrValues(const std::filesystem::path& path) {
     return values;
 }
 
+/// Returns the channel of that name, row by row from the top; empty if there is none, or if it is not the only one.
+inline std::vector<float> exrChannel(const std::filesystem::path& path, const std::string& name) {
+    Imf::InputFile file(path.c_str());
+    const Imath::Box2i box = file.header().dataWindow();
+    const Imf::ChannelList& channels = file.header().channels();
+    if (channels.findChannel(name) == nullptr || ++channels.begin() != channels.end())
+        return {};
+    const std::size_t width = std::size_t(box.max.x + 1), height = std::size_t(box.max.y + 1);
+    std::vector<float> values(width * height);
+    Imf::FrameBuffer frame;
+    frame.insert(name,
+                 Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), sizeof(float), sizeof(float) * width));
+    file.setFrameBuffer(frame);
+    file.readPixels(0, box.max.y);
+    return values;
+}
+
 }  // namespace pdr::test

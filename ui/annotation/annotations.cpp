@@ -70,12 +70,13 @@ void Painting::paintLetters() const {
     paintLetter(Qt::AlignBottom, edges.bottom);
 }
 
-/// Paints the scale bar above the cube, and its length above the bar.
+/// Paints the scale bar above the cube, or in its place, and its length above the bar.
 void Painting::paintScaleBar() const {
     const auto bar = scaleBar(annotations.camera, size.height(), std::min(0.25 * size.width(), 12 * em));
     if (!bar || bar->pixels < em)
         return;
-    const QPointF right = cube().topRight() - QPointF(0, 0.6 * em), left = right - QPointF(bar->pixels, 0);
+    const QPointF corner = annotations.cube ? cube().topRight() : withinMargins().bottomRight();
+    const QPointF right = corner - QPointF(0, 0.6 * em), left = right - QPointF(bar->pixels, 0);
     const QPointF tick(0, 0.3 * em);
     QPainterPath path(left - tick);
     path.lineTo(left + tick);
@@ -119,7 +120,8 @@ void paintAnnotations(QPainter& painter, const Annotations& annotations, const Q
     if (hasLines(size, painting.em, 4))
         painting.paintLetters();
     if (hasLines(size, painting.em, 12)) {
-        paintOrientationCube(painter, painting.cube(), annotations.camera);
+        if (annotations.cube)
+            paintOrientationCube(painter, painting.cube(), annotations.camera);
         painting.paintScaleBar();
         painting.paintLines(Qt::AlignLeft | Qt::AlignTop, annotations.patient);
         QStringList texts = annotations.texts;

@@ -24,6 +24,7 @@ struct Annotations {
     Camera camera;        ///< camera of the image, from which letters, cube and scale bar are painted
     QStringList patient;  ///< upper left corner, a line each; empty: no patient is named
     QStringList texts;    ///< lower left corner, a line each: look, part, cut, state of the image
+    bool cube = true;     ///< whether an orientation cube is painted; a slice needs none
 };
 
 /// Paints the annotations over an image that fills `size` from (0, 0), in the painter's font. The last line in the

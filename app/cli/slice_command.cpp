@@ -1,0 +1,143 @@
+#include "app/cli/slice_command.h"
+
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "app/cli/annotating.h"
+#include "app/cli/failed.h"
+#include "app/cli/run_command.h"
+#include "app/cli/scanned_volume.h"
+#include "app/cli/slice_options.h"
+#include "app/output/image_files.h"
+#include "app/output/slice_file.h"
+#include "render/slice/reslice.h"
+#include "ui/annotation/slice_camera.h"
+#include "ui/text/series_text.h"
+
+namespace pdr::app {
+namespace {
+
+/// A slice and its place in words: "axial slice 50, z = -111.5 mm".
+struct ChosenSlice {
+    SlicePlane plane;
+    std::string place;
+};
+
+Error outOfRange(const char* option, std::string what) {
+    return {std::move(what), option, "", ErrorKind::refused};
+}
+
+Result<ChosenSlice> chosenSlice(const SliceOptions& options, const VolumeGeometry& geometry) {
+    const SliceStack stack(geometry, options.plane);
+    const std::string name = planeName(options.plane);
+    const char* axis = options.plane == AnatomicalPlane::axial     ? "z"
+                       : options.plane == AnatomicalPlane::coronal ? "y"
+                                                                   : "x";
+    const auto placed = [&](const SlicePlane& plane, const std::string& which) {
+        return ChosenSlice{
+            plane, name + which + ", " + axis + " = " + fixedNumber(stack.positionMm(plane.originMm), 2) + " mm"};
+    };
+    if (options.atMm) {
+        const dvec2 range = stack.rangeMm();
+        if (*options.atMm < range.x || *options.atMm > range.y)
+            return outOfRange("--at", "must be from " + fixedNumber(range.x, 2) + " to " + fixedNumber(range.y, 2) +
+                                          " mm: there the scan has " + name + " slices");
+        return placed(stack.at(*options.atMm), " slice");
+    }
+    const std::uint64_t index = options.index.value_or(std::uint64_t(stack.count() / 2));
+    if (index >= std::uint64_t(stack.count()))
+        return outOfRange("--index", "must be from 0 to " + std::to_string(stack.count() - 1) + ": the scan has " +
+                                         std::to_string(stack.count()) + " " + name + " slices");
+    return placed(stack.slice(int(index)), " slice " + std::to_string(index));
+}
+
+/// Returns the window to look through. Error: the file's own is asked for, and there is none.
+Result<GreyWindow> chosenWindow(const SliceOptions& options, const ScannedVolume& scanned) {
+    if (const auto* window = std::get_if<GreyWindow>(&options.window))
+        return *window;
+    const auto wanted = std::get<ScanWindow>(options.window);
+    if (wanted == ScanWindow::whole)
+        return wholeRange(*scanned.volume);
+    const dicom::StatedWindow stated = scanned.series ? scanned.series->window : dicom::StatedWindow();
+    if (stated.window)
+        return *stated.window;
+    if (wanted == ScanWindow::file)
+        return Error{stated.ignored.empty() ? Text("the files state no grey window") : stated.ignored, "--window",
+                     "Give a centre and a width, such as 40/400.", ErrorKind::refused};
+    if (!stated.ignored.empty())
+        std::fprintf(stderr, "note: %s\n", stated.ignored.c_str());
+    return GreyWindow();
+}
+
+/// Returns what is painted over PNG files. Error: the patient's data is asked for, and there is none.
+Result<PaintOver> painterOf(const SliceOptions& options, const ScannedVolume& scanned, const ChosenSlice& slice,
+                            const GreyWindow& window) {
+    if (options.annotate == ui::Annotate::none)
+        return PaintOver();
+    if (options.annotate == ui::Annotate::patient && !scanned.series)
+        return noPatientKnown();
+    const QStringList patient =
+        options.annotate == ui::Annotate::patient ? ui::patientLines(*scanned.series) : QStringList();
+    QString place = QString::fromStdString(slice.place);
+    place[0] = place[0].toUpper();
+    const QString seen = QString::fromStdString("Window " + windowText(window) + " HU");
+    const ui::Annotations annotations{ui::cameraFacing(slice.plane), patient, {place, seen}, false};
+    return PaintOver([annotations](ivec2 size, std::vector<std::uint8_t>& rgba) { annotate(annotations, size, rgba); });
+}
+
+void report(const SliceImage& image, const std::string& place, const Paths& files) {
+    float lowest = INFINITY, highest = -INFINITY;
+    for (const float hu : image.hu) {
+        lowest = std::fmin(lowest, hu);  // leaves out what is not a number
+        highest = std::fmax(highest, hu);
+    }
+    std::printf("%s: %d x %d pixels of %s mm, %.4g to %.4g HU\n", place.c_str(), image.plane.size.x, image.plane.size.y,
+                numberOf(image.plane.mmPerPixel, 4).c_str(), double(lowest), double(highest));
+    for (const auto& file : files)
+        std::printf("%s\n", file.c_str());
+}
+
+/// Returns whether every file is in its place.
+Result<bool> sliceAll(const SliceOptions& options) {
+    if (auto ok = checkWritable(options.outputs); !ok)
+        return ok.error();
+    if (auto ok = checkFonts(anyPng(options.outputs) ? options.annotate : ui::Annotate::none); !ok)
+        return ok.error();
+    const auto scanned = scannedVolume(options.path, options.seriesUid);
+    if (!scanned)
+        return scanned.error();
+    if (auto ok = checkSpared(scanned->files, options.outputs); !ok)
+        return ok.error();
+    const auto slice = chosenSlice(options, scanned->volume->geometry());
+    if (!slice)
+        return slice.error();
+    const auto window = chosenWindow(options, *scanned);
+    if (!window)
+        return window.error();
+    const auto painter = painterOf(options, *scanned, *slice, *window);
+    if (!painter)
+        return painter.error();
+
+    const SliceImage image = *reslice(*scanned->volume, slice->plane);
+    const SliceFacts facts{planeName(options.plane), scanned->volume->remarks()};
+    const WrittenFiles written = writeFiles(options.outputs, [&](const std::filesystem::path& file) {
+        return writeSlice(image, facts, *window, *painter, file);
+    });
+    for (const Error& trouble : written.troubles)
+        failed(trouble);
+    report(image, slice->place, written.files);
+    return written.troubles.empty();
+}
+
+}  // namespace
+
+int runSlice(const QStringList& arguments) {
+    return runCommand("slice", sliceOptions(arguments), sliceHelp, [](const SliceOptions& options) {
+        const auto written = sliceAll(options);
+        return !written ? failed(written.error()) : *written ? 0 : 1;
+    });
+}
+
+}  // namespace pdr::app
