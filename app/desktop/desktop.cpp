@@ -21,6 +21,7 @@
 #include "app/presenters/rendering_presenter.h"
 #include "app/presenters/saving_presenter.h"
 #include "app/presenters/series_presenter.h"
+#include "app/presenters/slices_presenter.h"
 #include "app/presenters/tissue_presenter.h"
 #include "app/presenters/view_presenter.h"
 #include "app/presenters/visible_presenter.h"
@@ -92,6 +93,7 @@ void Desktop::addPresenters(const QString& ownLooks, std::filesystem::path power
     add<CameraPresenter>();
     add<CutPresenter>();
     add<RegionPresenter>();
+    add<SlicesPresenter>();
     add<RenderingPresenter>();
     auto& accuracy = add<AccuracyPresenter>(std::move(powerSupplies));
     add<EffectsPresenter>();

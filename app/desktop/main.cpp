@@ -29,7 +29,7 @@ constexpr const char* kNoDisplay =
     "pdrender: there is no display to open a window on. Start it on a desktop, or render to files with pdrender-cli, "
     "which needs none.\n";
 
-/// Saves `picture` as a PNG. It shows a patient, so only the owner may read a new file.
+/// Saves `image` as a PNG. It shows a patient, so only the owner may read a new file.
 bool saveForOwner(const QPixmap& image, const QString& path) {
     QFile file(path);
     const bool isNew = !file.exists();

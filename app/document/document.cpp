@@ -13,7 +13,8 @@ Document::Document(std::vector<NamedLook> looks) : looks_(std::move(looks)) {
 }
 
 void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenTable& table,
-                    const std::optional<segment::Findings>& findings, std::shared_ptr<const HiddenVoxels> hidden) {
+                    const std::optional<segment::Findings>& findings, std::shared_ptr<const HiddenVoxels> hidden,
+                    const GreyWindow& window) {
     const Plan before = plan_;
     closeVolume();
     volume_ = std::move(volume);
@@ -24,6 +25,7 @@ void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenT
     plan_.image.clip = {};  // its coordinates belong to another patient
     fitLooksTo(findings);
     plan_.image.camera = cameraOf(firstView(framed().box), {});
+    plan_.navigation = {.crosshairMm = table_.bodyBox.centreMm(), .window = window};
     show(false);
     report(before, Changes::series | Changes::looks);
 }
@@ -155,6 +157,8 @@ void Document::setClip(const Clip& clip, bool moving) {
 }
 
 void Document::giveUpGesture() {
+    if (history_.gesture() == Changes::navigation)
+        return;  // its moves are one step, but none of them is in progress
     if (std::optional<Plan> begun = history_.giveUpGesture())
         comeBackTo(std::move(*begun));
 }
@@ -252,6 +256,14 @@ Text Document::undoText() const {
 
 Text Document::redoText() const {
     return app::redoText(plan_, canRedo() ? history_.next() : plan_);
+}
+
+void Document::navigate(const Navigation& navigation) {
+    if (!hasVolume() || navigation == plan_.navigation)
+        return;
+    Plan plan = plan_;
+    plan.navigation = navigation;
+    edit(std::move(plan), Changes::navigation, true);
 }
 
 /// Records the current plan as a step to undo; without a volume there is nothing to return to.

@@ -65,10 +65,10 @@ class Document : public QObject {
     /// Opens `volume`, a scan without its table, uncut and seen from the side that firstView() chooses. The look stays
     /// as it is, or becomes the first one that suits the scan if it does not. The previous volume cannot be restored.
     /// `table`: what was hidden. `findings`: what the volume holds, as far as it is known. `hidden`: the voxels of the
-    /// table; null if nothing is hidden.
+    /// table; null if nothing is hidden. `window`: the grey window that the slices begin with.
     void open(std::shared_ptr<const pdr::Volume> volume, const pdr::segment::HiddenTable& table,
               const std::optional<pdr::segment::Findings>& findings = {},
-              std::shared_ptr<const pdr::app::HiddenVoxels> hidden = {});
+              std::shared_ptr<const pdr::app::HiddenVoxels> hidden = {}, const pdr::GreyWindow& window = {});
     /// Opens a volume without a detected table.
     void open(std::shared_ptr<const pdr::Volume> volume);
     /// Closes the volume and forgets the history.
@@ -111,6 +111,8 @@ class Document : public QObject {
     void setSetup(const pdr::ImageSetup& setup);
     void setEstimator(pdr::Estimator estimator);
     void setSchedule(const pdr::Schedule& schedule);
+    /// Moves through the slices; the image stays as it is. All moves between two other edits are one step to undo.
+    void navigate(const pdr::app::Navigation& navigation);
     /// Sets the brightness [stops against the look's]. It changes the display only, not what is computed. One gesture
     /// is one step to undo.
     void setBrightness(double stops, bool moving = false);

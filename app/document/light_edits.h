@@ -22,7 +22,7 @@ class LightEdits : public QObject {
   public slots:
     /// Sets the lighting. One gesture is one step to undo.
     void setLighting(const pdr::Lighting& lighting, bool moving);
-    /// Lights the volume with the environment image `picture` instead of the rig. One step to undo. See litBy() in
+    /// Lights the volume with the environment image `image` instead of the rig. One step to undo. See litBy() in
     /// render/scene/sky_image.h.
     void setSky(const std::shared_ptr<const pdr::EnvironmentImage>& image);
     /// Turns all lights by a drag on the image since the last call, in fractions of the view's height, as if the

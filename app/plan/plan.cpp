@@ -67,6 +67,15 @@ const std::vector<Part>& parts() {
              return a.image.estimator != b.image.estimator || a.image.schedule != b.image.schedule;
          },
          {phrase("Undo changing the rendering"), phrase("Redo changing the rendering")}},
+        {Changes::crosshair,
+         [](const Plan& a, const Plan& b) { return a.navigation.crosshairMm != b.navigation.crosshairMm; },
+         {}},
+        {Changes::framing,
+         [](const Plan& a, const Plan& b) { return a.navigation.framings != b.navigation.framings; },
+         {}},
+        {Changes::window,
+         [](const Plan& a, const Plan& b) { return a.navigation.window != b.navigation.window; },
+         {phrase("Undo changing the window"), phrase("Redo changing the window")}},
     };
     return all;
 }
@@ -108,6 +117,8 @@ StepName nameOf(const Plan& before, const Plan& after) {
         return {phrase("Undo"), phrase("Redo")};
     if (changes == Changes::camera)
         return nameOf(before.image.camera, after.image.camera);
+    if (!has(changes, ~Changes::navigation) && changes != Changes::window)
+        return {phrase("Undo moving through the slices"), phrase("Redo moving through the slices")};
     if (changes == Changes::table && after.image.table == Table::shown)
         return {phrase("Undo showing the table"), phrase("Redo showing the table")};
     if (changes == Changes::table)

@@ -1,13 +1,15 @@
 #pragma once
 /// The plan: everything that a user sets and can undo. A document holds one, with a history of earlier ones.
 
+#include "app/plan/navigation.h"
 #include "render/base/text.h"
 #include "render/scene/image_setup.h"
 
 namespace pdr::app {
 
 struct Plan {
-    ImageSetup image;  ///< how the volume is shown and rendered
+    ImageSetup image;       ///< how the volume is shown and rendered
+    Navigation navigation;  ///< where the slices lie, and how they are seen
     bool operator==(const Plan&) const = default;
 };
 
@@ -27,6 +29,9 @@ enum class Changes : unsigned {
     clip = 1 << 9,
     model = 1 << 10,
     rendering = 1 << 11,  ///< estimator and schedule
+    crosshair = 1 << 12,
+    framing = 1 << 13,  ///< zoom and place of the slices in their views
+    window = 1 << 14,   ///< the grey window of the slices
     // What a document holds beside its plan
     series = 1 << 16,   ///< a volume has been opened or closed
     looks = 1 << 17,    ///< the list of looks
@@ -34,6 +39,7 @@ enum class Changes : unsigned {
     display = 1 << 19,  ///< whether the image is shown denoised
     // Groups
     look = lookName | tissue | light | visible | otherLook,
+    navigation = crosshair | framing | window,
     all = ~0u,
 };
 

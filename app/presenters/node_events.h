@@ -13,7 +13,7 @@ namespace pdr::app {
 
 class NodeEvents {
   public:
-    /// Records changes. `nodes`: all current nodes. `picture`: the revision being rendered, on which `seconds` have
+    /// Records changes. `nodes`: all current nodes. `image`: the revision being rendered, on which `seconds` have
     /// been spent; a new revision starts without events.
     void follow(const QList<ui::NodeRow>& nodes, std::uint64_t image, double seconds);
     /// The last events, at most kMost, in order of time.

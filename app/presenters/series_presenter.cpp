@@ -116,7 +116,8 @@ void SeriesPresenter::showVolume(std::shared_ptr<const Volume> volume, int index
     window().setPatient(ui::patientLines(series), {panel_->numberedPatient()});
     window().start().hide();
     window().viewport().setMessage(ui::MainWindow::tr("Preparing %1...").arg(ui::seriesNumber(series)));
-    document().open(std::move(volume), table, findings, std::move(hidden));
+    document().open(std::move(volume), table, findings, std::move(hidden),
+                    series.window.window.value_or(GreyWindow()));
 }
 
 void SeriesPresenter::showProgress(double, const QString& step) {

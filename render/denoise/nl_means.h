@@ -14,7 +14,7 @@ struct NoisyImage {
     const Plane& variance;   ///< variance of that luminance; > 0, in images whose radiances are about 1
 };
 
-/// Returns the denoised image, which is constant where `picture` is, to the bit. Worthless after a stop request.
+/// Returns the denoised image, which is constant where `image` is, to the bit. Worthless after a stop request.
 Colours nonLocalMeans(const NoisyImage& image, const std::stop_token& stop);
 
 }  // namespace pdr::denoise

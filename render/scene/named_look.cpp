@@ -45,7 +45,7 @@ dvec3 directionOf(CutHint::Plane plane) {
     return {0, 0, 1};
 }
 
-/// Sets model, estimator and cut of `picture`, a ImageSetup or a Scene.
+/// Sets model, estimator and cut of `image`, an ImageSetup or a Scene.
 template <typename Image>
 void takeModelAndCut(Image& image, const NamedLook& look, const VolumeGeometry& bodyBox) {
     image.model = look.model;

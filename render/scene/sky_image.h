@@ -9,13 +9,13 @@
 
 namespace pdr {
 
-/// Returns the mean luminance of all directions. `picture` has passed its check().
+/// Returns the mean luminance of all directions. `image` has passed its check().
 double meanLuminance(const EnvironmentImage& image);
 
-/// Scales `picture` to a mean luminance of 1. Error: it is black.
+/// Scales `image` to a mean luminance of 1. Error: it is black.
 Result<EnvironmentImage> scaledToMeanOne(EnvironmentImage image);
 
-/// Replaces the rig by the light of `picture`, which is scaled to mean one, at about the same brightness; the rig
+/// Replaces the rig by the light of `image`, which is scaled to mean one, at about the same brightness; the rig
 /// becomes one lamp, switched off. What the rig follows and what is seen behind the volume stay.
 Lighting litBy(Lighting lighting, std::shared_ptr<const EnvironmentImage> image);
 

@@ -30,7 +30,7 @@ using Iterate = std::function<Result<double>(std::uint32_t n, const std::stop_to
 /// so that a drift of the machine's speed cancels.
 class CostsInTurn {
   public:
-    /// `pictures` must not be empty.
+    /// `images` must not be empty.
     CostsInTurn(std::vector<Iterate> images, double budgetSeconds, std::uint32_t fewest = 1);
 
     bool isDone() const { return rounds_.size() == kBandMeasurements && rounds_.back().size() == images_.size(); }

@@ -47,7 +47,7 @@ struct Frame {
     bool denoised = false;                       ///< `rgba` is denoised; the status is still that of the film
     std::optional<DenoisedError> denoisedError;  ///< error of the denoised image; none if not known yet
     std::vector<denoise::LostLine> lostLines;  ///< known to be missing in the denoised image; empty: none, or not known
-    BiasFacts bias;                            ///< complete except for `picture`, `view` and `denoised`
+    BiasFacts bias;                            ///< complete except for `image`, `view` and `denoised`
     double seconds = 0;                        ///< rendering time of the film [s]
     std::vector<QualityStep> steps;  ///< with the times when they were or will be reached; see ErrorHistory::steps()
     double iterationsPerSecond = 0;  ///< median of recent frames

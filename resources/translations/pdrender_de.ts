@@ -92,6 +92,10 @@
         <translation>%1 GB</translation>
     </message>
     <message>
+        <source>%1 HU at %2</source>
+        <translation>%1 HU bei %2</translation>
+    </message>
+    <message>
         <source>%1 HU: %2</source>
         <translation>%1 HU: %2</translation>
     </message>
@@ -542,6 +546,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Hilfe</translation>
     </message>
     <message>
+        <source>&amp;Image alone</source>
+        <translation>Nur das &amp;Bild</translation>
+    </message>
+    <message>
         <source>&amp;Import...</source>
         <translation>&amp;Importieren...</translation>
     </message>
@@ -568,6 +576,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>&amp;My looks</source>
         <translation>Eige&amp;ne Darstellungen</translation>
+    </message>
+    <message>
+        <source>&amp;Next layout</source>
+        <translation>Nächste &amp;Anordnung</translation>
     </message>
     <message>
         <source>&amp;No key</source>
@@ -612,6 +624,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>&amp;Save this look...</source>
         <translation>Diese Darstellung &amp;sichern...</translation>
+    </message>
+    <message>
+        <source>&amp;Slices</source>
+        <translation>&amp;Schichten</translation>
     </message>
     <message>
         <source>&amp;Table and holder</source>
@@ -920,6 +936,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Axial</source>
         <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Axial %1 of %2</source>
+        <translation>Axial %1 von %2</translation>
+    </message>
+    <message>
+        <source>Axial slice</source>
+        <translation>Axiale Schicht</translation>
     </message>
     <message>
         <source>Bac&amp;kground</source>
@@ -1298,6 +1322,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Koronar</translation>
     </message>
     <message>
+        <source>Coronal %1 of %2</source>
+        <translation>Koronal %1 von %2</translation>
+    </message>
+    <message>
+        <source>Coronal slice</source>
+        <translation>Koronale Schicht</translation>
+    </message>
+    <message>
         <source>Create the folder first, or choose another place.</source>
         <translation>Den Ordner erst anlegen oder einen anderen Ort wählen.</translation>
     </message>
@@ -1608,6 +1640,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>For the image that is being saved. %1</source>
         <translation>Für das Bild, das gerade gespeichert wird. %1</translation>
+    </message>
+    <message>
+        <source>Four &amp;views</source>
+        <translation>&amp;Vier Ansichten</translation>
     </message>
     <message>
         <source>Frame rate</source>
@@ -2574,6 +2610,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Wiederholen: Berechnung ändern</translation>
     </message>
     <message>
+        <source>Redo changing the window</source>
+        <translation>Wiederholen: Fenster ändern</translation>
+    </message>
+    <message>
         <source>Redo choosing a look</source>
         <translation>Wiederholen: Darstellung wählen</translation>
     </message>
@@ -2600,6 +2640,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Redo moving the view</source>
         <translation>Wiederholen: Ansicht verschieben</translation>
+    </message>
+    <message>
+        <source>Redo moving through the slices</source>
+        <translation>Wiederholen: durch die Schichten bewegen</translation>
     </message>
     <message>
         <source>Redo several changes</source>
@@ -2806,6 +2850,14 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Sagittal</translation>
     </message>
     <message>
+        <source>Sagittal %1 of %2</source>
+        <translation>Sagittal %1 von %2</translation>
+    </message>
+    <message>
+        <source>Sagittal slice</source>
+        <translation>Sagittale Schicht</translation>
+    </message>
+    <message>
         <source>Sample CT (included)</source>
         <translation>Beispiel-CT (mitgeliefert)</translation>
     </message>
@@ -2938,6 +2990,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Zeigt das entrauschte oder das rohe Bild.</translation>
     </message>
     <message>
+        <source>Shows the image alone, with slices beside it, or as one of four views.</source>
+        <translation>Zeigt das Bild allein, mit Schichten daneben oder als eine von vier Ansichten.</translation>
+    </message>
+    <message>
         <source>Shows the patient from this side, filling the view.</source>
         <translation>Zeigt den Patienten von dieser Seite, die Ansicht ausfüllend.</translation>
     </message>
@@ -3000,6 +3056,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Sky</source>
         <translation>Himmel</translation>
+    </message>
+    <message>
+        <source>Slices &amp;beside the image</source>
+        <translation>Schichten &amp;neben dem Bild</translation>
     </message>
     <message>
         <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
@@ -3308,6 +3368,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Rückgängig: Berechnung ändern</translation>
     </message>
     <message>
+        <source>Undo changing the window</source>
+        <translation>Rückgängig: Fenster ändern</translation>
+    </message>
+    <message>
         <source>Undo choosing a look</source>
         <translation>Rückgängig: Darstellung wählen</translation>
     </message>
@@ -3334,6 +3398,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Undo moving the view</source>
         <translation>Rückgängig: Ansicht verschieben</translation>
+    </message>
+    <message>
+        <source>Undo moving through the slices</source>
+        <translation>Rückgängig: durch die Schichten bewegen</translation>
     </message>
     <message>
         <source>Undo several changes</source>
@@ -3370,6 +3438,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Up [degrees]</source>
         <translation>Nach oben [Grad]</translation>
+    </message>
+    <message>
+        <source>Up and down scroll by a slice, Page up and Page down by ten, digits choose a window.</source>
+        <translation>Auf und Ab blättern um eine Schicht, Bild auf und Bild ab um zehn, Ziffern wählen ein Fenster.</translation>
     </message>
     <message>
         <source>Up°</source>
@@ -3510,6 +3582,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Window</source>
         <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Window %1 / %2 HU</source>
+        <translation>Fenster %1 / %2 HU</translation>
     </message>
     <message>
         <source>Without certificates</source>
@@ -4706,6 +4782,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>others on this machine may read or change this key</source>
         <translation>andere auf diesem Rechner dürfen diesen Schlüssel lesen oder ändern</translation>
+    </message>
+    <message>
+        <source>outside the scan</source>
+        <translation>außerhalb der Aufnahme</translation>
     </message>
     <message>
         <source>paused</source>

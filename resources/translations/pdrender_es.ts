@@ -92,6 +92,10 @@
         <translation>%1 GB</translation>
     </message>
     <message>
+        <source>%1 HU at %2</source>
+        <translation>%1 UH en %2</translation>
+    </message>
+    <message>
         <source>%1 HU: %2</source>
         <translation>%1 UH: %2</translation>
     </message>
@@ -542,6 +546,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>A&amp;yuda</translation>
     </message>
     <message>
+        <source>&amp;Image alone</source>
+        <translation>Solo la &amp;imagen</translation>
+    </message>
+    <message>
         <source>&amp;Import...</source>
         <translation>&amp;Importar...</translation>
     </message>
@@ -568,6 +576,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>&amp;My looks</source>
         <translation>&amp;Mis aspectos</translation>
+    </message>
+    <message>
+        <source>&amp;Next layout</source>
+        <translation>&amp;Siguiente disposición</translation>
     </message>
     <message>
         <source>&amp;No key</source>
@@ -612,6 +624,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>&amp;Save this look...</source>
         <translation>&amp;Guardar este aspecto...</translation>
+    </message>
+    <message>
+        <source>&amp;Slices</source>
+        <translation>&amp;Cortes</translation>
     </message>
     <message>
         <source>&amp;Table and holder</source>
@@ -920,6 +936,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Axial</source>
         <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Axial %1 of %2</source>
+        <translation>Axial %1 de %2</translation>
+    </message>
+    <message>
+        <source>Axial slice</source>
+        <translation>Corte axial</translation>
     </message>
     <message>
         <source>Bac&amp;kground</source>
@@ -1298,6 +1322,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Coronal</translation>
     </message>
     <message>
+        <source>Coronal %1 of %2</source>
+        <translation>Coronal %1 de %2</translation>
+    </message>
+    <message>
+        <source>Coronal slice</source>
+        <translation>Corte coronal</translation>
+    </message>
+    <message>
         <source>Create the folder first, or choose another place.</source>
         <translation>Cree antes la carpeta o elija otro lugar.</translation>
     </message>
@@ -1608,6 +1640,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>For the image that is being saved. %1</source>
         <translation>Para la imagen que se está guardando. %1</translation>
+    </message>
+    <message>
+        <source>Four &amp;views</source>
+        <translation>Cuatro &amp;vistas</translation>
     </message>
     <message>
         <source>Frame rate</source>
@@ -2574,6 +2610,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Rehacer: cambiar el cálculo</translation>
     </message>
     <message>
+        <source>Redo changing the window</source>
+        <translation>Rehacer: cambiar la ventana</translation>
+    </message>
+    <message>
         <source>Redo choosing a look</source>
         <translation>Rehacer: elegir un aspecto</translation>
     </message>
@@ -2600,6 +2640,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Redo moving the view</source>
         <translation>Rehacer: mover la vista</translation>
+    </message>
+    <message>
+        <source>Redo moving through the slices</source>
+        <translation>Rehacer: moverse por los cortes</translation>
     </message>
     <message>
         <source>Redo several changes</source>
@@ -2806,6 +2850,14 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Sagital</translation>
     </message>
     <message>
+        <source>Sagittal %1 of %2</source>
+        <translation>Sagital %1 de %2</translation>
+    </message>
+    <message>
+        <source>Sagittal slice</source>
+        <translation>Corte sagital</translation>
+    </message>
+    <message>
         <source>Sample CT (included)</source>
         <translation>TC de ejemplo (incluida)</translation>
     </message>
@@ -2938,6 +2990,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Muestra la imagen sin ruido o en bruto.</translation>
     </message>
     <message>
+        <source>Shows the image alone, with slices beside it, or as one of four views.</source>
+        <translation>Muestra la imagen sola, con cortes a su lado o como una de cuatro vistas.</translation>
+    </message>
+    <message>
         <source>Shows the patient from this side, filling the view.</source>
         <translation>Muestra al paciente desde este lado, llenando la vista.</translation>
     </message>
@@ -3000,6 +3056,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Sky</source>
         <translation>Cielo</translation>
+    </message>
+    <message>
+        <source>Slices &amp;beside the image</source>
+        <translation>Cortes &amp;junto a la imagen</translation>
     </message>
     <message>
         <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
@@ -3308,6 +3368,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Deshacer: cambiar el cálculo</translation>
     </message>
     <message>
+        <source>Undo changing the window</source>
+        <translation>Deshacer: cambiar la ventana</translation>
+    </message>
+    <message>
         <source>Undo choosing a look</source>
         <translation>Deshacer: elegir un aspecto</translation>
     </message>
@@ -3334,6 +3398,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Undo moving the view</source>
         <translation>Deshacer: mover la vista</translation>
+    </message>
+    <message>
+        <source>Undo moving through the slices</source>
+        <translation>Deshacer: moverse por los cortes</translation>
     </message>
     <message>
         <source>Undo several changes</source>
@@ -3370,6 +3438,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Up [degrees]</source>
         <translation>Hacia arriba [grados]</translation>
+    </message>
+    <message>
+        <source>Up and down scroll by a slice, Page up and Page down by ten, digits choose a window.</source>
+        <translation>Arriba y abajo avanzan un corte, Re Pág y Av Pág diez, y las cifras eligen una ventana.</translation>
     </message>
     <message>
         <source>Up°</source>
@@ -3510,6 +3582,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Window</source>
         <translation>Ventana</translation>
+    </message>
+    <message>
+        <source>Window %1 / %2 HU</source>
+        <translation>Ventana %1 / %2 UH</translation>
     </message>
     <message>
         <source>Without certificates</source>
@@ -4706,6 +4782,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>others on this machine may read or change this key</source>
         <translation>otros en este equipo pueden leer o cambiar esta clave</translation>
+    </message>
+    <message>
+        <source>outside the scan</source>
+        <translation>fuera del estudio</translation>
     </message>
     <message>
         <source>paused</source>

@@ -18,7 +18,7 @@ class WallsTest : public QObject {
 
     /// The rooms of the window's panels: none knows another.
     inline static const QStringList kPanels{"accuracy", "camera", "cut",       "keys",   "light", "looks", "manual",
-                                            "nodes",    "output", "rendering", "series", "theme", "tissue"};
+                                            "nodes",    "output", "rendering", "series", "slices", "theme", "tissue"};
 
     /// Our own rooms: the longest matching entry counts.
     static QList<Wall> rooms() {
@@ -66,7 +66,7 @@ class WallsTest : public QObject {
             {"app/wire/", "^app/wire/|^render/base/"},
             {"app/coordinator/", "^app/(coordinator|remote|wire)/|^render/(base|film|scene|tiles|volume)/"},
             {"app/node/", "^app/(node|coordinator|remote|wire|program|command_line)/|^render/(base|device|tiles)/"},
-            {"app/plan/", "^app/plan/|^render/(base|scene|volume|segment)/"},
+            {"app/plan/", "^app/plan/|^render/(base|scene|volume|segment|slice)/"},
             {"app/scan/", "^app/(scan/|wire/one_frame.h)|^(dicom|render)/"},
             {"app/looks/", "^app/looks/|^render/"},
             {"app/output/", "^app/output/|^ui/(annotation|text)/|^render/"},

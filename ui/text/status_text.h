@@ -29,7 +29,7 @@ QStringList denoisedTexts(const std::optional<DenoisedError>& error, std::size_t
 QStringList hiddenDetailTexts(const DenoisedError& error);
 
 /// Returns the remark on an image with a box, whose status is `box`: "in the region ±4 (95 % of the tissue)", for the
-/// image shown, as `picture` is for the whole image. If the box is `first` and gets all samples, the status of the
+/// image shown, as `image` is for the whole image. If the box is `first` and gets all samples, the status of the
 /// whole image meanwhile.
 QString boxText(const FilmStatus& box, bool first, const FilmStatus& image);
 

@@ -8,7 +8,7 @@ namespace pdr::ui {
 
 class Floating : public QFrame {
   public:
-    /// Creates a frame over the widget `picture` and follows its size. Null: the frame stays where it is put.
+    /// Creates a frame over the widget `image` and follows its size. Null: the frame stays where it is put.
     explicit Floating(QWidget* image);
 
   protected:

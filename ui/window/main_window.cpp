@@ -30,18 +30,19 @@ QList<QAction*> namedActions(const QMenuBar& bar) {
 
 MainWindow::MainWindow()
     : viewport_(new Viewport),
+      views_(new ViewGrid(viewport_)),
       accuracyStatus_(new AccuracyStatus),
       message_(new MessageBar(viewport_)),
       start_(new StartPanel),
       keys_(new KeysOverlay(this)),
-      docks_(new WindowDocks(*this, *viewport_)),
+      docks_(new WindowDocks(*this, *views_)),
       actions_(fillMenus(*menuBar())) {
     // Lay out the view and the status bar
     auto* inPlaceOfTheImage = new QGridLayout(viewport_);
     inPlaceOfTheImage->addWidget(start_, 0, 0, Qt::AlignCenter);
     start_->hide();
     viewport_->setOverlay([this] { return linesOverImage(); });
-    setCentralWidget(viewport_);
+    setCentralWidget(views_);
     statusBar()->addWidget(accuracyStatus_, 1);
     statusBar()->setSizeGripEnabled(false);
 

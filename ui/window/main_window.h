@@ -15,6 +15,7 @@
 #include "ui/view/viewport.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/start_panel.h"
+#include "ui/window/view_grid.h"
 #include "ui/window/window_actions.h"
 #include "ui/window/window_docks.h"
 
@@ -30,6 +31,8 @@ class MainWindow : public QMainWindow {
     MainWindow();
 
     Viewport& viewport() { return *viewport_; }
+    /// The views in the middle of the window: the viewport, and those that are added.
+    ViewGrid& views() { return *views_; }
     AccuracyStatus& accuracyStatus() { return *accuracyStatus_; }
     StatusLine& status() { return accuracyStatus_->status(); }
     MessageBar& message() { return *message_; }
@@ -114,6 +117,7 @@ class MainWindow : public QMainWindow {
     void about();
 
     Viewport* viewport_;
+    ViewGrid* views_;
     AccuracyStatus* accuracyStatus_;
     MessageBar* message_;
     StartPanel* start_;

@@ -16,7 +16,7 @@ class MessageBar : public Floating {
     Q_OBJECT
 
   public:
-    /// Creates the bar over the widget `picture`. Null: it stays where it is put.
+    /// Creates the bar over the widget `image`. Null: it stays where it is put.
     explicit MessageBar(QWidget* image = nullptr);
 
     void showError(const Error& error);

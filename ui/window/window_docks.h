@@ -16,7 +16,7 @@ class WindowDocks : public QObject {
     Q_OBJECT
 
   public:
-    /// `picture`: the image's widget, which keeps most of `window`; floating panels lie over it.
+    /// `image`: the image's widget, which keeps most of `window`; floating panels lie over it.
     WindowDocks(QMainWindow& window, QWidget& image);
 
     /// Adds `panel` at its place, and returns the action that opens and closes it.

@@ -8,7 +8,7 @@
 
 namespace pdr::app {
 
-/// Returns the report as HTML. `pictures`: the folder of the steps' images; an image that cannot be read is left out.
+/// Returns the report as HTML. `images`: the folder of the steps' images; an image that cannot be read is left out.
 std::string pageText(const AccuracyReport& report, const std::filesystem::path& images);
 
 /// Returns the plot of an image alone, as an SVG file.

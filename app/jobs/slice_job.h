@@ -1,0 +1,42 @@
+#pragma once
+/// Computes the slices of one view in the background. Requests that come while one is computed are dropped but for the
+/// newest, so that a view that is scrolled through always shows what it can.
+
+#include <QImage>
+#include <memory>
+#include <optional>
+
+#include "app/jobs/background_job.h"
+#include "render/slice/grey_window.h"
+#include "render/slice/reslice.h"
+
+namespace pdr::app {
+
+class SliceJob : public BackgroundJob {
+    Q_OBJECT
+
+  public:
+    /// What to compute: the slice of `volume` on `plane`, seen through `window`.
+    struct Request {
+        std::shared_ptr<const Volume> volume;
+        SlicePlane plane;
+        GreyWindow window;
+    };
+
+    SliceJob();
+    /// Computes the slice, after the one in progress; ends with made() unless a newer request comes before it begins.
+    void make(Request request);
+    /// Drops all requests and releases their volumes, once the work in progress has ended.
+    void drop();
+
+  signals:
+    /// `grey`: the pixels of `plane`, row by row from the top.
+    void made(const QImage& grey, const pdr::SlicePlane& plane, const pdr::GreyWindow& window);
+
+  private:
+    void begin(Request request);
+
+    std::optional<Request> next_;  ///< the newest request, while another is computed
+};
+
+}  // namespace pdr::app

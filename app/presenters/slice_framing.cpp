@@ -1,0 +1,37 @@
+#include "app/presenters/slice_framing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pdr::app {
+
+SlicePlane framed(const SlicePlane& slice, const SliceFraming& framing, ivec2 pixels) {
+    const dvec2 slicePixels = dvec2(slice.size), viewPixels = dvec2(glm::max(pixels, ivec2(1)));
+    const dvec2 perPixel = slicePixels * slice.mmPerPixel / viewPixels;
+    const double mmPerPixel = std::max(perPixel.x, perPixel.y) / framing.zoom;
+    const dvec3 middle = slice.middleMm() + framing.panMm.x * slice.right + framing.panMm.y * slice.down;
+    return SlicePlane::around(middle, slice.right, slice.down, mmPerPixel, ivec2(viewPixels));
+}
+
+SliceFraming zoomed(const SliceFraming& framing, const SlicePlane& slice, double factor, dvec3 placeMm) {
+    SliceFraming zoomed = framing;
+    zoomed.zoom = std::clamp(framing.zoom * factor, SliceFraming::kLeastZoom, SliceFraming::kGreatestZoom);
+    const dvec3 offset = placeMm - slice.middleMm();
+    const dvec2 fixed(glm::dot(offset, slice.right), glm::dot(offset, slice.down));
+    zoomed.panMm = fixed + (framing.panMm - fixed) * (framing.zoom / zoomed.zoom);
+    return zoomed;
+}
+
+int nearestSlice(const SliceStack& stack, dvec3 placeMm) {
+    const dvec2 range = stack.rangeMm();
+    const double index = (stack.positionMm(placeMm) - range.x) / (range.y - range.x) * stack.count();
+    return std::clamp(int(std::floor(index)), 0, stack.count() - 1);
+}
+
+dvec3 stepped(const SliceStack& stack, dvec3 crosshairMm, int count) {
+    const int index = std::clamp(nearestSlice(stack, crosshairMm) + count, 0, stack.count() - 1);
+    const SlicePlane slice = stack.slice(index);
+    return crosshairMm - slice.depthMm(crosshairMm) * slice.normal();
+}
+
+}  // namespace pdr::app

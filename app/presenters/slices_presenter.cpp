@@ -1,0 +1,218 @@
+#include "app/presenters/slices_presenter.h"
+
+#include <QActionGroup>
+#include <QMenu>
+#include <cmath>
+
+#include "render/slice/window_presets.h"
+#include "ui/text/language.h"
+
+namespace pdr::app {
+namespace {
+
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(Slices)
+};
+
+QString nameOf(AnatomicalPlane plane, int index, int count) {
+    switch (plane) {
+        case AnatomicalPlane::axial:
+            return Texts::tr("Axial %1 of %2").arg(index).arg(count);
+        case AnatomicalPlane::coronal:
+            return Texts::tr("Coronal %1 of %2").arg(index).arg(count);
+        case AnatomicalPlane::sagittal:
+            break;
+    }
+    return Texts::tr("Sagittal %1 of %2").arg(index).arg(count);
+}
+
+/// Returns a coordinate with the letter of the side on which it lies: "L 12.5".
+QString sideText(double mm, const char* positive, const char* negative) {
+    return QString("%1 %2").arg(mm < 0 ? negative : positive, ui::number(std::abs(mm), 1));
+}
+
+/// Returns the preset of the digit `key` that follows `window`; none: no preset has that key.
+std::optional<GreyWindow> presetAfter(char key, const GreyWindow& window) {
+    std::vector<GreyWindow> presets;
+    for (const WindowPreset& preset : windowPresets())
+        if (preset.key == key)
+            presets.push_back(preset.window);
+    if (presets.empty())
+        return std::nullopt;
+    const auto current = std::ranges::find(presets, window);
+    return current == presets.end() || current + 1 == presets.end() ? presets.front() : current[1];
+}
+
+}  // namespace
+
+SlicesPresenter::SlicesPresenter(const Workspace& workspace) : Presenter(workspace) {
+    for (const AnatomicalPlane plane : kAnatomicalPlanes) {
+        Slice& slice = slices_[std::size_t(plane)];
+        slice.view = new ui::SliceView(plane);
+        window().views().addSlice(slice.view);
+        connectSlice(slice);
+    }
+    window().addMenu(ui::MainWindow::tr("&Slices"), [this](QMenu& menu) { fillMenu(menu); });
+}
+
+void SlicesPresenter::fillMenu(QMenu& menu) {
+    auto* one = new QActionGroup(this);
+    const std::array<QString, 3> names{Texts::tr("&Image alone"), Texts::tr("Slices &beside the image"),
+                                       Texts::tr("Four &views")};
+    for (const ui::ViewLayout layout : ui::kViewLayouts) {
+        QAction* action = layouts_[std::size_t(layout)] = one->addAction(menu.addAction(names[std::size_t(layout)]));
+        action->setCheckable(true);
+        action->setChecked(layout == window().views().layout());
+        connect(action, &QAction::triggered, this, [this, layout] { setLayout(layout); });
+    }
+    QAction* next = menu.addAction(Texts::tr("&Next layout"), QKeySequence(Qt::Key_L));
+    next->setObjectName("nextLayout");
+    next->setToolTip(Texts::tr("Shows the image alone, with slices beside it, or as one of four views."));
+    connect(next, &QAction::triggered, this, [this] {
+        setLayout(ui::ViewLayout((int(window().views().layout()) + 1) % int(std::size(ui::kViewLayouts))));
+    });
+}
+
+void SlicesPresenter::connectSlice(Slice& slice) {
+    ui::SliceView* view = slice.view;
+    connect(&slice.job, &SliceJob::made, this,
+            [this, &slice](const QImage& grey, const SlicePlane& plane, const GreyWindow& window) {
+                show(slice, grey, plane, window);
+            });
+    connect(view, &ui::SliceView::resized, this, [this, &slice] { request(slice); });
+    connect(view, &ui::SliceView::pointed, this, &SlicesPresenter::moveTo);
+    connect(view, &ui::SliceView::stepped, this, [this, &slice](int count) {
+        if (slice.stack)
+            moveTo(stepped(*slice.stack, document().plan().navigation.crosshairMm, count));
+    });
+    connect(view, &ui::SliceView::panned, this, [this, &slice](dvec2 mm) {
+        Navigation navigation = document().plan().navigation;
+        framingOf(navigation, slice).panMm -= mm;
+        document().navigate(navigation);
+    });
+    connect(view, &ui::SliceView::zoomed, this, [this, &slice](double factor, dvec3 placeMm) {
+        Navigation navigation = document().plan().navigation;
+        SliceFraming& framing = framingOf(navigation, slice);
+        if (slice.stack)
+            framing = zoomed(framing, slice.stack->slice(0), factor, placeMm);
+        document().navigate(navigation);
+    });
+    connect(view, &ui::SliceView::windowChosen, this, &SlicesPresenter::chooseWindow);
+    connect(view, &ui::SliceView::windowDragged, this, &SlicesPresenter::dragWindow);
+    connect(view, &ui::SliceView::hovered, this,
+            [this, &slice](const std::optional<dvec3>& placeMm) { showPointed(slice, placeMm); });
+    connect(view, &ui::SliceView::aloneRequested, this, [this, view] { window().views().toggleAlone(view); });
+}
+
+SliceFraming& SlicesPresenter::framingOf(Navigation& navigation, const Slice& slice) const {
+    return navigation.framings[std::size_t(slice.view->plane())];
+}
+
+void SlicesPresenter::setLayout(ui::ViewLayout layout) {
+    window().views().setLayout(layout);
+    layouts_[std::size_t(layout)]->setChecked(true);
+    for (Slice& slice : slices_)
+        request(slice);
+}
+
+void SlicesPresenter::showDocument(Changes changes) {
+    if (has(changes, Changes::series)) {
+        statedWindow_ = document().plan().navigation.window;
+        for (Slice& slice : slices_)
+            slice.view->clear();
+    }
+    if (has(changes, Changes::series | Changes::table)) {
+        volume_ = document().hasVolume() ? document().seen() : nullptr;
+        for (Slice& slice : slices_)
+            slice.stack = volume_ ? std::optional(SliceStack(volume_->geometry(), slice.view->plane())) : std::nullopt;
+    }
+    if (!has(changes, Changes::series | Changes::table | Changes::navigation))
+        return;
+    for (Slice& slice : slices_) {
+        slice.view->setCrosshair(document().plan().navigation.crosshairMm);
+        request(slice);
+    }
+}
+
+void SlicesPresenter::releaseVolume() {
+    for (Slice& slice : slices_) {
+        slice.job.drop();
+        slice.stack.reset();
+    }
+    volume_.reset();
+}
+
+/// Returns the plane that the view of `slice` shows; none without a volume.
+std::optional<SlicePlane> SlicesPresenter::planeOf(const Slice& slice) const {
+    if (!slice.stack)
+        return std::nullopt;
+    const Navigation& navigation = document().plan().navigation;
+    return framed(slice.stack->at(slice.stack->positionMm(navigation.crosshairMm)),
+                  navigation.framings[std::size_t(slice.view->plane())], slice.view->sizeInPixels());
+}
+
+/// Computes the slice that the view should show, unless it is not on the screen.
+void SlicesPresenter::request(Slice& slice) {
+    const auto plane = planeOf(slice);
+    if (plane && volume_ && slice.view->isVisible())
+        slice.job.make({volume_, *plane, document().plan().navigation.window});
+}
+
+void SlicesPresenter::show(Slice& slice, const QImage& grey, const SlicePlane& plane, const GreyWindow& window) {
+    if (slice.stack)
+        slice.view->setSlice({grey, plane, textsOf(slice, plane, window)});
+}
+
+QStringList SlicesPresenter::textsOf(const Slice& slice, const SlicePlane& plane, const GreyWindow& window) const {
+    const int index = nearestSlice(*slice.stack, plane.middleMm());
+    return {nameOf(slice.view->plane(), index + 1, slice.stack->count()),
+            Texts::tr("Window %1 / %2 HU").arg(ui::number(window.centre, 0), ui::number(window.width, 0))};
+}
+
+/// Shows the HU and the place under the pointer. The HU is that of the renderer there.
+void SlicesPresenter::showPointed(Slice& slice, const std::optional<dvec3>& placeMm) {
+    const auto plane = planeOf(slice);
+    if (!placeMm || !plane || !volume_)
+        return slice.view->setPointed({});
+    const auto one = reslice(*volume_, SlicePlane::around(*placeMm, plane->right, plane->down, 1, ivec2(1)));
+    const float hu = one->hu.front();
+    const QString place = sideText(placeMm->x, "L", "R") + "  " + sideText(placeMm->y, "P", "A") + "  " +
+                          sideText(placeMm->z, "H", "F") + " mm";
+    slice.view->setPointed(std::isnan(hu) ? Texts::tr("outside the scan")
+                                          : Texts::tr("%1 HU at %2").arg(ui::number(double(hu), 0), place));
+}
+
+void SlicesPresenter::moveTo(dvec3 placeMm) {
+    Navigation navigation = document().plan().navigation;
+    navigation.crosshairMm = placeMm;
+    document().navigate(navigation);
+}
+
+/// Chooses the window of a digit: a preset, the window of the files (9), or the whole range (0).
+void SlicesPresenter::chooseWindow(char key) {
+    if (!volume_)
+        return;
+    Navigation navigation = document().plan().navigation;
+    if (key == '9')
+        navigation.window = statedWindow_;
+    else if (key == '0')
+        navigation.window = wholeRange(*volume_);
+    else
+        navigation.window = presetAfter(key, navigation.window).value_or(navigation.window);
+    document().navigate(navigation);
+}
+
+/// Makes the window wider or narrower, and darker or brighter, by parts of the view's height.
+void SlicesPresenter::dragWindow(double wider, double brighter) {
+    constexpr double kPerHeight = 4;   // a drag over the view's height changes the width by a factor of exp(4)
+    constexpr double kNarrowest = 1;   // [HU]
+    constexpr double kWidest = 65536;  // [HU]
+    Navigation navigation = document().plan().navigation;
+    GreyWindow& window = navigation.window;
+    window.centre -= 2 * brighter * window.width;
+    window.width = std::clamp(window.width * std::exp(kPerHeight * wider), kNarrowest, kWidest);
+    window.centre = std::clamp(window.centre, -kWidest, kWidest);
+    document().navigate(navigation);
+}
+
+}  // namespace pdr::app

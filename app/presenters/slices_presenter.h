@@ -1,0 +1,51 @@
+#pragma once
+/// Three slices beside the image, which agree on one place of the patient.
+
+#include <array>
+#include <optional>
+
+#include "app/jobs/slice_job.h"
+#include "app/presenters/presenter.h"
+#include "app/presenters/slice_framing.h"
+#include "ui/slices/slice_view.h"
+
+namespace pdr::app {
+
+class SlicesPresenter : public Presenter {
+    Q_OBJECT
+
+  public:
+    explicit SlicesPresenter(const Workspace& workspace);
+
+    void showDocument(Changes changes) override;
+    void releaseVolume() override;
+    ui::SliceView& view(AnatomicalPlane plane) { return *slices_[std::size_t(plane)].view; }
+
+  private:
+    /// One slice: its view, the job that computes it, and the stack that it is one of.
+    struct Slice {
+        ui::SliceView* view = nullptr;  ///< owned by the window
+        SliceJob job;
+        std::optional<SliceStack> stack;  ///< none without a volume
+    };
+
+    void fillMenu(QMenu& menu);
+    void connectSlice(Slice& slice);
+    void setLayout(ui::ViewLayout layout);
+    void request(Slice& slice);
+    void show(Slice& slice, const QImage& grey, const SlicePlane& plane, const GreyWindow& window);
+    void showPointed(Slice& slice, const std::optional<dvec3>& placeMm);
+    void moveTo(dvec3 placeMm);
+    void chooseWindow(char key);
+    void dragWindow(double wider, double brighter);
+    QStringList textsOf(const Slice& slice, const SlicePlane& plane, const GreyWindow& window) const;
+    SliceFraming& framingOf(Navigation& navigation, const Slice& slice) const;
+    std::optional<SlicePlane> planeOf(const Slice& slice) const;
+
+    std::array<Slice, 3> slices_;        ///< in the order of kAnatomicalPlanes
+    std::array<QAction*, 3> layouts_{};  ///< in the order of kViewLayouts
+    std::shared_ptr<const Volume> volume_;
+    GreyWindow statedWindow_;  ///< the window with which the volume was opened
+};
+
+}  // namespace pdr::app

@@ -1,0 +1,67 @@
+/// Slices in their views: which plane is shown, and what zooming and scrolling do to it.
+
+#include <QTest>
+
+#include "app/presenters/slice_framing.h"
+
+namespace pdr::app {
+namespace {
+
+VolumeGeometry geometry() {
+    return VolumeGeometry::aligned({40, 30, 20}, {1, 1, 2.5}, {-20, -10, 100});
+}
+
+}  // namespace
+
+class SliceFramingTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aWholeSliceFitsItsView() {
+        const SlicePlane slice = SliceStack(geometry(), AnatomicalPlane::axial).slice(7);
+        for (const ivec2 pixels : {ivec2(400, 400), ivec2(900, 200), ivec2(80, 600), ivec2(1, 1)}) {
+            const SlicePlane shown = framed(slice, {}, pixels);
+            QVERIFY(shown.size == pixels);
+            QVERIFY(glm::length(shown.middleMm() - slice.middleMm()) < 1e-9);
+            const dvec2 mm = shown.mmPerPixel * dvec2(pixels), whole = slice.mmPerPixel * dvec2(slice.size);
+            QVERIFY(mm.x >= whole.x - 1e-9 && mm.y >= whole.y - 1e-9);
+            QVERIFY(std::abs(mm.x - whole.x) < 1e-9 || std::abs(mm.y - whole.y) < 1e-9);
+        }
+    }
+
+    void zoomingKeepsThePlaceUnderThePointer() {
+        const SlicePlane slice = SliceStack(geometry(), AnatomicalPlane::coronal).slice(3);
+        SliceFraming framing{1.5, {3, -4}};
+        const dvec2 pointer(70.25, 130.5);
+        const dvec3 place = framed(slice, framing, {300, 200}).mmAt(pointer);
+        for (const double factor : {1.2, 2.0, 1 / 1.2, 0.3, 5.0}) {
+            framing = zoomed(framing, slice, factor, place);
+            const dvec2 now = framed(slice, framing, {300, 200}).pixelAt(place);
+            QVERIFY(glm::length(now - pointer) < 1e-6);
+        }
+    }
+
+    void magnificationStaysInItsRange() {
+        const SlicePlane slice = SliceStack(geometry(), AnatomicalPlane::sagittal).slice(0);
+        QCOMPARE(zoomed({}, slice, 1e9, slice.middleMm()).zoom, SliceFraming::kGreatestZoom);
+        QCOMPARE(zoomed({}, slice, 1e-9, slice.middleMm()).zoom, SliceFraming::kLeastZoom);
+    }
+
+    /// A step leads to the centres of the next slice's voxels, from anywhere in a slice; the rest of the place stays.
+    void stepsLeadFromSliceToSlice() {
+        const SliceStack stack(geometry(), AnatomicalPlane::axial);
+        const dvec3 inSlice5{1.5, 2.25, 100 + 5 * 2.5 + 1.1};
+        QCOMPARE(nearestSlice(stack, inSlice5), 5);
+        QVERIFY(glm::length(stepped(stack, inSlice5, 1) - dvec3(1.5, 2.25, 115)) < 1e-9);
+        QVERIFY(glm::length(stepped(stack, inSlice5, -3) - dvec3(1.5, 2.25, 105)) < 1e-9);
+        QVERIFY(glm::length(stepped(stack, inSlice5, 1000) - dvec3(1.5, 2.25, 147.5)) < 1e-9);
+        QVERIFY(glm::length(stepped(stack, inSlice5, -1000) - dvec3(1.5, 2.25, 100)) < 1e-9);
+        QCOMPARE(nearestSlice(stack, {0, 0, -1e6}), 0);
+        QCOMPARE(nearestSlice(stack, {0, 0, 1e6}), 19);
+    }
+};
+
+}  // namespace pdr::app
+
+QTEST_GUILESS_MAIN(pdr::app::SliceFramingTest)
+#include "slice_framing_test.moc"

@@ -1,0 +1,155 @@
+/// The view of a slice: what pointer, wheel and keys request, in places of the patient.
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+
+#include "ui/slices/slice_view.h"
+
+namespace pdr::ui {
+namespace {
+
+/// A coronal view of 300 x 200 that shows a plane of half a millimetre per pixel, and what it emits.
+struct Shown {
+    SliceView view{AnatomicalPlane::coronal};
+    SlicePlane plane = SlicePlane::around({10, 20, 30}, {1, 0, 0}, {0, 0, -1}, 0.5, {300, 200});
+    std::vector<dvec3> pointed;
+
+    Shown() {
+        view.resize(300, 200);
+        view.show();
+        QImage grey(300, 200, QImage::Format_RGBX8888);
+        grey.fill(Qt::gray);
+        view.setSlice({grey, plane, {"Coronal 1 of 2"}});
+        QObject::connect(&view, &SliceView::pointed, [this](dvec3 mm) { pointed.push_back(mm); });
+    }
+
+    void wheel(double clicks, Qt::KeyboardModifiers modifiers = {}, QPointF at = {150, 100}) {
+        QWheelEvent event(at, view.mapToGlobal(at), {}, {0, int(120 * clicks)}, Qt::NoButton, modifiers,
+                          Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&view, &event);
+    }
+};
+
+bool near(dvec3 a, dvec3 b) {
+    return glm::length(a - b) < 1e-9;
+}
+
+}  // namespace
+
+class SliceViewTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    /// The pixel under the pointer is the one that was computed there: its centre is its place.
+    void aClickPointsAtThePlaceUnderIt() {
+        Shown shown;
+        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, {100, 50});
+        QCOMPARE(shown.pointed.size(), std::size_t(2));  // pressed and let go
+        QVERIFY(near(shown.pointed[1], shown.plane.mmAt({99.5, 49.5})));
+        QCOMPARE(shown.pointed[1].y, 20.0);
+    }
+
+    void theWheelScrollsAndZooms() {
+        Shown shown;
+        QSignalSpy stepped(&shown.view, &SliceView::stepped), zoomed(&shown.view, &SliceView::zoomed);
+        shown.wheel(1);
+        shown.wheel(-1, Qt::ShiftModifier);
+        QCOMPARE(stepped.size(), 2);
+        QCOMPARE(stepped[0][0].toInt(), 1);
+        QCOMPARE(stepped[1][0].toInt(), -5);
+        shown.wheel(1, Qt::ControlModifier, {75, 50});
+        QCOMPARE(stepped.size(), 2);
+        QCOMPARE(zoomed.size(), 1);
+        QVERIFY(zoomed[0][0].toDouble() > 1);
+        QVERIFY(near(zoomed[0][1].value<dvec3>(), shown.plane.mmAt({74.5, 49.5})));
+    }
+
+    void smallTurnsOfATrackpadAddUp() {
+        Shown shown;
+        QSignalSpy stepped(&shown.view, &SliceView::stepped);
+        for (int i = 0; i < 8; ++i)
+            shown.wheel(0.25);
+        QCOMPARE(stepped.size(), 2);
+    }
+
+    void keysScrollAndChooseWindows() {
+        Shown shown;
+        QSignalSpy stepped(&shown.view, &SliceView::stepped), window(&shown.view, &SliceView::windowChosen);
+        QTest::keyClick(&shown.view, Qt::Key_Up);
+        QTest::keyClick(&shown.view, Qt::Key_PageDown);
+        QCOMPARE(stepped[0][0].toInt(), 1);
+        QCOMPARE(stepped[1][0].toInt(), -10);
+        QTest::keyClick(&shown.view, Qt::Key_4);
+        QCOMPARE(window.size(), 1);
+        QCOMPARE(window[0][0].value<char>(), '4');
+    }
+
+    /// Digits turn the image elsewhere in the window, as shortcuts.
+    void digitsBelongToTheSliceWithTheFocus() {
+        Shown shown;
+        QKeyEvent digit(QEvent::ShortcutOverride, Qt::Key_2, Qt::NoModifier, "2");
+        digit.ignore();
+        QCoreApplication::sendEvent(&shown.view, &digit);
+        QVERIFY(digit.isAccepted());
+        QKeyEvent other(QEvent::ShortcutOverride, Qt::Key_T, Qt::NoModifier, "t");
+        other.ignore();
+        QCoreApplication::sendEvent(&shown.view, &other);
+        QVERIFY(!other.isAccepted());
+    }
+
+    void dragsMoveTheSliceWithThePointerAndChangeTheWindow() {
+        Shown shown;
+        dvec2 panned(0), window(0);
+        connect(&shown.view, &SliceView::panned, [&](dvec2 mm) { panned += mm; });
+        connect(&shown.view, &SliceView::windowDragged,
+                [&](double wider, double brighter) { window += dvec2(wider, brighter); });
+        const auto drag = [&](Qt::MouseButton button) {
+            QTest::mousePress(&shown.view, button, {}, {100, 100});
+            for (const QPointF to : {QPointF(120, 90), QPointF(140, 60)}) {
+                QMouseEvent move(QEvent::MouseMove, to, shown.view.mapToGlobal(to), Qt::NoButton, button, {});
+                QCoreApplication::sendEvent(&shown.view, &move);
+            }
+            QTest::mouseRelease(&shown.view, button, {}, {140, 60});
+        };
+        drag(Qt::MiddleButton);
+        QVERIFY(glm::length(panned - dvec2(20, -20)) < 1e-9);  // 40 pixels of 0.5 mm
+        QVERIFY(shown.pointed.empty());
+        drag(Qt::RightButton);
+        QVERIFY(glm::length(window - dvec2(40, 40) / 200.0) < 1e-9);
+    }
+
+    void aDoubleClickAsksForTheViewAlone() {
+        Shown shown;
+        QSignalSpy alone(&shown.view, &SliceView::aloneRequested);
+        QTest::mouseDClick(&shown.view, Qt::LeftButton);
+        QCOMPARE(alone.size(), 1);
+    }
+
+    /// The other slices are where the crosshair's lines are; the place itself stays free.
+    void theCrosshairLiesOnItsPlace() {
+        Shown shown;
+        const QImage before = shown.view.grab().toImage();
+        shown.view.setCrosshair(shown.plane.mmAt({59.5, 79.5}));
+        const QImage after = shown.view.grab().toImage();
+        const double ratio = after.devicePixelRatio();
+        const auto at = [&](const QImage& image, int x, int y) { return image.pixel(int(x * ratio), int(y * ratio)); };
+        QVERIFY(at(after, 200, 80) != at(before, 200, 80) || at(after, 200, 79) != at(before, 200, 79));
+        QCOMPARE(at(after, 60, 80), qRgb(160, 160, 164));
+        QCOMPARE(at(after, 200, 20), qRgb(160, 160, 164));
+    }
+
+    void withoutASliceNothingIsRequested() {
+        Shown shown;
+        shown.view.clear();
+        QSignalSpy zoomed(&shown.view, &SliceView::zoomed);
+        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, {100, 50});
+        shown.wheel(1, Qt::ControlModifier);
+        QVERIFY(shown.pointed.empty() && zoomed.isEmpty());
+    }
+};
+
+}  // namespace pdr::ui
+
+QTEST_MAIN(pdr::ui::SliceViewTest)
+#include "slice_view_test.moc"

@@ -1,0 +1,57 @@
+#include "ui/slices/shown_slice.h"
+
+#include "ui/annotation/annotations.h"
+#include "ui/annotation/slice_camera.h"
+
+namespace pdr::ui {
+namespace {
+
+constexpr double kGap = 10;  ///< half of the crosshair's gap [px]
+
+/// The planes whose lines run from side to side and from top to bottom in a slice of `plane`.
+std::pair<AnatomicalPlane, AnatomicalPlane> crossing(AnatomicalPlane plane) {
+    switch (plane) {
+        case AnatomicalPlane::axial:
+            return {AnatomicalPlane::coronal, AnatomicalPlane::sagittal};
+        case AnatomicalPlane::coronal:
+            return {AnatomicalPlane::axial, AnatomicalPlane::sagittal};
+        case AnatomicalPlane::sagittal:
+            break;
+    }
+    return {AnatomicalPlane::axial, AnatomicalPlane::coronal};
+}
+
+}  // namespace
+
+QPen planePen(AnatomicalPlane plane) {
+    switch (plane) {
+        case AnatomicalPlane::axial:
+            return {QColor(235, 80, 80), 1.2, Qt::SolidLine};
+        case AnatomicalPlane::coronal:
+            return {QColor(90, 200, 90), 1.2, Qt::DashLine};
+        case AnatomicalPlane::sagittal:
+            break;
+    }
+    return {QColor(235, 200, 70), 1.2, Qt::DotLine};
+}
+
+void paintSlice(QPainter& painter, const ShownSlice& slice, const QSize& size) {
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(QRect(QPoint(), size), slice.image);
+    paintAnnotations(painter, {cameraFacing(slice.plane), {}, slice.texts, false}, size);
+}
+
+void paintCrosshair(QPainter& painter, const ShownSlice& slice, AnatomicalPlane plane, dvec3 placeMm,
+                    const QSize& size) {
+    const dvec2 perPixel = dvec2(size.width(), size.height()) / dvec2(slice.plane.size);
+    const dvec2 at = (slice.plane.pixelAt(placeMm) + 0.5) * perPixel;
+    const auto [across, down] = crossing(plane);
+    painter.setPen(planePen(across));
+    painter.drawLine(QPointF(0, at.y), QPointF(at.x - kGap, at.y));
+    painter.drawLine(QPointF(at.x + kGap, at.y), QPointF(size.width(), at.y));
+    painter.setPen(planePen(down));
+    painter.drawLine(QPointF(at.x, 0), QPointF(at.x, at.y - kGap));
+    painter.drawLine(QPointF(at.x, at.y + kGap), QPointF(at.x, size.height()));
+}
+
+}  // namespace pdr::ui

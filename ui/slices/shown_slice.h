@@ -1,0 +1,33 @@
+#pragma once
+/// A slice on the screen, and the painting of it. Everything that is painted over the pixels follows from the plane
+/// with which they were computed, so that no letter or scale can belong to another slice.
+
+#include <QImage>
+#include <QPainter>
+#include <QStringList>
+#include <optional>
+
+#include "render/slice/slice_stack.h"
+
+namespace pdr::ui {
+
+struct ShownSlice {
+    QImage image;       ///< the pixels of `plane`
+    SlicePlane plane;   ///< in screen pixels of the view
+    QStringList texts;  ///< what the slice is, a line each: "Axial 51 of 100", "Window 350 / 50 HU"
+};
+
+/// Colour of the lines that show where a plane lies, in other slices and in the image: red, green, yellow. The pen also
+/// differs in its dashes, for those who cannot tell the colours apart.
+QPen planePen(AnatomicalPlane plane);
+
+/// Paints `slice` into a view of `size` [px] with letters, scale bar and texts. A slice of another size, while the one
+/// that fits is computed, is stretched.
+void paintSlice(QPainter& painter, const ShownSlice& slice, const QSize& size);
+
+/// Paints the two lines in which the other planes through `placeMm` cut `slice`, which lies in `plane`, with a gap
+/// around the place itself.
+void paintCrosshair(QPainter& painter, const ShownSlice& slice, AnatomicalPlane plane, dvec3 placeMm,
+                    const QSize& size);
+
+}  // namespace pdr::ui

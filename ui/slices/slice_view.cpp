@@ -1,0 +1,194 @@
+#include "ui/slices/slice_view.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "ui/annotation/slice_camera.h"
+
+namespace pdr::ui {
+namespace {
+
+/// Every movement counts: a click edits nothing here.
+constexpr double kNoTremble = 0;
+
+QString nameOf(AnatomicalPlane plane) {
+    switch (plane) {
+        case AnatomicalPlane::axial:
+            return SliceView::tr("Axial slice");
+        case AnatomicalPlane::coronal:
+            return SliceView::tr("Coronal slice");
+        case AnatomicalPlane::sagittal:
+            break;
+    }
+    return SliceView::tr("Sagittal slice");
+}
+
+}  // namespace
+
+SliceView::SliceView(AnatomicalPlane plane, QWidget* parent)
+    : QWidget(parent), plane_(plane), window_(kNoTremble), pan_(kNoTremble), zoom_(kNoTremble) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setMouseTracking(true);
+    setAccessibleName(nameOf(plane));
+    setAccessibleDescription(
+        tr("Up and down scroll by a slice, Page up and Page down by ten, digits choose a window."));
+    bindTools();
+}
+
+void SliceView::bindTools() {
+    tools_.add(keys_);
+    tools_.bind(Qt::LeftButton, Qt::NoModifier, point_);
+    tools_.bind(Qt::LeftButton, Qt::ShiftModifier, pan_);
+    tools_.bind(Qt::MiddleButton, Qt::NoModifier, pan_);
+    tools_.bind(Qt::RightButton, Qt::NoModifier, window_);
+    tools_.bind(Qt::RightButton, Qt::ControlModifier, zoom_);
+    connect(&tools_, &ViewTools::changed, this, qOverload<>(&QWidget::update));
+    connect(&keys_, &SliceKeys::stepped, this, &SliceView::stepped);
+    connect(&keys_, &SliceKeys::windowChosen, this, &SliceView::windowChosen);
+    connect(&keys_, &SliceKeys::zoomed, this, [this](double factor, QPointF place) {
+        if (slice_)
+            emit zoomed(factor, mmAt(place));
+    });
+    connect(&point_, &PointTool::pointed, this, [this](QPointF place) {
+        if (slice_)
+            emit pointed(mmAt(place));
+    });
+    connect(&window_, &DragTool::dragged, this,
+            [this](QPointF, QPointF step) { emit windowDragged(step.x(), -step.y()); });
+    connect(&pan_, &DragTool::dragged, this, [this](QPointF, QPointF step) {
+        if (slice_)
+            emit panned(dvec2(step.x(), step.y()) * slice_->plane.mmPerPixel * double(slice_->plane.size.y));
+    });
+    connect(&zoom_, &DragTool::dragged, this, [this](QPointF, QPointF step) {
+        if (slice_)
+            emit zoomed(std::exp(-4 * step.y()), slice_->plane.middleMm());
+    });
+}
+
+ivec2 SliceView::sizeInPixels() const {
+    const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
+    return {pixels.width(), pixels.height()};
+}
+
+void SliceView::setSlice(const ShownSlice& slice) {
+    slice_ = slice;
+    changePlace();
+}
+
+void SliceView::clear() {
+    slice_.reset();
+    pointed_.clear();
+    changePlace();
+}
+
+void SliceView::setCrosshair(dvec3 placeMm) {
+    crosshairMm_ = placeMm;
+    update();
+}
+
+void SliceView::setPointed(const QString& text) {
+    if (text == pointed_)
+        return;
+    pointed_ = text;
+    update();
+}
+
+void SliceView::changePlace() {
+    tools_.setImage(place());
+    update();
+}
+
+ImagePlace SliceView::place() const {
+    return {size(), rect(), slice_ ? std::optional(cameraFacing(slice_->plane)) : std::nullopt};
+}
+
+ViewPointer SliceView::pointer(const QSinglePointEvent& event) const {
+    return {event.position(), event.button(), event.buttons(), event.modifiers(), false, place()};
+}
+
+/// Returns the place at fractions of the slice's width and height.
+dvec3 SliceView::mmAt(QPointF fractions) const {
+    return slice_->plane.mmAt(dvec2(fractions.x(), fractions.y()) * dvec2(slice_->plane.size) - 0.5);
+}
+
+/// Keeps keys that the slice uses from being shortcuts of the window, such as the digits.
+bool SliceView::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->modifiers() == Qt::NoModifier && key->key() >= Qt::Key_0 && key->key() <= Qt::Key_9)
+            event->accept();
+    }
+    if (event->type() == QEvent::Leave) {
+        tools_.leave();
+        emit hovered(std::nullopt);
+    }
+    return QWidget::event(event);
+}
+
+void SliceView::resizeEvent(QResizeEvent*) {
+    changePlace();
+    emit resized();
+}
+
+/// Takes the keyboard from another view, but not from a field in which the user types.
+void SliceView::enterEvent(QEnterEvent*) {
+    const QWidget* focus = window()->focusWidget();
+    if (focus && focus->parentWidget() == parentWidget())
+        setFocus(Qt::MouseFocusReason);
+}
+
+void SliceView::mousePressEvent(QMouseEvent* event) {
+    tools_.press(pointer(*event));
+}
+
+void SliceView::mouseMoveEvent(QMouseEvent* event) {
+    tools_.move(pointer(*event));
+    if (slice_)
+        emit hovered(mmAt(place().fractionsAt(event->position())));
+}
+
+void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+    tools_.release(pointer(*event));
+}
+
+void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier)
+        emit aloneRequested();
+    else
+        tools_.press(pointer(*event));
+}
+
+void SliceView::wheelEvent(QWheelEvent* event) {
+    constexpr double kPerClick = 120;
+    tools_.wheel(pointer(*event), event->angleDelta().y() / kPerClick);
+}
+
+void SliceView::keyPressEvent(QKeyEvent* event) {
+    if (!tools_.key(*event))
+        QWidget::keyPressEvent(event);
+}
+
+void SliceView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), Qt::black);
+    if (!slice_)
+        return;
+    painter.setFont(font());
+    ShownSlice shown = *slice_;
+    if (!pointed_.isEmpty())
+        shown.texts.prepend(pointed_);
+    paintSlice(painter, shown, size());
+    paintCrosshair(painter, *slice_, plane_, crosshairMm_, size());
+    if (hasFocus()) {
+        painter.setPen(QPen(palette().highlight().color(), 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(rect().adjusted(1, 1, -1, -1));
+    }
+    tools_.paint(painter);
+}
+
+}  // namespace pdr::ui

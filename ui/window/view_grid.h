@@ -1,0 +1,48 @@
+#pragma once
+/// The views in the middle of the window: the image, and up to three slices beside it. A layout says which of them are
+/// shown, and where.
+
+#include <QGridLayout>
+#include <QWidget>
+#include <vector>
+
+namespace pdr::ui {
+
+enum class ViewLayout {
+    image,     ///< the image alone
+    beside,    ///< the image, and the slices in a column to its right
+    quarters,  ///< four views of the same size: the first slice and the image above, the other slices below
+};
+inline constexpr ViewLayout kViewLayouts[] = {ViewLayout::image, ViewLayout::beside, ViewLayout::quarters};
+
+class ViewGrid : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// Shows `image`, which it then owns.
+    explicit ViewGrid(QWidget* image);
+
+    /// Adds the view of a slice, which it then owns; there are at most three.
+    void addSlice(QWidget* slice);
+    ViewLayout layout() const { return layout_; }
+    /// Returns whether slices are shown.
+    bool showsSlices() const { return layout_ != ViewLayout::image && (!alone_ || alone_ != views_.front()); }
+    /// Sets the layout. Ends showing one view alone.
+    void setLayout(ViewLayout layout);
+    /// Shows `view` alone, or all views of the layout again if it is shown alone.
+    void toggleAlone(QWidget* view);
+
+  signals:
+    void layoutChanged(pdr::ui::ViewLayout layout);
+
+  private:
+    void arrange();
+    void place(std::size_t view, int row, int column, int rows = 1);
+
+    QGridLayout grid_;
+    std::vector<QWidget*> views_;  ///< the image first
+    ViewLayout layout_ = ViewLayout::image;
+    QWidget* alone_ = nullptr;  ///< the view that is shown alone; null: those of the layout
+};
+
+}  // namespace pdr::ui
