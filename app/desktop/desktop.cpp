@@ -9,6 +9,7 @@
 
 #include "app/presenters/accuracy_presenter.h"
 #include "app/presenters/camera_presenter.h"
+#include "app/presenters/crosshair_presenter.h"
 #include "app/presenters/cut_presenter.h"
 #include "app/presenters/effects_presenter.h"
 #include "app/presenters/help_presenter.h"
@@ -94,6 +95,7 @@ void Desktop::addPresenters(const QString& ownLooks, std::filesystem::path power
     add<CutPresenter>();
     add<RegionPresenter>();
     add<SlicesPresenter>();
+    add<CrosshairPresenter>();
     add<RenderingPresenter>();
     auto& accuracy = add<AccuracyPresenter>(std::move(powerSupplies));
     add<EffectsPresenter>();

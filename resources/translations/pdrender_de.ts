@@ -254,6 +254,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 mm in der Tiefe der Bildmitte</translation>
     </message>
     <message>
+        <source>%1 mm behind: %2 % of the light</source>
+        <translation>%1 mm dahinter: %2 % des Lichts</translation>
+    </message>
+    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -1876,6 +1880,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Import a part of the series, close programs that use the device, or render on the CPU.</source>
         <translation>Einen Teil der Serie laden, Programme schließen, die das Gerät benutzen, oder auf der CPU rechnen.</translation>
+    </message>
+    <message>
+        <source>In front: %1 % of the light</source>
+        <translation>Vorn: %1 % des Lichts</translation>
     </message>
     <message>
         <source>In the region: %1</source>
@@ -3840,6 +3848,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>hinten</translation>
     </message>
     <message>
+        <source>behind %1 mm of tissue</source>
+        <translation>hinter %1 mm Gewebe</translation>
+    </message>
+    <message>
         <source>belongs to a volume of another size</source>
         <translation>gehört zu einem Volumen anderer Größe</translation>
     </message>
@@ -4722,6 +4734,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>not saved, because %1</source>
         <translation>nicht gesichert, denn %1</translation>
+    </message>
+    <message>
+        <source>not shown here</source>
+        <translation>hier nicht gezeigt</translation>
     </message>
     <message>
         <source>nothing can be peeled off</source>

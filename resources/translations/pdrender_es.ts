@@ -254,6 +254,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 mm a la profundidad del centro</translation>
     </message>
     <message>
+        <source>%1 mm behind: %2 % of the light</source>
+        <translation>%1 mm detrás: %2 % de la luz</translation>
+    </message>
+    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -1876,6 +1880,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Import a part of the series, close programs that use the device, or render on the CPU.</source>
         <translation>Importe una parte de la serie, cierre programas que usen el dispositivo o calcule en la CPU.</translation>
+    </message>
+    <message>
+        <source>In front: %1 % of the light</source>
+        <translation>Delante: %1 % de la luz</translation>
     </message>
     <message>
         <source>In the region: %1</source>
@@ -3840,6 +3848,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>detrás</translation>
     </message>
     <message>
+        <source>behind %1 mm of tissue</source>
+        <translation>detrás de %1 mm de tejido</translation>
+    </message>
+    <message>
         <source>belongs to a volume of another size</source>
         <translation>es de un volumen de otro tamaño</translation>
     </message>
@@ -4722,6 +4734,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>not saved, because %1</source>
         <translation>no se ha guardado, porque %1</translation>
+    </message>
+    <message>
+        <source>not shown here</source>
+        <translation>no se muestra aquí</translation>
     </message>
     <message>
         <source>nothing can be peeled off</source>

@@ -2,6 +2,7 @@
 
 #include "ui/annotation/annotations.h"
 #include "ui/annotation/slice_camera.h"
+#include "ui/slices/plane_pen.h"
 
 namespace pdr::ui {
 namespace {
@@ -22,18 +23,6 @@ std::pair<AnatomicalPlane, AnatomicalPlane> crossing(AnatomicalPlane plane) {
 }
 
 }  // namespace
-
-QPen planePen(AnatomicalPlane plane) {
-    switch (plane) {
-        case AnatomicalPlane::axial:
-            return {QColor(235, 80, 80), 1.2, Qt::SolidLine};
-        case AnatomicalPlane::coronal:
-            return {QColor(90, 200, 90), 1.2, Qt::DashLine};
-        case AnatomicalPlane::sagittal:
-            break;
-    }
-    return {QColor(235, 200, 70), 1.2, Qt::DotLine};
-}
 
 void paintSlice(QPainter& painter, const ShownSlice& slice, const QSize& size) {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);

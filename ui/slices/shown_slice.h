@@ -17,10 +17,6 @@ struct ShownSlice {
     QStringList texts;  ///< what the slice is, a line each: "Axial 51 of 100", "Window 350 / 50 HU"
 };
 
-/// Colour of the lines that show where a plane lies, in other slices and in the image: red, green, yellow. The pen also
-/// differs in its dashes, for those who cannot tell the colours apart.
-QPen planePen(AnatomicalPlane plane);
-
 /// Paints `slice` into a view of `size` [px] with letters, scale bar and texts. A slice of another size, while the one
 /// that fits is computed, is stretched.
 void paintSlice(QPainter& painter, const ShownSlice& slice, const QSize& size);

@@ -48,6 +48,10 @@ void Viewport::forwardTools() {
     connect(&tools_, &ViewTools::changed, this, &Viewport::followTools);
     connect(&camera_, &EditedCamera::edited, this, &Viewport::cameraEdited);
     connect(&zoom_, &CameraDrag::clicked, this, [this](QPointF place) { emit menuRequested(place.toPoint()); });
+    connect(&orbit_, &CameraDrag::clicked, this, [this](QPointF at) {
+        if (image_)
+            emit clicked(place().fractionsAt(at));
+    });
 }
 
 void Viewport::followTools() {

@@ -55,6 +55,8 @@ class Viewport : public QWidget {
     void cameraEdited(const pdr::Camera& camera, bool moving);
     /// Reports that the pointer rests on the image: at `place`, in fractions of its width and height.
     void rested(QPointF place);
+    /// Reports a click with the left button on the image: at `place`, in fractions of its width and height.
+    void clicked(QPointF place);
     /// Requests the first view, on Home. A signal of the view and no key of the window, since the accuracy strip and
     /// the number fields use Home themselves.
     void resetRequested();

@@ -127,7 +127,7 @@ void TestImageOnScreen::theLettersAreThoseOfTheFrame() {
     std::size_t compared = 0;
     const auto compare = [&] {
         const auto& frame = trial.desktop.bridge().lastFrame();
-        const ui::EdgeLetters painted = viewport.letters(), right = ui::edgeLetters(frame->camera);
+        const EdgeLetters painted = viewport.letters(), right = ui::edgeLetters(frame->camera);
         QVERIFY(painted.left == right.left && painted.right == right.right);
         QVERIFY(painted.top == right.top && painted.bottom == right.bottom);
         compared += frame->revision == document.scene().revision;

@@ -5,7 +5,9 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "app/presenters/crosshair_presenter.h"
 #include "app/presenters/slices_presenter.h"
+#include "render/scene/edit/view_geometry.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/patience.h"
@@ -79,6 +81,52 @@ class SlicesInWindowTest : public QObject {
         QVERIFY(document().plan().navigation.window.width > 100);
         QTest::keyClick(&view(AnatomicalPlane::coronal), Qt::Key_9);
         QCOMPARE(document().plan().navigation.window, GreyWindow());  // the files ask for none
+    }
+
+    /// The place is the one that the image shows there, and the image goes on.
+    void aClickOnTheImageMovesTheSlices() {
+        ui::Viewport& viewport = trial_->desktop.window().viewport();
+        const std::uint64_t revision = document().scene().revision;
+        const dvec3 before = crosshair();
+        const QPoint middle = viewport.rect().center();
+        QTest::mouseClick(&viewport, Qt::LeftButton, {}, middle);
+        QTRY_VERIFY_WITH_TIMEOUT(crosshair() != before, test::kPatience);
+        const Camera& camera = trial_->frames.back()->camera;
+        const ivec2 size = trial_->frames.back()->size;
+        const auto at = ViewGeometry(camera, double(size.x) / size.y).at(crosshair());
+        const double pixel = 1.0 / viewport.height();
+        QVERIFY(at && std::abs(at->y - 0.5) < 1.5 * pixel);
+        QCOMPARE(document().scene().revision, revision);
+        ui::CrosshairLayer& layer = trial_->desktop.presenter<CrosshairPresenter>().layer();
+        QVERIFY(layer.place() == crosshair());
+        QTRY_VERIFY_WITH_TIMEOUT(layer.inFront() == ui::InFront::little, test::kPatience);  // it is what is seen
+    }
+
+    void whatLiesBehindTheSkullIsSaidToBeHidden() {
+        ui::CrosshairLayer& layer = trial_->desktop.presenter<CrosshairPresenter>().layer();
+        Navigation navigation = document().plan().navigation;
+        navigation.crosshairMm = document().bodyBox().centreMm();
+        document().navigate(navigation);
+        QVERIFY(layer.inFront() == ui::InFront::unknown);
+        QTRY_VERIFY_WITH_TIMEOUT(layer.inFront() == ui::InFront::cut, test::kPatience);  // the look shows bones alone
+        document().chooseLook(int(document().looks().fitted().size()) - 1);
+        QTRY_VERIFY_WITH_TIMEOUT(layer.inFront() == ui::InFront::tissue, test::kPatience);  // behind the skin
+        document().undo();
+        trial_->waitForNewest();
+    }
+
+    /// A radiograph shows no place, and a sentence says so.
+    void aClickThatShowsNoPlaceMovesNothing() {
+        const dvec3 before = crosshair();
+        document().setModel(Model::absorption);
+        trial_->waitForNewest();
+        ui::Viewport& viewport = trial_->desktop.window().viewport();
+        QTest::mouseClick(&viewport, Qt::LeftButton, {}, viewport.rect().center());
+        const QString says = trial_->desktop.window().status().text();
+        QTRY_VERIFY_WITH_TIMEOUT(trial_->desktop.window().status().text() != says, test::kPatience);
+        QCOMPARE(crosshair(), before);
+        document().undo();
+        trial_->waitForNewest();
     }
 
     /// The second series waits until all have let go of the first.

@@ -1,0 +1,34 @@
+#include "app/jobs/place_job.h"
+
+namespace pdr::app {
+
+/// Calls `examine` with the prepared scene; the function that it returns tells the result. A scene that cannot be
+/// rendered has none.
+template <class Examine>
+void PlaceJob::examine(const Scene& scene, Examine examine) {
+    start([scene, examine, flattener = flattener_](const Progress&, const std::stop_token&) -> std::function<void()> {
+        if (!scene.check())
+            return [] {};
+        return examine(*flattener->prepare(scene));
+    });
+}
+
+void PlaceJob::pick(const Scene& scene, QPointF place) {
+    const vec2 pixels(dvec2(place.x(), place.y()) * dvec2(scene.film));
+    examine(scene, [this, pixels](const PreparedScene& prepared) -> std::function<void()> {
+        return [this, under = layersUnder(prepared, pixels)] { emit found(under); };
+    });
+}
+
+void PlaceJob::look(const Scene& scene, dvec3 placeMm) {
+    examine(scene, [this, placeMm](const PreparedScene& prepared) -> std::function<void()> {
+        return [this, placeMm, hidden = hiddenBy(prepared, placeMm)] { emit seen(placeMm, hidden); };
+    });
+}
+
+void PlaceJob::drop() {
+    cancel();
+    flattener_ = std::make_shared<Flattener>();
+}
+
+}  // namespace pdr::app
