@@ -1,0 +1,14 @@
+#pragma once
+/// The area of a polygon in a plane [mm^2].
+
+#include "render/base/result.h"
+#include "render/measure/stated.h"
+
+namespace pdr::measure {
+
+/// Returns the area of the polygon over `corners`, in order, as it appears in the plane with the unit normal `normal`.
+/// It is "at most" where it is less than three standard deviations. Fails for fewer than three corners, and where the
+/// outline crosses itself, since an area that counts some parts against others measures nothing.
+Result<Stated> polygonArea(std::span<const Place> corners, dvec3 normal);
+
+}  // namespace pdr::measure
