@@ -42,7 +42,8 @@ inline VolumeGeometry gridAround(const Scanner& scanner, double halfMm, std::mt1
     return VolumeGeometry::aligned(size, scanner.spacingMm, -scanner.spacingMm * (dvec3(size - 1) / 2.0 + shift));
 }
 
-/// Smooths along one axis of a grid with a Gaussian of `sigma` voxels, repeating the outermost voxels.
+/// Smooths along one axis of a grid with a Gaussian of `sigma` voxels, going round from the last voxel to the first:
+/// equally everywhere.
 inline void smoothAlong(std::vector<double>& values, ivec3 size, int axis, double sigma) {
     const int reach = int(std::ceil(4 * sigma));
     std::vector<double> weights;
@@ -55,12 +56,12 @@ inline void smoothAlong(std::vector<double>& values, ivec3 size, int axis, doubl
         double sum = 0;
         for (int n = -reach; n <= reach; ++n)
             sum += weights[std::size_t(n + reach)] *
-                   before[std::size_t(std::ptrdiff_t(i) + step * (std::clamp(at + n, 0, size[axis] - 1) - at))];
+                   before[std::size_t(std::ptrdiff_t(i) + step * ((at + n + reach * size[axis]) % size[axis] - at))];
         values[i] = sum;
     }
 }
 
-/// Returns the noise of the scanner on a grid [HU], with exactly its standard deviation.
+/// Returns the noise of the scanner on a grid [HU], of the same standard deviation everywhere.
 inline std::vector<double> noiseOn(ivec3 size, const Scanner& scanner, std::mt19937& random) {
     Normal normal;
     std::vector<double> noise(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));

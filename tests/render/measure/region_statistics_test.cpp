@@ -1,0 +1,131 @@
+/// Statistics of regions, and the ± of their mean in noise that is correlated as in CT.
+
+#include <QTest>
+
+#include "render/measure/noise.h"
+#include "render/measure/region_statistics.h"
+#include "tests/support/scenes/edge_phantoms.h"
+#include "tests/support/statistics.h"
+
+using namespace pdr;
+using namespace pdr::measure;
+using test::Scanner;
+
+namespace {
+
+const Scanner kScanner{{0.9, 0.9, 2.5}, {0.6, 0.6, 0.9}, 20};
+
+Volume noisyWater(const Scanner& scanner, double half, std::mt19937& random) {
+    return test::scanned(
+        test::gridAround(scanner, half, random), scanner, [](dvec3) { return 100.0; }, random);
+}
+
+/// A scan without noise, whose HU rise by 10 a voxel along i.
+Volume ramp(std::vector<bool> padding = {}) {
+    Voxels voxels;
+    for (int k = 0; k < 5; ++k)
+        for (int j = 0; j < 9; ++j)
+            for (int i = 0; i < 9; ++i)
+                voxels.push_back(std::int16_t(10 * i));
+    return Volume(VolumeGeometry::aligned({9, 9, 5}, {1, 1, 3}, {-4, -4, -6}), std::move(voxels), std::move(padding));
+}
+
+}  // namespace
+
+class RegionStatisticsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    /// The seven voxels in a ball of one step: those on its border count.
+    void aBorderBelongsToTheInside() {
+        const auto found = regionStatistics(ramp(), Ball{dvec3(0), 1});
+        QVERIFY(found);
+        QCOMPARE(found->count, std::size_t(5));
+        QCOMPARE(found->meanHu, 40.0);
+        QCOMPARE(found->medianHu, 40.0);
+        QCOMPARE(found->lowestHu, 30.0);
+        QCOMPARE(found->highestHu, 50.0);
+        QCOMPARE(found->sdHu, std::sqrt(200.0 / 4));
+        QCOMPARE(found->millilitres, 0.015);
+        QVERIFY(!found->meanPlusMinus && !found->cut);
+        QVERIFY(regionStatistics(ramp(), Ball{dvec3(0), 5})->cut);
+        QVERIFY(!regionStatistics(ramp(), Ball{{0.5, 0.5, 1.5}, 0.4}));
+    }
+
+    void paddingIsLeftOutAndCounted() {
+        std::vector<bool> padding(9 * 9 * 5);
+        for (std::size_t at = 0; at < padding.size(); ++at)
+            padding[at] = at % 9 > 4;
+        const auto found = regionStatistics(ramp(padding), Ball{dvec3(0), 1});
+        QVERIFY(found);
+        QCOMPARE(found->count, std::size_t(4));
+        QCOMPARE(found->padding, std::size_t(1));
+        QCOMPARE(found->highestHu, 40.0);
+        QVERIFY(!regionStatistics(ramp(padding), Ball{{3, 0, 0}, 1}));
+    }
+
+    /// Planes side by side share no voxel and lose none.
+    void aPlaneTakesEachVoxelOnce() {
+        std::mt19937 random(1);
+        const Volume scan = ramp();
+        for (const dvec3 normal : {dvec3(0, 0, 1), dvec3(1, 0, 0), glm::normalize(dvec3(2, 1, 1))}) {
+            const double layer = std::abs(normal.x) + std::abs(normal.y) + 3 * std::abs(normal.z);
+            const dvec3 least = std::abs(normal.x) < 0.6 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
+            const dvec3 u = 40.0 * glm::normalize(glm::cross(normal, least)), v = glm::cross(normal, u);
+            std::size_t ellipses = 0, polygons = 0;
+            for (int n = -15; n <= 15; ++n) {
+                const dvec3 middle = (0.23 + n) * layer * normal;
+                const auto ellipse = regionStatistics(scan, PlaneEllipse{middle, u, v});
+                const auto polygon = regionStatistics(
+                    scan, PlanePolygon{{middle + u + v, middle + u - v, middle - u - v, middle - u + v}, normal});
+                ellipses += ellipse ? ellipse->count : 0;
+                polygons += polygon ? polygon->count : 0;
+            }
+            QCOMPARE(ellipses, std::size_t(9 * 9 * 5));
+            QCOMPARE(polygons, std::size_t(9 * 9 * 5));
+        }
+    }
+
+    void theNoiseIsThatOfTheScanner() {
+        std::mt19937 random(2);
+        const Volume scan = noisyWater(kScanner, 30, random);
+        const ivec3 size = scan.size();
+        Residuals residuals(ivec3(0), size - 1, noiseLags(kScanner.spacingMm));
+        std::size_t at = 0;
+        for (int k = 0; k < size.z; ++k)
+            for (int j = 0; j < size.y; ++j)
+                for (int i = 0; i < size.x; ++i)
+                    residuals.add({i, j, k}, scan.voxels()[at++] - 100);
+        const Noise noise = residuals.noise();
+        // White noise through a Gaussian of 0.7 mm is correlated by a Gaussian that is the square root of two wider.
+        const double grain = 0.7 / 0.9;
+        const auto expected = [grain](double i, double j) {
+            return 400 * std::exp(-(i * i + j * j) / (4 * grain * grain));
+        };
+        for (const ivec3 lag : {ivec3(0), ivec3(1, 0, 0), ivec3(0, 1, 0), ivec3(1, -1, 0), ivec3(2, 0, 0)})
+            QVERIFY2(std::abs(noise.covariance(lag) - expected(lag.x, lag.y)) < 16,
+                     qPrintable(QString("%1 %2: %3").arg(lag.x).arg(lag.y).arg(noise.covariance(lag))));
+        QVERIFY(std::abs(noise.covariance({0, 0, 1})) < 12);
+        QCOMPARE(noise.covariance({9, 0, 0}), 0.0);
+    }
+
+    /// SD / sqrt(n) holds the truth in half of the cases: neighbours in a slice deviate together.
+    void theMeanLiesInItsInterval() {
+        std::mt19937 random(3);
+        for (const double radius : {6.0, 10.0}) {
+            int held = 0, naive = 0;
+            const int trials = 200;
+            for (int trial = 0; trial < trials; ++trial) {
+                const auto found = regionStatistics(noisyWater(kScanner, radius + 3, random), Ball{dvec3(0), radius});
+                QVERIFY(found && found->count >= 200 && found->meanPlusMinus);
+                held += std::abs(found->meanHu - 100) <= *found->meanPlusMinus;
+                naive += std::abs(found->meanHu - 100) <= 1.96 * found->sdHu / std::sqrt(double(found->count));
+            }
+            QVERIFY2(held >= 0.89 * trials && held <= 0.99 * trials, qPrintable(QString::number(held)));
+            QVERIFY2(naive < 0.75 * trials, qPrintable(QString::number(naive)));
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(RegionStatisticsTest)
+#include "region_statistics_test.moc"
