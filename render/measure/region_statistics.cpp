@@ -17,8 +17,17 @@ double quantile(const std::vector<double>& sorted, double share) {
     return std::lerp(sorted[below], sorted[above], at - double(below));
 }
 
-/// Returns half of the 95 % interval of the mean. As the variance itself comes from few independent numbers, as many
-/// as independent voxels would give the mean this variance, the interval is Student's.
+/// Returns the degrees of freedom of the variance of a mean of `count` voxels: no more than as many independent voxels
+/// would have. A variance that is a sum over L lags, each a mean of about `count` products, scatters more than that. As
+/// simulated with noise that is correlated as in CT, intervals of 3 count / L degrees hold what they say.
+int degreesOfFreedom(const Noise& noise, double count) {
+    const ivec3 lags = 2 * noise.lags() + 1;
+    const double independent = noise.variance() / noise.varianceOfMean(),
+                 products = 3 * count / (lags.x * lags.y * lags.z);
+    return int(std::clamp(std::min(independent, products), 3.0, 1000.0));
+}
+
+/// Returns half of the 95 % interval of the mean, Student's.
 double plusMinus(const MeasuredVoxels& region, double mean, dvec3 spacingMm) {
     Residuals residuals(region.low, region.high, noiseLags(spacingMm));
     for (std::size_t n = 0; n < region.hu.size(); ++n)
@@ -26,8 +35,8 @@ double plusMinus(const MeasuredVoxels& region, double mean, dvec3 spacingMm) {
     const Noise noise = residuals.noise();
     if (noise.varianceOfMean() == 0)
         return 0;
-    const double independent = noise.variance() / noise.varianceOfMean();
-    return studentT(0.05, std::clamp(int(independent), 1, 1000)) * std::sqrt(noise.varianceOfMean());
+    const int freedom = degreesOfFreedom(noise, double(region.hu.size()));
+    return studentT(0.05, freedom) * std::sqrt(noise.varianceOfMean());
 }
 
 }  // namespace

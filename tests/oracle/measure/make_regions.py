@@ -6,7 +6,8 @@
 
 The scan is a formula of integers, which oracle_regions_test.cpp repeats. Inside is found by other means than the
 program's: distances by matrices, polygons by winding angles. The noise of a mean comes from the products of
-all residuals up to 3 voxels apart in the slice and 1 across, by correlation of whole arrays.
+all residuals up to 3 voxels apart in the slice and 1 across, by correlation of whole arrays;
+its interval is Student's with 3 n / lags degrees of freedom, or as many as independent voxels, at least 3.
 """
 import json
 import pathlib
@@ -75,8 +76,9 @@ def plus_minus(hu, mask):
     pairs = np.round(fftconvolve(mask.astype(float), mask.astype(float)[flipped])[window]).sum()
     sample = (residual**2).sum() / n
     mean = max(products / n**2 / max(1 - pairs / n**2, 0.2), sample / (n - 1))
-    independent = int((sample + mean) / mean)
-    return float(stats.t.ppf(0.975, min(max(independent, 1), 1000)) * np.sqrt(mean))
+    lags = np.prod([2 * l + 1 for l in LAGS])
+    freedom = int(np.clip(min((sample + mean) / mean, 3 * n / lags), 3, 1000))
+    return float(stats.t.ppf(0.975, freedom) * np.sqrt(mean))
 
 
 def numbers(shape):
