@@ -8,21 +8,15 @@
 namespace pdr::measure {
 namespace {
 
-/// Smallest distance of two edges that a scan can tell, in mm, steps of its grid and widths of its edges. Two edges
-/// with Gaussian blur of sigma s reach 96 % of their step between them when they are 4.2 s apart, which is 1.7 widths.
-constexpr double kThinnestMm = 2.5, kThinnestSteps = 2.5, kThinnestWidths = 1.7;
-
 /// Smallest distance that is an estimate, in spreads across the line.
 constexpr double kNearestSpreads = 3;
 
-}  // namespace
-
-double thinnestMm(const VolumeGeometry& geometry, const Place& a, const Place& b) {
-    if (!isAtEdge(a) || !isAtEdge(b) || a.mm == b.mm)
-        return 0;
-    const double step = stepAlongMm(geometry, glm::normalize(b.mm - a.mm));
-    return std::max({kThinnestMm, kThinnestSteps * step, kThinnestWidths * std::max(a.blurMm, b.blurMm)});
+bool isThin(const VolumeGeometry& geometry, const Line& line, const Place& a, const Place& b) {
+    return isAtEdge(a) && isAtEdge(b) &&
+           (a.thin || b.thin || line.lengthMm < resolvedMm(geometry, line.direction, std::max(a.blurMm, b.blurMm)));
 }
+
+}  // namespace
 
 Stated distance(const VolumeGeometry& geometry, const Place& a, const Place& b) {
     const Line line(a, b);
@@ -30,12 +24,13 @@ Stated distance(const VolumeGeometry& geometry, const Place& a, const Place& b) 
     const std::array<dvec3, 2> gradients{-line.direction, line.direction};
     const double value = line.lengthMm > 0 ? line.lengthMm - line.lengtheningMm() : 0;
     const Stated stated = propagated(value, places, gradients, 0, INFINITY);
-    const auto atMost = [&](Limit limit) {
-        return asAtMost(stated, line.lengthMm + kSigmas95 * std::sqrt(largestVariance(line.spread)), limit);
-    };
+    const double more = kSigmas95 * std::sqrt(largestVariance(line.spread));
+    // Whatever is thinner than the blur of its edges looks as wide as that.
+    if (isThin(geometry, line, a, b))
+        return asAtMost(stated, std::max({line.lengthMm, a.blurMm, b.blurMm}) + more, Limit::thin);
     if (line.lengthMm < kNearestSpreads * std::sqrt(line.varianceAcross()))
-        return atMost(Limit::spread);
-    return line.lengthMm < thinnestMm(geometry, a, b) ? atMost(Limit::thin) : stated;
+        return asAtMost(stated, line.lengthMm + more, Limit::spread);
+    return stated;
 }
 
 }  // namespace pdr::measure

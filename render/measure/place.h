@@ -40,6 +40,7 @@ struct Place {
     Spread spread;
     Found found = Found::typed;
     double blurMm = 0;  ///< width of the edge, its step over its slope; 0 = not at an edge
+    bool thin = false;  ///< at an edge to which another one is so close that the scan blurs the two into one
 };
 
 /// The plane in which a place was clicked.
@@ -59,6 +60,10 @@ dmat3 gridAxes(const VolumeGeometry& geometry);
 /// axes of the grid [mm].
 double stepAlongMm(const VolumeGeometry& geometry, dvec3 direction);
 
+/// Returns the smallest distance along the unit vector `direction` at which a scan tells two edges apart that are
+/// `blurMm` wide [mm]: the largest of 2.5 mm, 2.5 steps of the grid and two widths.
+double resolvedMm(const VolumeGeometry& geometry, dvec3 direction, double blurMm);
+
 /// Returns the place of typed coordinates.
 Place typedPlace(dvec3 mm);
 
@@ -71,7 +76,8 @@ Place clickedPlace(const VolumeGeometry& geometry, dvec3 mm, const ClickedPlane&
 Place pickedPlace(const VolumeGeometry& geometry, dvec3 mm, dvec3 alongRay, double depthSigma, double pixelSigma);
 
 /// Moves `place` to the half level of an edge at `mm`. Along the unit vector `normal`, what was known of the place is
-/// replaced by the standard deviations `edgeSigma` (noise) and `gridSigma` (interpolation) [mm]; across it stays.
+/// replaced by the standard deviations `edgeSigma` (noise) and `gridSigma` (interpolation) [mm]. Along the edge it is
+/// where hand or light put it: there the grid moves nothing.
 Place movedToEdge(Place place, dvec3 mm, dvec3 normal, double edgeSigma, double gridSigma, double blurMm);
 
 }  // namespace pdr::measure
