@@ -1,0 +1,33 @@
+#pragma once
+/// Measured values as users read them.
+
+#include "render/base/text.h"
+#include "render/measure/region_statistics.h"
+#include "render/measure/stated.h"
+
+namespace pdr::measure {
+
+/// What a value is measured in.
+enum class Unit { mm, degrees, mm2, hu };
+
+/// A number and its ± with as many decimals as the ± has reasons for: one significant digit of it, two if it begins
+/// with
+/// 1. A ± is rounded up, and is nowhere below 0.1: what is not in it is larger than that.
+struct RoundedPlusMinus {
+    double plusMinus;
+    int decimals;  ///< for the value, too; negative: tens, hundreds
+};
+RoundedPlusMinus roundedPlusMinus(double plusMinus);
+
+/// Returns a value with its ±: "42.3 ± 0.5 mm", "at most 2.9 mm: thinner than this scan can tell", "at least 176°". A
+/// value of typed places, which has no ±, is given to 0.1.
+Text valueText(const Stated& stated, Unit unit);
+
+/// Returns what the ± consists of, largest first, and what is not in it: "Grid ±0.4, edges ±0.2, hand ±0.2. Not in it:
+/// the scanner's own scale, movement, what was meant."
+Text causesText(const Stated& stated);
+
+/// Returns a mean with its ±: "55 ± 11 HU", or "55 HU, too few voxels for a ±".
+Text meanText(const RegionStatistics& statistics);
+
+}  // namespace pdr::measure
