@@ -16,7 +16,9 @@
 #include "app/presenters/image_presenter.h"
 #include "app/presenters/light_presenter.h"
 #include "app/presenters/looks_presenter.h"
+#include "app/presenters/marks_presenter.h"
 #include "app/presenters/nodes_presenter.h"
+#include "app/presenters/plan_presenter.h"
 #include "app/presenters/preferences_presenter.h"
 #include "app/presenters/region_presenter.h"
 #include "app/presenters/rendering_presenter.h"
@@ -94,13 +96,15 @@ void Desktop::addPresenters(const QString& ownLooks, std::filesystem::path power
     add<CameraPresenter>();
     add<CutPresenter>();
     add<RegionPresenter>();
-    add<SlicesPresenter>();
+    auto& slices = add<SlicesPresenter>();
     add<CrosshairPresenter>();
+    add<MarksPresenter>(slices);
     add<RenderingPresenter>();
     auto& accuracy = add<AccuracyPresenter>(std::move(powerSupplies));
     add<EffectsPresenter>();
     auto& nodes = add<NodesPresenter>();
     add<SavingPresenter>();
+    add<PlanPresenter>();
     add<HelpPresenter>();
     add<PreferencesPresenter>();
     QObject::connect(&nodes, &NodesPresenter::eventsChanged, &accuracy, &AccuracyPresenter::setEvents);

@@ -25,6 +25,7 @@ void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenT
     plan_.image.clip = {};  // its coordinates belong to another patient
     fitLooksTo(findings);
     plan_.image.camera = cameraOf(firstView(framed().box), {});
+    plan_.measurements.clear();
     plan_.navigation = {.crosshairMm = table_.bodyBox.centreMm(), .window = window};
     show(false);
     report(before, Changes::series | Changes::looks);

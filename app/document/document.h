@@ -31,6 +31,8 @@ class Document : public QObject {
     /// The volume that is rendered, with or without the table as set up; null without a volume. With the table it is
     /// built anew once nobody holds it any longer.
     std::shared_ptr<const Volume> seen() const;
+    /// The scan without its table, whatever is shown; null without a volume.
+    const std::shared_ptr<const Volume>& scan() const { return volume_; }
     /// The parts of the body that can be shown or hidden; null without a volume.
     const std::shared_ptr<const segment::BodyParts>& parts() const { return parts_; }
     /// The part of the scan's grid that the body fills.

@@ -76,6 +76,7 @@ const std::vector<Part>& parts() {
         {Changes::window,
          [](const Plan& a, const Plan& b) { return a.navigation.window != b.navigation.window; },
          {phrase("Undo changing the window"), phrase("Redo changing the window")}},
+        {Changes::measurements, [](const Plan& a, const Plan& b) { return a.measurements != b.measurements; }, {}},
     };
     return all;
 }
@@ -101,6 +102,14 @@ StepName nameOf(const Camera& before, const Camera& after) {
     return {phrase("Undo moving the view"), phrase("Redo moving the view")};
 }
 
+StepName nameOf(const std::vector<Measurement>& before, const std::vector<Measurement>& after) {
+    if (after.size() > before.size())
+        return {phrase("Undo measuring"), phrase("Redo measuring")};
+    if (after.size() < before.size())
+        return {phrase("Undo removing a measurement"), phrase("Redo removing a measurement")};
+    return {phrase("Undo changing a measurement"), phrase("Redo changing a measurement")};
+}
+
 /// Returns the parts that a step is named after. A look that was chosen stands for all that it brings, and so does one
 /// that differs in several parts.
 Changes namedParts(Changes changes) {
@@ -117,6 +126,8 @@ StepName nameOf(const Plan& before, const Plan& after) {
         return {phrase("Undo"), phrase("Redo")};
     if (changes == Changes::camera)
         return nameOf(before.image.camera, after.image.camera);
+    if (changes == Changes::measurements)
+        return nameOf(before.measurements, after.measurements);
     if (!has(changes, ~Changes::navigation) && changes != Changes::window)
         return {phrase("Undo moving through the slices"), phrase("Redo moving through the slices")};
     if (changes == Changes::table && after.image.table == Table::shown)

@@ -1,6 +1,7 @@
 #pragma once
 /// The plan: everything that a user sets and can undo. A document holds one, with a history of earlier ones.
 
+#include "app/plan/measurement.h"
 #include "app/plan/navigation.h"
 #include "render/base/text.h"
 #include "render/scene/image_setup.h"
@@ -10,6 +11,7 @@ namespace pdr::app {
 struct Plan {
     ImageSetup image;       ///< how the volume is shown and rendered
     Navigation navigation;  ///< where the slices lie, and how they are seen
+    std::vector<Measurement> measurements;
     bool operator==(const Plan&) const = default;
 };
 
@@ -32,6 +34,7 @@ enum class Changes : unsigned {
     crosshair = 1 << 12,
     framing = 1 << 13,  ///< zoom and place of the slices in their views
     window = 1 << 14,   ///< the grey window of the slices
+    measurements = 1 << 15,
     // What a document holds beside its plan
     series = 1 << 16,   ///< a volume has been opened or closed
     looks = 1 << 17,    ///< the list of looks

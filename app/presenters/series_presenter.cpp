@@ -56,6 +56,11 @@ void SeriesPresenter::connectImport() {
     connect(&images_, &SeriesImages::made, panel_, &ui::SeriesPanel::setImage);
 }
 
+void SeriesPresenter::open(const QString& folder) {
+    if (window().confirmsLoss())
+        import_.scanFolder(folder);
+}
+
 void SeriesPresenter::close() {
     document().close();
     window().viewport().setMessage({});
@@ -98,6 +103,8 @@ void SeriesPresenter::showRecentFolders() {
 }
 
 void SeriesPresenter::load(int index) {
+    if (!window().confirmsLoss())
+        return panel_->setCurrent(panel_->current());
     close();
     import_.loadSeries(index);
 }
@@ -116,8 +123,7 @@ void SeriesPresenter::showVolume(std::shared_ptr<const Volume> volume, int index
     window().setPatient(ui::patientLines(series), {panel_->numberedPatient()});
     window().start().hide();
     window().viewport().setMessage(ui::MainWindow::tr("Preparing %1...").arg(ui::seriesNumber(series)));
-    document().open(std::move(volume), table, findings, std::move(hidden),
-                    series.window.window.value_or(GreyWindow()));
+    document().open(std::move(volume), table, findings, std::move(hidden), series.window.window.value_or(GreyWindow()));
 }
 
 void SeriesPresenter::showProgress(double, const QString& step) {

@@ -15,8 +15,8 @@ class SeriesPresenter : public Presenter {
   public:
     explicit SeriesPresenter(const Workspace& workspace);
 
-    /// Reads `folder` and lists its series; if only one can be shown, it is shown.
-    void open(const QString& folder) { import_.scanFolder(folder); }
+    /// Reads `folder` and lists its series; if only one can be shown, it is shown. Asks before unsaved work is lost.
+    void open(const QString& folder);
     /// Closes the series and shows the window in which nothing is open.
     void close();
     const ImportJob& import() const { return import_; }

@@ -52,10 +52,11 @@ SlicesPresenter::SlicesPresenter(const Workspace& workspace) : Presenter(workspa
         window().views().addSlice(slice.view);
         connectSlice(slice);
     }
-    window().addMenu(ui::MainWindow::tr("&Slices"), [this](QMenu& menu) { fillMenu(menu); });
+    window().addMenu(ui::MainWindow::tr("Slices"), [this](QMenu& menu) { fillMenu(menu); });
 }
 
 void SlicesPresenter::fillMenu(QMenu& menu) {
+    menu_ = &menu;
     auto* one = new QActionGroup(this);
     const std::array<QString, 3> names{Texts::tr("&Image alone"), Texts::tr("Slices &beside the image"),
                                        Texts::tr("Four &views")};
@@ -113,6 +114,11 @@ void SlicesPresenter::setLayout(ui::ViewLayout layout) {
     layouts_[std::size_t(layout)]->setChecked(true);
     for (Slice& slice : slices_)
         request(slice);
+}
+
+void SlicesPresenter::showSlices() {
+    if (!window().views().showsSlices())
+        setLayout(ui::ViewLayout::beside);
 }
 
 void SlicesPresenter::showDocument(Changes changes) {

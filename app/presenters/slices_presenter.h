@@ -19,6 +19,10 @@ class SlicesPresenter : public Presenter {
 
     void showDocument(Changes changes) override;
     void releaseVolume() override;
+    /// Shows the slices beside the image, unless they are shown already.
+    void showSlices();
+    /// The menu of the slices.
+    QMenu& menu() { return *menu_; }
     ui::SliceView& view(AnatomicalPlane plane) { return *slices_[std::size_t(plane)].view; }
 
   private:
@@ -42,6 +46,7 @@ class SlicesPresenter : public Presenter {
     SliceFraming& framingOf(Navigation& navigation, const Slice& slice) const;
     std::optional<SlicePlane> planeOf(const Slice& slice) const;
 
+    QMenu* menu_ = nullptr;              ///< owned by the window
     std::array<Slice, 3> slices_;        ///< in the order of kAnatomicalPlanes
     std::array<QAction*, 3> layouts_{};  ///< in the order of kViewLayouts
     std::shared_ptr<const Volume> volume_;

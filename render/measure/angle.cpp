@@ -31,7 +31,8 @@ Result<Arm> armOf(const DrawnLine& line, const dmat3& projection) {
     const double across = spread[0][0] + spread[1][1] + spread[2][2] - glm::dot(direction, spread * direction);
     const Arm arm{direction, length, std::sqrt(std::max(across, 0.0))};
     if (length <= kShortestSpreads * arm.sigmaMm || length == 0)
-        return Error{"a line is too short to have a direction", "", "Put its ends farther apart.", ErrorKind::refused};
+        return Error{phrase("a line is too short to have a direction"), "", phrase("Put its ends farther apart."),
+                     ErrorKind::refused};
     return arm;
 }
 

@@ -32,9 +32,9 @@ bool crossesItself(std::span<const Place> corners, dvec3 normal) {
 Result<Stated> polygonArea(std::span<const Place> corners, dvec3 normal) {
     const std::size_t count = corners.size();
     if (count < 3)
-        return Error{"an area has at least three corners", "", "", ErrorKind::refused};
+        return Error{phrase("an area has at least three corners"), "", "", ErrorKind::refused};
     if (crossesItself(corners, normal))
-        return Error{"the outline crosses itself", "", "Move its corners.", ErrorKind::refused};
+        return Error{phrase("the outline crosses itself"), "", phrase("Move its corners."), ErrorKind::refused};
     double twice = 0;
     std::vector<dvec3> gradients(count);
     const dvec3 origin = corners[0].mm;  // near the corners, so that no digits are lost

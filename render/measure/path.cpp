@@ -14,7 +14,7 @@ constexpr double kShortestSigmas = 10;
 
 Result<Stated> pathLength(std::span<const Place> places) {
     if (places.size() < 2)
-        return Error{"a path has at least two places", "", "", ErrorKind::refused};
+        return Error{phrase("a path has at least two places"), "", "", ErrorKind::refused};
     double length = 0;
     std::vector<dvec3> gradients(places.size(), dvec3(0));
     for (std::size_t n = 1; n < places.size(); ++n) {

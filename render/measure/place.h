@@ -33,6 +33,7 @@ struct Spread {
     dmat3& of(Cause cause) { return mm2[std::size_t(cause)]; }
     const dmat3& of(Cause cause) const { return mm2[std::size_t(cause)]; }
     dmat3 total() const;
+    bool operator==(const Spread&) const = default;
 };
 
 struct Place {
@@ -41,6 +42,7 @@ struct Place {
     Found found = Found::typed;
     double blurMm = 0;  ///< width of the edge, its step over its slope; 0 = not at an edge
     bool thin = false;  ///< at an edge to which another one is so close that the scan blurs the two into one
+    bool operator==(const Place&) const = default;
 };
 
 /// The plane in which a place was clicked.

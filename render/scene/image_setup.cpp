@@ -4,17 +4,9 @@
 #include <utility>
 
 #include "render/scene/field_check.h"
-#include "render/scene/field_reader.h"
-#include "render/scene/field_writer.h"
 #include "render/scene/fields/look_fields.h"
 
 namespace pdr {
-
-namespace {
-
-constexpr std::string_view kFormat = "pdrender-plan";
-
-}  // namespace
 
 Result<void> check(const ImageSetup& setup) {
     if (auto ok = FieldCheck::check(setup); !ok)
@@ -69,23 +61,6 @@ Display displayOf(const ImageSetup& setup) {
     Display display = setup.look.display;
     display.exposure *= float(std::exp2(-setup.stops));
     return display;
-}
-
-Result<ImageSetup> setupFromJson(std::string_view json, std::string_view where) {
-    ImageSetup setup;
-    const auto read = [&](JsonFields& fields) {
-        FieldReader reader(fields);
-        describe(reader, setup);
-        if (auto ok = check(setup); !ok)
-            throw FieldError{ok.error()};
-    };
-    if (auto ok = readJson(json, where, kFormat, read); !ok)
-        return ok.error();
-    return setup;
-}
-
-std::string setupText(ImageSetup setup) {
-    return jsonText(kFormat, FieldWriter::written(setup));
 }
 
 }  // namespace pdr

@@ -1,5 +1,5 @@
 #pragma once
-/// Everything that a user sets for an image: the state that a document remembers and a session saves. The voxels, the
+/// Everything that a user sets for an image: the state that a document remembers and a plan saves. The voxels, the
 /// window and the device are not part of it.
 
 #include <memory>
@@ -45,10 +45,5 @@ std::optional<ImageSetup> setupOf(const Scene& scene, ImageSetup setup);
 
 /// Returns how images of the setup are displayed.
 Display displayOf(const ImageSetup& setup);
-
-/// Reads a setup from JSON text ("format": "pdrender-plan"). `where` is used in error texts.
-Result<ImageSetup> setupFromJson(std::string_view json, std::string_view where);
-/// Returns the text that setupFromJson() reads as an equal setup, to the bit. Environment images are not written.
-std::string setupText(ImageSetup setup);
 
 }  // namespace pdr

@@ -92,8 +92,16 @@
         <translation>%1 GB</translation>
     </message>
     <message>
+        <source>%1 HU</source>
+        <translation>%1 HU</translation>
+    </message>
+    <message>
         <source>%1 HU at %2</source>
         <translation>%1 HU bei %2</translation>
+    </message>
+    <message>
+        <source>%1 HU, too few voxels for a ±</source>
+        <translation>%1 HU, zu wenige Voxel für ein ±</translation>
     </message>
     <message>
         <source>%1 HU: %2</source>
@@ -258,6 +266,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 mm dahinter: %2 % des Lichts</translation>
     </message>
     <message>
+        <source>%1 mm off</source>
+        <translation>%1 mm daneben</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -374,6 +390,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 x %2 x %3</translation>
     </message>
     <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 HU</source>
+        <translation>%1 ± %2 HU</translation>
+    </message>
+    <message>
         <source>%1 · all active effects are needed</source>
         <translation>%1 · alle aktiven Effekte werden gebraucht</translation>
     </message>
@@ -466,6 +490,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1; gemessen: %2</translation>
     </message>
     <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
         <source>%1° from above</source>
         <translation>%1° von oben</translation>
     </message>
@@ -488,6 +516,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>&amp;All defaults</source>
         <translation>&amp;Alle Vorgaben</translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation>&amp;Winkel</translation>
     </message>
     <message>
         <source>&amp;Brightness</source>
@@ -520,6 +552,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>&amp;Density</source>
         <translation>Dicht&amp;e</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>&amp;Strecke</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -628,10 +664,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>&amp;Save this look...</source>
         <translation>Diese Darstellung &amp;sichern...</translation>
-    </message>
-    <message>
-        <source>&amp;Slices</source>
-        <translation>&amp;Schichten</translation>
     </message>
     <message>
         <source>&amp;Table and holder</source>
@@ -888,6 +920,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>An image is still rendering. Quit and discard it?</source>
         <translation>Ein Bild wird noch gerechnet. Beenden und verwerfen?</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Angle %1</source>
+        <translation>Winkel %1</translation>
     </message>
     <message>
         <source>Annotations:</source>
@@ -1222,6 +1262,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Den Ablauf von PD-Render wählen.</translation>
     </message>
     <message>
+        <source>Click three places of a slice (A): the angle at the second.</source>
+        <translation>Drei Punkte einer Schicht anklicken (A): der Winkel am zweiten.</translation>
+    </message>
+    <message>
+        <source>Click two places of a slice (M). They move to the edge of a structure; Alt: they stay.</source>
+        <translation>Zwei Punkte einer Schicht anklicken (M). Sie rücken an den Rand einer Struktur; Alt: Sie bleiben.</translation>
+    </message>
+    <message>
         <source>Close %1</source>
         <translation>%1 schließen</translation>
     </message>
@@ -1432,6 +1480,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Disconnect the selected nodes and erase the scan on them (Delete)</source>
         <translation>Trennt die gewählten Rechner und löscht die Aufnahme dort (Entf)</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>Distance %1</source>
+        <translation>Strecke %1</translation>
     </message>
     <message>
         <source>Distance cut off, side: %1</source>
@@ -2162,6 +2218,22 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 gemessen, %2 s Eichung</translation>
     </message>
     <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Measurements are not saved. Discard them?</source>
+        <translation>Messungen sind nicht gespeichert. Verwerfen?</translation>
+    </message>
+    <message>
+        <source>Measures at the second of three places of a slice.</source>
+        <translation>Misst am zweiten von drei Punkten einer Schicht.</translation>
+    </message>
+    <message>
+        <source>Measures between two places of a slice, which move to the edge of a structure.</source>
+        <translation>Misst zwischen zwei Punkten einer Schicht, die an den Rand einer Struktur rücken.</translation>
+    </message>
+    <message>
         <source>Measuring %1 from time to time, in 1/20 of the time</source>
         <translation>%1 wird gemessen, ab und zu, in einem Zwanzigstel der Zeit</translation>
     </message>
@@ -2198,6 +2270,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Ruhende Maus</translation>
     </message>
     <message>
+        <source>Move its corners.</source>
+        <translation>Verschieben Sie seine Ecken.</translation>
+    </message>
+    <message>
         <source>Move the view</source>
         <translation>Ansicht verschieben</translation>
     </message>
@@ -2216,6 +2292,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>My looks</source>
         <translation>Eigene Darstellungen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Name each node once.</source>
@@ -2352,6 +2432,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>%1 öffnen</translation>
     </message>
     <message>
+        <source>Open &amp;plan...</source>
+        <translation>&amp;Plan öffnen...</translation>
+    </message>
+    <message>
         <source>Open &amp;recent</source>
         <translation>&amp;Zuletzt geöffnet</translation>
     </message>
@@ -2366,6 +2450,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>Open a folder with a CT series.</source>
         <translation>Einen Ordner mit einer CT-Serie öffnen.</translation>
+    </message>
+    <message>
+        <source>Open a plan</source>
+        <translation>Einen Plan öffnen</translation>
     </message>
     <message>
         <source>Open the e&amp;xample</source>
@@ -2392,6 +2480,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Die Serie noch einmal öffnen.</translation>
     </message>
     <message>
+        <source>Open the series on which the plan was made.</source>
+        <translation>Öffnen Sie die Serie, auf der der Plan entstand.</translation>
+    </message>
+    <message>
         <source>OpenEXR with the error of every pixel (*.exr)</source>
         <translation>OpenEXR mit dem Fehler jedes Pixels (*.exr)</translation>
     </message>
@@ -2402,6 +2494,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>Opens the manual, which needs no network.</source>
         <translation>Öffnet das Handbuch (auf Englisch); es braucht kein Netz.</translation>
+    </message>
+    <message>
+        <source>Opens what was set and measured on this scan before.</source>
+        <translation>Öffnet, was an dieser Aufnahme früher eingestellt und gemessen wurde.</translation>
     </message>
     <message>
         <source>Operating lamp</source>
@@ -2518,8 +2614,16 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Orte der Lampen</translation>
     </message>
     <message>
+        <source>Plan saved as %1</source>
+        <translation>Plan gespeichert als %1</translation>
+    </message>
+    <message>
         <source>Planes</source>
         <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Plans (*.plan.json *.json)</source>
+        <translation>Pläne (*.plan.json *.json)</translation>
     </message>
     <message>
         <source>Port</source>
@@ -2570,6 +2674,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Projektion, Schärfe und Hintergrund (F7)</translation>
     </message>
     <message>
+        <source>Put its ends farther apart.</source>
+        <translation>Setzen Sie ihre Enden weiter auseinander.</translation>
+    </message>
+    <message>
         <source>R&amp;eset view</source>
         <translation>Ansicht &amp;zurücksetzen</translation>
     </message>
@@ -2596,6 +2704,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Redo</source>
         <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Redo changing a measurement</source>
+        <translation>Wiederholen: Messung ändern</translation>
     </message>
     <message>
         <source>Redo changing the background</source>
@@ -2646,12 +2758,20 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Wiederholen: Tisch ausblenden</translation>
     </message>
     <message>
+        <source>Redo measuring</source>
+        <translation>Wiederholen: Messen</translation>
+    </message>
+    <message>
         <source>Redo moving the view</source>
         <translation>Wiederholen: Ansicht verschieben</translation>
     </message>
     <message>
         <source>Redo moving through the slices</source>
         <translation>Wiederholen: durch die Schichten bewegen</translation>
+    </message>
+    <message>
+        <source>Redo removing a measurement</source>
+        <translation>Wiederholen: Messung entfernen</translation>
     </message>
     <message>
         <source>Redo several changes</source>
@@ -2740,6 +2860,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Removes all cuts; this can be undone.</source>
         <translation>Zeigt alles Weggeschnittene wieder; ein Schritt zum Rückgängigmachen.</translation>
+    </message>
+    <message>
+        <source>Removes the selected measurement (Delete).</source>
+        <translation>Entfernt die gewählte Messung (Entf).</translation>
     </message>
     <message>
         <source>Rename the look</source>
@@ -2854,6 +2978,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Rauheit</translation>
     </message>
     <message>
+        <source>Sa&amp;ve plan...</source>
+        <translation>Plan s&amp;peichern...</translation>
+    </message>
+    <message>
         <source>Sagittal</source>
         <translation>Sagittal</translation>
     </message>
@@ -2886,6 +3014,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Die jetzige Darstellung sichern, eigene umbenennen und löschen, als Dateien weitergeben</translation>
     </message>
     <message>
+        <source>Save the plan</source>
+        <translation>Den Plan speichern</translation>
+    </message>
+    <message>
         <source>Save this look</source>
         <translation>Diese Darstellung sichern</translation>
     </message>
@@ -2900,6 +3032,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Saves the image as PNG or EXR, as shown or rendered at any size.</source>
         <translation>Speichert das Bild als PNG oder EXR, wie es ist oder neu berechnet in jeder Größe.</translation>
+    </message>
+    <message>
+        <source>Saves what is set and measured, without the patient's name, for this scan alone.</source>
+        <translation>Speichert, was eingestellt und gemessen ist, ohne den Namen des Patienten, nur für diese Aufnahme.</translation>
     </message>
     <message>
         <source>Schedule</source>
@@ -3064,6 +3200,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Sky</source>
         <translation>Himmel</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schichten</translation>
     </message>
     <message>
         <source>Slices &amp;beside the image</source>
@@ -3356,6 +3496,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Rückgängig</translation>
     </message>
     <message>
+        <source>Undo changing a measurement</source>
+        <translation>Rückgängig: Messung ändern</translation>
+    </message>
+    <message>
         <source>Undo changing the background</source>
         <translation>Rückgängig: Hintergrund ändern</translation>
     </message>
@@ -3404,12 +3548,20 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Rückgängig: Tisch ausblenden</translation>
     </message>
     <message>
+        <source>Undo measuring</source>
+        <translation>Rückgängig: Messen</translation>
+    </message>
+    <message>
         <source>Undo moving the view</source>
         <translation>Rückgängig: Ansicht verschieben</translation>
     </message>
     <message>
         <source>Undo moving through the slices</source>
         <translation>Rückgängig: durch die Schichten bewegen</translation>
+    </message>
+    <message>
+        <source>Undo removing a measurement</source>
+        <translation>Rückgängig: Messung entfernen</translation>
     </message>
     <message>
         <source>Undo several changes</source>
@@ -3454,6 +3606,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Up°</source>
         <translation>Oben°</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
     </message>
     <message>
         <source>Value of the selected point</source>
@@ -3664,6 +3820,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>ein Licht ist ein Rechteck oder eine Kugel</translation>
     </message>
     <message>
+        <source>a line is too short to have a direction</source>
+        <translation>eine Linie ist zu kurz, um eine Richtung zu haben</translation>
+    </message>
+    <message>
         <source>a list in it has another length</source>
         <translation>eine Liste darin hat eine andere Länge</translation>
     </message>
@@ -3690,6 +3850,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>a part of the body is not shown</source>
         <translation>ein Teil des Körpers wird nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>a path has at least two places</source>
+        <translation>ein Weg hat mindestens zwei Orte</translation>
     </message>
     <message>
         <source>a path may have one event only</source>
@@ -3804,6 +3968,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>alle Lichter sind vor der Kamera verborgen</translation>
     </message>
     <message>
+        <source>an area has at least three corners</source>
+        <translation>eine Fläche hat mindestens drei Ecken</translation>
+    </message>
+    <message>
         <source>an earlier coding</source>
         <translation>eine frühere Kodierung</translation>
     </message>
@@ -3828,6 +3996,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>ein anderes Bild wird gerade gemacht</translation>
     </message>
     <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
         <source>at least %1 % of the tissue not sampled yet</source>
         <translation>mindestens %1 % des Gewebes noch nicht abgetastet</translation>
     </message>
@@ -3838,6 +4010,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>at least one node is needed</source>
         <translation>mindestens eine Stützstelle ist nötig</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>at most %1: thinner than this scan can tell</source>
+        <translation>höchstens %1: dünner, als diese Aufnahme erkennen lässt</translation>
     </message>
     <message>
         <source>at this gradient factor no edge is ever steep enough</source>
@@ -3948,6 +4128,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Tiefenschärfe</translation>
     </message>
     <message>
+        <source>depth of light ±%1</source>
+        <translation>Tiefe des Lichts ±%1</translation>
+    </message>
+    <message>
         <source>detail below %1 % contrast may be missing</source>
         <translation>Einzelheiten unter %1 % Kontrast können fehlen</translation>
     </message>
@@ -3962,6 +4146,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>each iteration blurred</source>
         <translation>jeder Durchgang verwischt</translation>
+    </message>
+    <message>
+        <source>edges ±%1</source>
+        <translation>Ränder ±%1</translation>
     </message>
     <message>
         <source>efficiency %1 %</source>
@@ -4050,6 +4238,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>goes with a gradient only, not with an image</source>
         <translation>passt nur zu einem Verlauf, nicht zu einem Bild</translation>
+    </message>
+    <message>
+        <source>grid ±%1</source>
+        <translation>Gitter ±%1</translation>
+    </message>
+    <message>
+        <source>hand ±%1</source>
+        <translation>Hand ±%1</translation>
+    </message>
+    <message>
+        <source>has more than %1 measurements</source>
+        <translation>hat mehr als %1 Messungen</translation>
     </message>
     <message>
         <source>has more than 1000 points</source>
@@ -4152,6 +4352,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>ist kein lesbares JSON (%1)</translation>
     </message>
     <message>
+        <source>is no covariance: some direction has a negative variance</source>
+        <translation>ist keine Kovarianz: In einer Richtung ist die Varianz negativ</translation>
+    </message>
+    <message>
         <source>is no direction: it has no length</source>
         <translation>ist keine Richtung: Sie hat keine Länge</translation>
     </message>
@@ -4166,6 +4370,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>is no field here</source>
         <translation>ist hier kein Feld</translation>
+    </message>
+    <message>
+        <source>is the id of two measurements</source>
+        <translation>ist die Kennung zweier Messungen</translation>
     </message>
     <message>
         <source>is the second environment, a scene has at most one</source>
@@ -4600,6 +4808,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>muss sich von eyeMm unterscheiden</translation>
     </message>
     <message>
+        <source>must have %1 places</source>
+        <translation>muss %1 Orte haben</translation>
+    </message>
+    <message>
         <source>must have three points at least</source>
         <translation>muss mindestens drei Punkte haben</translation>
     </message>
@@ -4610,6 +4822,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>must not be empty</source>
         <translation>darf nicht leer sein</translation>
+    </message>
+    <message>
+        <source>must not be longer than %1 bytes</source>
+        <translation>darf nicht länger als %1 Byte sein</translation>
     </message>
     <message>
         <source>must not lie along the view</source>
@@ -4634,6 +4850,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>no contrast was found in the blood</source>
         <translation>im Blut wurde kein Kontrastmittel gefunden</translation>
+    </message>
+    <message>
+        <source>no edge within %1 mm</source>
+        <translation>kein Rand im Umkreis von %1 mm</translation>
     </message>
     <message>
         <source>no image, but %1</source>
@@ -4818,6 +5038,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>pixel spacing</source>
         <translation>Pixelabstand</translation>
+    </message>
+    <message>
+        <source>places %1 and %2 of the path are too close for how well they are known</source>
+        <translation>die Orte %1 und %2 des Wegs liegen zu nah beieinander für das, was man über sie weiß</translation>
     </message>
     <message>
         <source>position</source>
@@ -5300,8 +5524,16 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die Gegenseite nimmt zu wenig von dem ab, was ihr geschickt wird</translation>
     </message>
     <message>
+        <source>the outline crosses itself</source>
+        <translation>der Umriss kreuzt sich selbst</translation>
+    </message>
+    <message>
         <source>the patient</source>
         <translation>dem Patienten</translation>
+    </message>
+    <message>
+        <source>the plan was made by a version that reads scans by rule %1, and this one reads by rule %2</source>
+        <translation>der Plan stammt von einer Version, die Aufnahmen nach Regel %1 liest; diese liest nach Regel %2</translation>
     </message>
     <message>
         <source>the previous series is still in memory</source>
@@ -5526,6 +5758,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>this is a folder, not a file</source>
         <translation>das ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>this is another scan: %1 voxels, and the plan was made on %2</source>
+        <translation>dies ist eine andere Aufnahme: %1 Voxel, und der Plan entstand auf %2</translation>
+    </message>
+    <message>
+        <source>this is another scan: it has the size of the plan's, but other voxels</source>
+        <translation>dies ist eine andere Aufnahme: Sie ist so groß wie die des Plans, hat aber andere Voxel</translation>
     </message>
     <message>
         <source>this is no DICOM image</source>

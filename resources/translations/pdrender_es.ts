@@ -92,8 +92,16 @@
         <translation>%1 GB</translation>
     </message>
     <message>
+        <source>%1 HU</source>
+        <translation>%1 UH</translation>
+    </message>
+    <message>
         <source>%1 HU at %2</source>
         <translation>%1 UH en %2</translation>
+    </message>
+    <message>
+        <source>%1 HU, too few voxels for a ±</source>
+        <translation>%1 UH, muy pocos vóxeles para un ±</translation>
     </message>
     <message>
         <source>%1 HU: %2</source>
@@ -258,6 +266,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 mm detrás: %2 % de la luz</translation>
     </message>
     <message>
+        <source>%1 mm off</source>
+        <translation>a %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -374,6 +390,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 x %2 x %3</translation>
     </message>
     <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 HU</source>
+        <translation>%1 ± %2 UH</translation>
+    </message>
+    <message>
         <source>%1 · all active effects are needed</source>
         <translation>%1 · todos los efectos activos son necesarios</translation>
     </message>
@@ -466,6 +490,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1; medido: %2</translation>
     </message>
     <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
         <source>%1° from above</source>
         <translation>%1° desde arriba</translation>
     </message>
@@ -488,6 +516,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>&amp;All defaults</source>
         <translation>&amp;Todas las predeterminadas</translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation>Án&amp;gulo</translation>
     </message>
     <message>
         <source>&amp;Brightness</source>
@@ -520,6 +552,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>&amp;Density</source>
         <translation>De&amp;nsidad</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>&amp;Distancia</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -628,10 +664,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>&amp;Save this look...</source>
         <translation>&amp;Guardar este aspecto...</translation>
-    </message>
-    <message>
-        <source>&amp;Slices</source>
-        <translation>&amp;Cortes</translation>
     </message>
     <message>
         <source>&amp;Table and holder</source>
@@ -888,6 +920,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>An image is still rendering. Quit and discard it?</source>
         <translation>Aún se calcula una imagen. ¿Salir y descartarla?</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>Angle %1</source>
+        <translation>Ángulo %1</translation>
     </message>
     <message>
         <source>Annotations:</source>
@@ -1222,6 +1262,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Elija el orden de trabajo de PD-Render.</translation>
     </message>
     <message>
+        <source>Click three places of a slice (A): the angle at the second.</source>
+        <translation>Haga clic en tres puntos de un corte (A): el ángulo en el segundo.</translation>
+    </message>
+    <message>
+        <source>Click two places of a slice (M). They move to the edge of a structure; Alt: they stay.</source>
+        <translation>Haga clic en dos puntos de un corte (M). Pasan al borde de una estructura; con Alt se quedan.</translation>
+    </message>
+    <message>
         <source>Close %1</source>
         <translation>Cerrar %1</translation>
     </message>
@@ -1432,6 +1480,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Disconnect the selected nodes and erase the scan on them (Delete)</source>
         <translation>Desconecta los equipos elegidos y borra la exploración en ellos (Supr)</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <source>Distance %1</source>
+        <translation>Distancia %1</translation>
     </message>
     <message>
         <source>Distance cut off, side: %1</source>
@@ -2162,6 +2218,22 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 medido, %2 s de calibración</translation>
     </message>
     <message>
+        <source>Measurements</source>
+        <translation>Mediciones</translation>
+    </message>
+    <message>
+        <source>Measurements are not saved. Discard them?</source>
+        <translation>Las mediciones no están guardadas. ¿Descartarlas?</translation>
+    </message>
+    <message>
+        <source>Measures at the second of three places of a slice.</source>
+        <translation>Mide en el segundo de tres puntos de un corte.</translation>
+    </message>
+    <message>
+        <source>Measures between two places of a slice, which move to the edge of a structure.</source>
+        <translation>Mide entre dos puntos de un corte, que pasan al borde de una estructura.</translation>
+    </message>
+    <message>
         <source>Measuring %1 from time to time, in 1/20 of the time</source>
         <translation>Midiendo %1, de vez en cuando, en una vigésima parte del tiempo</translation>
     </message>
@@ -2198,6 +2270,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Ratón en reposo</translation>
     </message>
     <message>
+        <source>Move its corners.</source>
+        <translation>Mueva sus esquinas.</translation>
+    </message>
+    <message>
         <source>Move the view</source>
         <translation>Mover la vista</translation>
     </message>
@@ -2216,6 +2292,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>My looks</source>
         <translation>Mis aspectos</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>Name each node once.</source>
@@ -2352,6 +2432,10 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Abrir %1</translation>
     </message>
     <message>
+        <source>Open &amp;plan...</source>
+        <translation>Abrir &amp;plan...</translation>
+    </message>
+    <message>
         <source>Open &amp;recent</source>
         <translation>Abrir &amp;reciente</translation>
     </message>
@@ -2366,6 +2450,10 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>Open a folder with a CT series.</source>
         <translation>Abra una carpeta con una serie de TC.</translation>
+    </message>
+    <message>
+        <source>Open a plan</source>
+        <translation>Abrir un plan</translation>
     </message>
     <message>
         <source>Open the e&amp;xample</source>
@@ -2392,6 +2480,10 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Abra de nuevo la serie.</translation>
     </message>
     <message>
+        <source>Open the series on which the plan was made.</source>
+        <translation>Abra la serie sobre la que se hizo el plan.</translation>
+    </message>
+    <message>
         <source>OpenEXR with the error of every pixel (*.exr)</source>
         <translation>OpenEXR con el error de cada píxel (*.exr)</translation>
     </message>
@@ -2402,6 +2494,10 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>Opens the manual, which needs no network.</source>
         <translation>Abre el manual (en inglés); no necesita red.</translation>
+    </message>
+    <message>
+        <source>Opens what was set and measured on this scan before.</source>
+        <translation>Abre lo que se ajustó y midió antes en este estudio.</translation>
     </message>
     <message>
         <source>Operating lamp</source>
@@ -2518,8 +2614,16 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Lugares de las lámparas</translation>
     </message>
     <message>
+        <source>Plan saved as %1</source>
+        <translation>Plan guardado como %1</translation>
+    </message>
+    <message>
         <source>Planes</source>
         <translation>Planos</translation>
+    </message>
+    <message>
+        <source>Plans (*.plan.json *.json)</source>
+        <translation>Planes (*.plan.json *.json)</translation>
     </message>
     <message>
         <source>Port</source>
@@ -2570,6 +2674,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Proyección, enfoque y fondo (F7)</translation>
     </message>
     <message>
+        <source>Put its ends farther apart.</source>
+        <translation>Separe más sus extremos.</translation>
+    </message>
+    <message>
         <source>R&amp;eset view</source>
         <translation>R&amp;establecer la vista</translation>
     </message>
@@ -2596,6 +2704,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Redo</source>
         <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>Redo changing a measurement</source>
+        <translation>Rehacer: cambiar una medición</translation>
     </message>
     <message>
         <source>Redo changing the background</source>
@@ -2646,12 +2758,20 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Rehacer: ocultar la mesa</translation>
     </message>
     <message>
+        <source>Redo measuring</source>
+        <translation>Rehacer: medir</translation>
+    </message>
+    <message>
         <source>Redo moving the view</source>
         <translation>Rehacer: mover la vista</translation>
     </message>
     <message>
         <source>Redo moving through the slices</source>
         <translation>Rehacer: moverse por los cortes</translation>
+    </message>
+    <message>
+        <source>Redo removing a measurement</source>
+        <translation>Rehacer: quitar una medición</translation>
     </message>
     <message>
         <source>Redo several changes</source>
@@ -2740,6 +2860,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Removes all cuts; this can be undone.</source>
         <translation>Muestra todo lo cortado; un solo paso para deshacer.</translation>
+    </message>
+    <message>
+        <source>Removes the selected measurement (Delete).</source>
+        <translation>Quita la medición seleccionada (Supr).</translation>
     </message>
     <message>
         <source>Rename the look</source>
@@ -2854,6 +2978,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Rugosidad</translation>
     </message>
     <message>
+        <source>Sa&amp;ve plan...</source>
+        <translation>Guardar p&amp;lan...</translation>
+    </message>
+    <message>
         <source>Sagittal</source>
         <translation>Sagital</translation>
     </message>
@@ -2886,6 +3014,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Guarde el aspecto actual, renombre y borre los suyos, compártalos como archivos</translation>
     </message>
     <message>
+        <source>Save the plan</source>
+        <translation>Guardar el plan</translation>
+    </message>
+    <message>
         <source>Save this look</source>
         <translation>Guardar este aspecto</translation>
     </message>
@@ -2900,6 +3032,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Saves the image as PNG or EXR, as shown or rendered at any size.</source>
         <translation>Guarda la imagen como PNG o EXR, tal como está o creada de nuevo en cualquier tamaño.</translation>
+    </message>
+    <message>
+        <source>Saves what is set and measured, without the patient's name, for this scan alone.</source>
+        <translation>Guarda lo ajustado y medido, sin el nombre del paciente, solo para este estudio.</translation>
     </message>
     <message>
         <source>Schedule</source>
@@ -3064,6 +3200,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Sky</source>
         <translation>Cielo</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Cortes</translation>
     </message>
     <message>
         <source>Slices &amp;beside the image</source>
@@ -3356,6 +3496,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Deshacer</translation>
     </message>
     <message>
+        <source>Undo changing a measurement</source>
+        <translation>Deshacer: cambiar una medición</translation>
+    </message>
+    <message>
         <source>Undo changing the background</source>
         <translation>Deshacer: cambiar el fondo</translation>
     </message>
@@ -3404,12 +3548,20 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Deshacer: ocultar la mesa</translation>
     </message>
     <message>
+        <source>Undo measuring</source>
+        <translation>Deshacer: medir</translation>
+    </message>
+    <message>
         <source>Undo moving the view</source>
         <translation>Deshacer: mover la vista</translation>
     </message>
     <message>
         <source>Undo moving through the slices</source>
         <translation>Deshacer: moverse por los cortes</translation>
+    </message>
+    <message>
+        <source>Undo removing a measurement</source>
+        <translation>Deshacer: quitar una medición</translation>
     </message>
     <message>
         <source>Undo several changes</source>
@@ -3454,6 +3606,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Up°</source>
         <translation>Arriba°</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
     </message>
     <message>
         <source>Value of the selected point</source>
@@ -3664,6 +3820,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>una luz es un rectángulo o una esfera</translation>
     </message>
     <message>
+        <source>a line is too short to have a direction</source>
+        <translation>una línea es demasiado corta para tener dirección</translation>
+    </message>
+    <message>
         <source>a list in it has another length</source>
         <translation>una lista en él tiene otra longitud</translation>
     </message>
@@ -3690,6 +3850,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>a part of the body is not shown</source>
         <translation>una parte del cuerpo no se muestra</translation>
+    </message>
+    <message>
+        <source>a path has at least two places</source>
+        <translation>un recorrido tiene al menos dos lugares</translation>
     </message>
     <message>
         <source>a path may have one event only</source>
@@ -3804,6 +3968,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>todas las luces están ocultas a la cámara</translation>
     </message>
     <message>
+        <source>an area has at least three corners</source>
+        <translation>un área tiene al menos tres esquinas</translation>
+    </message>
+    <message>
         <source>an earlier coding</source>
         <translation>una codificación anterior</translation>
     </message>
@@ -3828,6 +3996,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>se está haciendo otra imagen</translation>
     </message>
     <message>
+        <source>at least %1</source>
+        <translation>al menos %1</translation>
+    </message>
+    <message>
         <source>at least %1 % of the tissue not sampled yet</source>
         <translation>al menos el %1 % del tejido sin muestrear aún</translation>
     </message>
@@ -3838,6 +4010,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>at least one node is needed</source>
         <translation>hace falta al menos un punto</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>como máximo %1</translation>
+    </message>
+    <message>
+        <source>at most %1: thinner than this scan can tell</source>
+        <translation>como máximo %1: más fino de lo que este estudio distingue</translation>
     </message>
     <message>
         <source>at this gradient factor no edge is ever steep enough</source>
@@ -3948,6 +4128,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>profundidad de campo</translation>
     </message>
     <message>
+        <source>depth of light ±%1</source>
+        <translation>profundidad de la luz ±%1</translation>
+    </message>
+    <message>
         <source>detail below %1 % contrast may be missing</source>
         <translation>pueden faltar detalles de menos del %1 % de contraste</translation>
     </message>
@@ -3962,6 +4146,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>each iteration blurred</source>
         <translation>cada iteración, desenfocada</translation>
+    </message>
+    <message>
+        <source>edges ±%1</source>
+        <translation>bordes ±%1</translation>
     </message>
     <message>
         <source>efficiency %1 %</source>
@@ -4050,6 +4238,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>goes with a gradient only, not with an image</source>
         <translation>va solo con un degradado, no con una imagen</translation>
+    </message>
+    <message>
+        <source>grid ±%1</source>
+        <translation>rejilla ±%1</translation>
+    </message>
+    <message>
+        <source>hand ±%1</source>
+        <translation>mano ±%1</translation>
+    </message>
+    <message>
+        <source>has more than %1 measurements</source>
+        <translation>tiene más de %1 mediciones</translation>
     </message>
     <message>
         <source>has more than 1000 points</source>
@@ -4152,6 +4352,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no es JSON que se pueda leer (%1)</translation>
     </message>
     <message>
+        <source>is no covariance: some direction has a negative variance</source>
+        <translation>no es una covarianza: en alguna dirección la varianza es negativa</translation>
+    </message>
+    <message>
         <source>is no direction: it has no length</source>
         <translation>no es una dirección: no tiene longitud</translation>
     </message>
@@ -4166,6 +4370,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>is no field here</source>
         <translation>no es un campo aquí</translation>
+    </message>
+    <message>
+        <source>is the id of two measurements</source>
+        <translation>es el identificador de dos mediciones</translation>
     </message>
     <message>
         <source>is the second environment, a scene has at most one</source>
@@ -4600,6 +4808,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>debe ser distinto de eyeMm</translation>
     </message>
     <message>
+        <source>must have %1 places</source>
+        <translation>debe tener %1 lugares</translation>
+    </message>
+    <message>
         <source>must have three points at least</source>
         <translation>debe tener al menos tres puntos</translation>
     </message>
@@ -4610,6 +4822,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>must not be empty</source>
         <translation>no debe estar vacío</translation>
+    </message>
+    <message>
+        <source>must not be longer than %1 bytes</source>
+        <translation>no debe tener más de %1 bytes</translation>
     </message>
     <message>
         <source>must not lie along the view</source>
@@ -4634,6 +4850,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>no contrast was found in the blood</source>
         <translation>no se ha encontrado contraste en la sangre</translation>
+    </message>
+    <message>
+        <source>no edge within %1 mm</source>
+        <translation>ningún borde a menos de %1 mm</translation>
     </message>
     <message>
         <source>no image, but %1</source>
@@ -4818,6 +5038,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>pixel spacing</source>
         <translation>espaciado de píxel</translation>
+    </message>
+    <message>
+        <source>places %1 and %2 of the path are too close for how well they are known</source>
+        <translation>los lugares %1 y %2 del recorrido están demasiado cerca para lo que se sabe de ellos</translation>
     </message>
     <message>
         <source>position</source>
@@ -5300,8 +5524,16 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>la otra parte acepta demasiado poco de lo que se le envía</translation>
     </message>
     <message>
+        <source>the outline crosses itself</source>
+        <translation>el contorno se cruza a sí mismo</translation>
+    </message>
+    <message>
         <source>the patient</source>
         <translation>el paciente</translation>
+    </message>
+    <message>
+        <source>the plan was made by a version that reads scans by rule %1, and this one reads by rule %2</source>
+        <translation>el plan es de una versión que lee los estudios con la regla %1; esta los lee con la regla %2</translation>
     </message>
     <message>
         <source>the previous series is still in memory</source>
@@ -5526,6 +5758,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>this is a folder, not a file</source>
         <translation>esto es una carpeta, no un archivo</translation>
+    </message>
+    <message>
+        <source>this is another scan: %1 voxels, and the plan was made on %2</source>
+        <translation>este es otro estudio: %1 vóxeles, y el plan se hizo sobre %2</translation>
+    </message>
+    <message>
+        <source>this is another scan: it has the size of the plan's, but other voxels</source>
+        <translation>este es otro estudio: tiene el tamaño del plan, pero otros vóxeles</translation>
     </message>
     <message>
         <source>this is no DICOM image</source>

@@ -23,7 +23,7 @@ def file_of(root, language):
 
 def same_everywhere(pattern):
     """Whether it has no words, but for the name of a unit."""
-    return not re.sub(r"%\d|\b(?:MB|GB|ml|l|x|s|ms)\b|[^A-Za-z]", "", pattern)
+    return not re.sub(r"%\d|\b(?:MB|GB|mm²|mm|HU|ml|l|x|s|ms)\b|[^A-Za-z]", "", pattern)
 
 
 def complaints(root, language):

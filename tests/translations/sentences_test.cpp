@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/plan/plan_file.h"
 #include "app/wire/map_reader.h"
 #include "app/wire/map_writer.h"
 #include "dicom/import.h"
@@ -145,7 +146,7 @@ void addErrors(std::vector<Text>& texts) {
     texts.push_back(check(setup).error().what);
     for (const char* json : {"[", "{}", R"({"format": "x"})", R"({"format": "pdrender-plan", "version": 2})",
                              R"({"format": "pdrender-plan", "version": 1, "look": {}})"})
-        texts.push_back(setupFromJson(json, "plan.json").error().what);
+        texts.push_back(app::planFromText(json, "plan.json").error().what);
 }
 
 /// Adds the reasons why effects are simulated or left out, in scenes that have all of them, some and none.

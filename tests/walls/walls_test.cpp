@@ -17,8 +17,9 @@ class WallsTest : public QObject {
     };
 
     /// The rooms of the window's panels: none knows another.
-    inline static const QStringList kPanels{"accuracy", "camera", "cut",       "keys",   "light", "looks", "manual",
-                                            "nodes",    "output", "rendering", "series", "slices", "theme", "tissue"};
+    inline static const QStringList kPanels{"accuracy",  "camera", "cut",     "keys",  "light",
+                                            "looks",     "manual", "measure", "nodes", "output",
+                                            "rendering", "series", "slices",  "theme", "tissue"};
 
     /// Our own rooms: the longest matching entry counts.
     static QList<Wall> rooms() {
@@ -67,11 +68,11 @@ class WallsTest : public QObject {
             {"app/wire/", "^app/wire/|^render/base/"},
             {"app/coordinator/", "^app/(coordinator|remote|wire)/|^render/(base|film|scene|tiles|volume)/"},
             {"app/node/", "^app/(node|coordinator|remote|wire|program|command_line)/|^render/(base|device|tiles)/"},
-            {"app/plan/", "^app/plan/|^render/(base|scene|volume|segment|slice)/"},
+            {"app/plan/", "^app/(plan/|wire/content_hash.h$)|^render/(base|scene|volume|segment|slice|measure)/"},
             {"app/scan/", "^app/(scan/|wire/one_frame.h)|^(dicom|render)/"},
             {"app/looks/", "^app/looks/|^render/"},
             {"app/output/", "^app/output/|^ui/(annotation|text)/|^render/"},
-            {"app/jobs/", "^app/(jobs|scan|looks|output)/|^ui/(annotation|text)/|^(dicom|render)/"},
+            {"app/jobs/", "^app/(jobs|scan|looks|output|plan)/|^ui/(annotation|text)/|^(dicom|render)/"},
             {"app/document/", "^app/(document|plan|scan|looks)/|^render/"},
             {"app/cli/",
              "^app/(cli|command_line|program|scan|looks|output|coordinator|remote)/"

@@ -46,6 +46,18 @@ QString askForSky(QWidget* parent) {
                       translated("Panorama, twice as wide as high (*.exr)"));
 }
 
+QString askForPlan(QWidget* parent) {
+    return askForFile(parent, translated("Open a plan"), translated("Plans (*.plan.json *.json)"));
+}
+
+QString askWhereToSavePlan(QWidget* parent) {
+    ForgetfulDialog dialog(parent, translated("Save the plan"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilter(translated("Plans (*.plan.json *.json)"));
+    dialog.setDefaultSuffix("plan.json");
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
 QString askWhereToShare(QWidget* parent, const QString& name) {
     const QString ours = translated("Look (*.json)");
     const QString slicer = translated("3D Slicer, curves only (*.vp.json)");

@@ -19,6 +19,13 @@ QString askForLook(QWidget* parent);
 /// Asks for a file with an environment image (.exr). Empty: the user cancelled.
 QString askForSky(QWidget* parent);
 
+/// Asks for a plan (.plan.json). Empty: the user cancelled.
+QString askForPlan(QWidget* parent);
+
+/// Asks where to save a plan (.plan.json). No name is proposed, since names are easily those of patients. Empty: the
+/// user cancelled.
+QString askWhereToSavePlan(QWidget* parent);
+
 /// Asks where to save a look called `name`, in one of these formats. Empty: the user cancelled.
 QString askWhereToShare(QWidget* parent, const QString& name);
 

@@ -74,6 +74,11 @@ class MainWindow : public QMainWindow {
     void setTheme(pdr::ui::ThemeChoice choice);
     /// Sets the question to ask before the window closes because work would be lost. Empty: close without asking.
     void setQuestionOnClosing(const QString& question);
+    /// Sets the question to ask before work on the open series is lost: because the window closes, or another series is
+    /// opened. Empty: nothing would be lost.
+    void setUnsaved(const QString& question) { unsaved_ = question; }
+    /// Asks that question, if there is one. Returns whether the work may be lost.
+    bool confirmsLoss();
     /// Returns the window state to save. It counts panels that are hidden only for lack of room as shown.
     QByteArray wantedState() { return docks_->wantedState(); }
 
@@ -128,7 +133,7 @@ class MainWindow : public QMainWindow {
     QString lastFolder_;
     QStringList patient_, patientWhileHidden_;
     QString subject_, subjectWhileHidden_;
-    QString questionOnClosing_;
+    QString questionOnClosing_, unsaved_;
 };
 
 }  // namespace pdr::ui

@@ -23,7 +23,11 @@ void MainWindow::changeEvent(QEvent* event) {
 void MainWindow::closeEvent(QCloseEvent* event) {
     const bool closes = questionOnClosing_.isEmpty() ||
                         QMessageBox::question(this, tr("PD-Render"), questionOnClosing_) == QMessageBox::Yes;
-    event->setAccepted(closes);
+    event->setAccepted(closes && confirmsLoss());
+}
+
+bool MainWindow::confirmsLoss() {
+    return unsaved_.isEmpty() || QMessageBox::question(this, tr("PD-Render"), unsaved_) == QMessageBox::Yes;
 }
 
 void MainWindow::showEvent(QShowEvent* event) {

@@ -26,6 +26,9 @@ void fillFileMenu(QMenuBar& bar, WindowActions& actions) {
     menu->addMenu(actions.recent);
     actions.save = menu->addAction(Texts::tr("&Save image..."), QKeySequence::Save);
     menu->addSeparator();
+    actions.openPlan = menu->addAction(Texts::tr("Open &plan..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O));
+    actions.savePlan = menu->addAction(Texts::tr("Sa&ve plan..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
+    menu->addSeparator();
     actions.quit = menu->addAction(Texts::tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q));
 }
 
@@ -122,6 +125,9 @@ void describe(const WindowActions& actions) {
     for (const auto& [action, name, toolTip] : std::initializer_list<Sentence>{
              {actions.open, "open", Texts::tr("Opens a folder of DICOM files.")},
              {actions.save, "save", Texts::tr("Saves the image as PNG or EXR, as shown or rendered at any size.")},
+             {actions.openPlan, "openPlan", Texts::tr("Opens what was set and measured on this scan before.")},
+             {actions.savePlan, "savePlan",
+              Texts::tr("Saves what is set and measured, without the patient's name, for this scan alone.")},
              {actions.quit, "quit", Texts::tr("Closes the window. Unsaved images are lost.")},
              {actions.undo, "undo", {}},
              {actions.redo, "redo", {}},

@@ -171,44 +171,6 @@ class SceneTextTest : public QObject {
         }
     }
 
-    void anySessionComesBack() {
-        int patients = 0, boxes = 0, lines = 0, kroes = 0;
-        test::RandomFields random(1);
-        for (int i = 0; i < 1000;) {
-            ImageSetup setup;
-            describe(random, setup);
-            std::ranges::sort(setup.look.transferFunction.nodes, {}, &TransferNode::hu);
-            if (setup.look.window.lowHu > setup.look.window.highHu)
-                std::swap(setup.look.window.lowHu, setup.look.window.highHu);
-            if (!check(setup))
-                continue;
-            ++i;
-            const std::string text = setupText(setup);
-            const Result<ImageSetup> read = setupFromJson(text, "a test");
-            QVERIFY2(read, read ? "" : read.error().text().c_str());
-            QVERIFY2(*read == setup, text.c_str());
-            patients += setup.look.rig.follows == LightRig::Follows::patient;
-            boxes += setup.clip.box.has_value();
-            lines += !setup.clip.freehand.empty();
-            kroes += setup.schedule.kind == Schedule::Kind::kroes;
-        }
-        QVERIFY(patients > 300 && boxes > 50 && lines > 25 && kroes > 300);
-    }
-
-    void aWrongSessionNamesItsField() {
-        ImageSetup setup;
-        setup.look.transferFunction.nodes = {{0, 0}};
-        QVERIFY(check(setup));
-        setup.look.rig.panels[0].radiance = -1;
-        QCOMPARE(setupFromJson(setupText(setup), "s").error().where, std::string("s, look.lights.key"));
-        setup.look.rig.panels[0].radiance = 1;
-        setup.look.window = {5, 5};
-        QCOMPARE(setupFromJson(setupText(setup), "s").error().where, std::string("s, look.window.highHu"));
-        setup.look.window = {};
-        setup.camera.eyeMm = setup.camera.targetMm;
-        QVERIFY(setupFromJson(setupText(setup), "s").error().where.starts_with("s, camera."));
-    }
-
     /// With PDR_WRITE_MANUAL=1 the manual's tables are written anew instead.
     void theManualsTablesAreThoseOfTheFields_data() {
         QTest::addColumn<int>("tables");

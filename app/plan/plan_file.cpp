@@ -1,0 +1,112 @@
+#include "app/plan/plan_file.h"
+
+#include <set>
+#include <utility>
+
+#include "app/plan/plan_fields.h"
+#include "render/base/plain_file.h"
+#include "render/base/replacing_file.h"
+#include "render/scene/field_check.h"
+#include "render/scene/field_reader.h"
+#include "render/scene/field_writer.h"
+
+namespace pdr::app {
+namespace {
+
+constexpr std::string_view kFormat = "pdrender-plan";
+constexpr std::uint64_t kMostBytes = 16 << 20;
+constexpr std::size_t kMostMeasurements = 1000, kLongestName = 200;
+
+/// Returns whether a symmetric matrix can be a covariance: no direction has a negative variance. Rounding of 1e-9 of
+/// the largest variance is let pass.
+bool isCovariance(const dmat3& m) {
+    const double most = std::max({m[0][0], m[1][1], m[2][2]});
+    const dmat3 widened = m + dmat3(1e-9 * most + 1e-300);
+    const double minor = widened[0][0] * widened[1][1] - widened[0][1] * widened[1][0];
+    return widened[0][0] >= 0 && minor >= 0 && glm::determinant(widened) >= 0;
+}
+
+Result<void> check(const measure::Place& place, const std::string& where) {
+    for (const dmat3& share : place.spread.mm2)
+        if (!isCovariance(share))
+            return Error{phrase("is no covariance: some direction has a negative variance"), where, ""};
+    return {};
+}
+
+Result<void> check(const Measurement& measurement, const std::string& where) {
+    if (measurement.places.size() != placesOf(measurement.kind))
+        return Error{phrase("must have %1 places", placesOf(measurement.kind)), where + ".places", ""};
+    if (measurement.name.size() > kLongestName)
+        return Error{phrase("must not be longer than %1 bytes", kLongestName), where + ".name", ""};
+    for (std::size_t i = 0; i < measurement.places.size(); ++i)
+        if (auto ok = check(measurement.places[i], where + ".places[" + std::to_string(i) + "]"); !ok)
+            return ok;
+    return {};
+}
+
+Result<void> check(const std::vector<Measurement>& measurements) {
+    if (measurements.size() > kMostMeasurements)
+        return Error{phrase("has more than %1 measurements", kMostMeasurements), "measurements", ""};
+    std::set<std::uint64_t> ids;
+    for (std::size_t i = 0; i < measurements.size(); ++i) {
+        const std::string where = "measurements[" + std::to_string(i) + "]";
+        if (!ids.insert(measurements[i].id).second)
+            return Error{phrase("is the id of two measurements"), where + ".id", ""};
+        if (auto ok = check(measurements[i], where); !ok)
+            return ok;
+    }
+    return {};
+}
+
+Result<void> check(const SavedPlan& saved) {
+    if (auto ok = FieldCheck::check(saved.scan, "scan"); !ok)
+        return ok;
+    if (auto ok = FieldCheck::check(saved.plan); !ok)
+        return ok;
+    if (saved.scan.salt.size() > 64)
+        return Error{phrase("must not be longer than %1 bytes", 64), "scan.salt", ""};
+    if (auto ok = pdr::check(saved.plan.image); !ok)
+        return Error{ok.error().what, "image." + ok.error().where, ok.error().hint};
+    return check(saved.plan.measurements);
+}
+
+}  // namespace
+
+Result<SavedPlan> planFromText(std::string_view text, std::string_view where) {
+    SavedPlan saved;
+    const auto read = [&](JsonFields& fields) {
+        FieldReader reader(fields);
+        reader.object({"scan", "the scan on which it was made", {}, kRequired}, saved.scan);
+        describe(reader, saved.plan);
+        if (auto ok = check(saved); !ok)
+            throw FieldError{ok.error()};
+    };
+    if (auto ok = readJson(text, where, kFormat, read); !ok)
+        return ok.error();
+    return saved;
+}
+
+std::string planText(SavedPlan saved) {
+    nlohmann::ordered_json fields = nlohmann::ordered_json::object();
+    fields["scan"] = FieldWriter::written(saved.scan);
+    fields.update(FieldWriter::written(saved.plan));
+    return jsonText(kFormat, fields);
+}
+
+Result<SavedPlan> readPlan(const std::filesystem::path& file) {
+    const auto text = readPlainFile(file, kMostBytes);
+    if (!text)
+        return text.error();
+    return planFromText(*text, file.string());
+}
+
+Result<void> writePlan(const SavedPlan& saved, const std::filesystem::path& file) {
+    const std::string text = planText(saved);
+    auto replacing = ReplacingFile::open(file, FileAccess::owner);
+    if (!replacing)
+        return replacing.error();
+    replacing->write(text.data(), text.size());
+    return replacing->commit();
+}
+
+}  // namespace pdr::app

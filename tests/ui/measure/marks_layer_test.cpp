@@ -1,0 +1,158 @@
+/// Measurements in a view: placing, dragging, and how those off the slice are shown.
+
+#include <QImage>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "ui/annotation/slice_camera.h"
+#include "ui/measure/marks_layer.h"
+#include "ui/measure/view_places.h"
+
+namespace pdr::ui {
+namespace {
+
+/// An axial slice of half a millimetre per pixel in a view of 400 x 300, and a layer over it.
+struct Over {
+    SlicePlane plane = SlicePlane::around({10, 20, 30}, {1, 0, 0}, {0, 1, 0}, 0.5, {400, 300});
+    ImagePlace image{QSize(400, 300), QRectF(0, 0, 400, 300), cameraFacing(plane)};
+    MarksLayer layer{true};
+    std::vector<std::pair<dvec3, bool>> placed;
+    struct Drag {
+        std::uint64_t id;
+        int index;
+        dvec3 mm;
+        bool moving;
+    };
+    std::vector<Drag> drags;
+
+    Over() {
+        QObject::connect(&layer, &MarksLayer::placed, [this](dvec3 mm, bool free) { placed.emplace_back(mm, free); });
+        QObject::connect(&layer, &MarksLayer::dragged,
+                         [this](std::uint64_t id, int index, dvec3 mm, bool, bool moving) {
+                             drags.push_back({id, index, mm, moving});
+                         });
+    }
+
+    ViewPointer at(QPointF point, Qt::KeyboardModifiers modifiers = {}) const {
+        return {point, Qt::LeftButton, Qt::LeftButton, modifiers, false, image};
+    }
+    dvec3 under(QPointF point) const { return plane.mmAt(dvec2(point.x(), point.y()) - 0.5); }
+    QImage painted() const {
+        QImage painting(400, 300, QImage::Format_RGB32);
+        painting.fill(Qt::black);
+        QPainter painter(&painting);
+        layer.paint(painter, image);
+        return painting;
+    }
+};
+
+bool near(dvec3 a, dvec3 b) {
+    return glm::length(a - b) < 1e-9;
+}
+
+/// Returns how many pixels of the row at `y` are not black, from x = 100 to 299.
+int inked(const QImage& image, int y) {
+    int count = 0;
+    for (int x = 100; x < 300; ++x)
+        count += image.pixel(x, y) != qRgb(0, 0, 0);
+    return count;
+}
+
+}  // namespace
+
+class MarksLayerTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void whileDrawingAPressSetsAPlace() {
+        Over over;
+        QVERIFY(!over.layer.takes(over.at({100, 50})));
+        over.layer.setDrawing(true);
+        QVERIFY(over.layer.takes(over.at({100, 50})));
+        over.layer.press(over.at({100, 50}));
+        over.layer.press(over.at({101, 50}, Qt::AltModifier));
+        QCOMPARE(over.placed.size(), std::size_t(2));
+        QVERIFY(near(over.placed[0].first, over.under({100, 50})) && !over.placed[0].second);
+        QVERIFY(over.placed[1].second);
+        QVERIFY(!over.layer.takes(over.at({100, 50}, Qt::ShiftModifier)));  // moves the slice
+    }
+
+    void escapeEndsDrawing() {
+        Over over;
+        QSignalSpy cancelled(&over.layer, &MarksLayer::drawingCancelled);
+        QVERIFY(!over.layer.cancel());
+        over.layer.setDrawing(true);
+        QVERIFY(over.layer.cancel());
+        QCOMPARE(cancelled.size(), 1);
+    }
+
+    void anEndIsDraggedByItsHandle() {
+        Over over;
+        over.layer.setMarks({{7, {over.under({100, 100}), over.under({200, 150})}, "56 mm"}});
+        QVERIFY(!over.layer.takes(over.at({150, 125})));  // the line itself is no handle
+        QVERIFY(over.layer.takes(over.at({203, 148})));
+        over.layer.press(over.at({203, 148}));
+        over.layer.move(over.at({220, 160}));
+        over.layer.release(over.at({230, 170}));
+        QCOMPARE(over.drags.size(), std::size_t(2));
+        QVERIFY(over.drags[0].id == 7 && over.drags[0].index == 1 && over.drags[0].moving);
+        QVERIFY(near(over.drags[1].mm, over.under({230, 170})) && !over.drags[1].moving);
+    }
+
+    /// Whoever drags a place sees it, so what lies off the slice has no handle there.
+    void whatLiesOffTheSliceCannotBeDragged() {
+        Over over;
+        const dvec3 off(0, 0, 3);
+        over.layer.setMarks({{7, {over.under({100, 100}) + off, over.under({200, 150}) + off}, ""}});
+        QVERIFY(!over.layer.takes(over.at({200, 150})));
+    }
+
+    void theImagesMarksCannotBeDragged() {
+        Over over;
+        MarksLayer image(false);
+        image.setMarks({{7, {over.under({100, 100}), over.under({200, 150})}, ""}});
+        image.setDrawing(true);
+        QVERIFY(!image.takes(over.at({200, 150})));
+        QSignalSpy cancelled(&image, &MarksLayer::drawingCancelled);
+        QVERIFY(image.cancel() && cancelled.size() == 1);  // Esc reaches the image's tools first
+    }
+
+    void aMeasurementOffTheSliceIsDashedAndGoesAtLast() {
+        Over over;
+        const auto inkAt = [&](double offMm) {
+            over.layer.setMarks(
+                {{7, {over.under({100, 200}) + dvec3(0, 0, offMm), over.under({299, 200}) + dvec3(0, 0, offMm)}, ""}});
+            return inked(over.painted(), 199) + inked(over.painted(), 200);
+        };
+        const int solid = inkAt(0), dashed = inkAt(2), gone = inkAt(21);
+        QVERIFY(solid >= 380);
+        QVERIFY2(dashed > 0 && dashed <= solid, qPrintable(QString("%1 of %2").arg(dashed).arg(solid)));
+        QVERIFY(over.painted().isNull() == false && gone == 0);
+    }
+
+    /// A text says how far a measurement lies off the slice.
+    void theDistanceFromTheSliceIsWritten() {
+        Over over;
+        const auto picture = [&](double offMm) {
+            over.layer.setMarks({{7, {over.under({50, 200}) + dvec3(0, 0, offMm), over.under({60, 200})}, "5 mm"}});
+            return over.painted();
+        };
+        QVERIFY(picture(0) == picture(0.1));  // within the slice
+        QVERIFY(picture(0) != picture(2.0));
+    }
+
+    void placesInViewsAndBack() {
+        Over over;
+        for (const QPointF point : {QPointF(0, 0), QPointF(399, 10), QPointF(200.5, 150.25)}) {
+            QVERIFY(near(placeUnder(over.image, point), over.under(point)));
+            const auto seen = seenAt(over.image, over.under(point) + dvec3(0, 0, 5));  // along the view
+            QVERIFY(seen && QLineF(*seen, point).length() < 1e-6);
+        }
+        QVERIFY(std::abs(depthMm(over.image, over.under({3, 4}) + 2.5 * over.plane.normal()) - 2.5) < 1e-9);
+    }
+};
+
+}  // namespace pdr::ui
+
+QTEST_MAIN(pdr::ui::MarksLayerTest)
+#include "marks_layer_test.moc"

@@ -1,0 +1,67 @@
+#pragma once
+/// The tool that shows measurements in a view, sets their places, and moves them. In a slice, a measurement that lies
+/// off the slice is dashed, with the distance of its nearest end; beyond 20 mm it is not shown. In the image all are
+/// shown. Setters emit no signals.
+
+#include <optional>
+#include <vector>
+
+#include "ui/measure/shown_mark.h"
+#include "ui/view/view_tool.h"
+
+namespace pdr::ui {
+
+class MarksLayer : public ViewTool {
+    Q_OBJECT
+
+  public:
+    /// `slice`: the layer is one of a slice, whose places can be set and moved. Else it is the image's.
+    explicit MarksLayer(bool slice) : slice_(slice) {}
+
+    void setMarks(std::vector<ShownMark> marks);
+    /// Sets whether presses of the left button set places, in a slice. In both kinds of views Esc then ends drawing.
+    void setDrawing(bool drawing);
+    /// Sets the lines that are being drawn; the pointer is their next place. Empty: nothing is being drawn.
+    void setDrawn(std::vector<dvec3> placesMm);
+
+    bool takes(const ViewPointer& pointer) const override;
+    void press(const ViewPointer& pointer) override;
+    void move(const ViewPointer& pointer) override;
+    void release(const ViewPointer& pointer) override;
+    bool hover(const ViewPointer& pointer) override;
+    void leave() override;
+    bool cancel() override;
+    std::optional<Qt::CursorShape> cursor() const override;
+    void paint(QPainter& painter, const ImagePlace& image) const override;
+
+  signals:
+    /// Reports a place that was set. `free`: not to be moved to an edge.
+    void placed(pdr::dvec3 placeMm, bool free);
+    /// Reports that place `index` of a measurement is dragged. `moving`: the button is held.
+    void dragged(std::uint64_t id, int index, pdr::dvec3 placeMm, bool free, bool moving);
+    void selected(std::uint64_t id);
+    /// Reports that Esc has ended drawing.
+    void drawingCancelled();
+
+  private:
+    /// A place of a measurement.
+    struct Handle {
+        std::uint64_t id;
+        int index;
+        bool operator==(const Handle&) const = default;
+    };
+
+    std::optional<Handle> handleAt(const ViewPointer& pointer) const;
+    void paintMark(QPainter& painter, const ImagePlace& image, const ShownMark& mark) const;
+    void light(const std::optional<Handle>& handle);
+
+    bool slice_;
+    bool drawing_ = false;
+    std::vector<ShownMark> marks_;
+    std::vector<dvec3> drawn_;
+    std::optional<dvec3> pointer_;   ///< place under the pointer while drawing
+    std::optional<Handle> lit_;      ///< under the pointer
+    std::optional<Handle> dragged_;  ///< being dragged
+};
+
+}  // namespace pdr::ui

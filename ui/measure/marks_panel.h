@@ -1,0 +1,52 @@
+#pragma once
+/// The list of all measurements, with their values. Setters emit no signals.
+
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QWidget>
+#include <cstdint>
+#include <vector>
+
+namespace pdr::ui {
+
+/// A measurement in the list.
+struct MarkRow {
+    std::uint64_t id = 0;
+    QString name;    ///< what the user calls it, or what it is: "Distance 2"
+    QString value;   ///< "42.3 ± 0.5 mm"
+    QString causes;  ///< what the ± consists of and does not; the tool tip
+    bool operator==(const MarkRow&) const = default;
+};
+
+class MarksPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit MarksPanel(QWidget* parent = nullptr);
+
+    void setRows(const std::vector<MarkRow>& rows);
+    void setSelected(std::uint64_t id);
+    /// Sets which of the buttons is pressed: what is being measured.
+    void setDrawing(bool distance, bool angle);
+
+    QSize sizeHint() const override { return {316, 260}; }
+
+  signals:
+    void distanceChosen(bool chosen);
+    void angleChosen(bool chosen);
+    void selected(std::uint64_t id);
+    void renamed(std::uint64_t id, const QString& name);
+    void removed(std::uint64_t id);
+
+  protected:
+    bool eventFilter(QObject* list, QEvent* event) override;
+
+  private:
+    std::uint64_t idOf(const QTreeWidgetItem* item) const;
+
+    QPushButton distance_, angle_, remove_;
+    QTreeWidget list_;
+    std::vector<MarkRow> rows_;
+};
+
+}  // namespace pdr::ui

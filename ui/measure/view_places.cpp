@@ -1,0 +1,35 @@
+#include "ui/measure/view_places.h"
+
+#include "render/scene/edit/view_geometry.h"
+
+namespace pdr::ui {
+namespace {
+
+ViewGeometry geometryOf(const ImagePlace& image) {
+    return {*image.camera, image.area.width() / image.area.height()};
+}
+
+}  // namespace
+
+std::optional<QPointF> seenAt(const ImagePlace& image, dvec3 placeMm) {
+    if (!image.camera)
+        return std::nullopt;
+    const auto at = geometryOf(image).at(placeMm);
+    if (!at)
+        return std::nullopt;
+    return image.inPixels(QRectF(at->x, at->y, 0, 0)).topLeft();
+}
+
+dvec3 placeUnder(const ImagePlace& image, QPointF point) {
+    const QPointF fractions = image.fractionsAt(point);
+    const SightLine line = geometryOf(image).under({fractions.x(), fractions.y()});
+    const dvec3 forward = image.camera->forward();
+    const double along = glm::dot(image.camera->targetMm - line.originMm, forward) / glm::dot(line.direction, forward);
+    return line.originMm + along * line.direction;
+}
+
+double depthMm(const ImagePlace& image, dvec3 placeMm) {
+    return glm::dot(placeMm - image.camera->targetMm, image.camera->forward());
+}
+
+}  // namespace pdr::ui
