@@ -1,0 +1,190 @@
+/// Measures whether every ± of a measurement covers what it claims, and how biased the values are, on phantoms by
+/// formula. It prints a table.
+///   measurement_coverage [--trials N] [--only plates|angles|regions]
+/// Columns of plates, at random angles and places, with clicks that miss a border by up to 0.45 mm:
+///   stated, at most, no edge    trials, by what is said
+///   bias, SD                    of the stated thickness [mm]
+///   ±/1.96                      root mean square of what is stated for SD [mm]
+///   holds                       stated intervals that contain the truth [%]
+///   bounds hold                 "at most" that are true [%]
+///   untold                      stated values, without "at most", that are farther off than the ± that is printed
+/// Angles are those of two diameters of a ball, by four places on its edge; regions are balls in water.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <numbers>
+#include <string>
+
+#include "render/measure/angle.h"
+#include "render/measure/distance.h"
+#include "render/measure/edge.h"
+#include "render/measure/measure_text.h"
+#include "tests/support/scenes/edge_phantoms.h"
+#include "tests/support/statistics.h"
+
+namespace pdr::test {
+namespace {
+
+using namespace measure;
+
+struct Grid {
+    dvec3 spacingMm, blurMm;
+};
+const Grid kGrids[]{
+    {{0.9, 0.9, 2.5}, {0.6, 0.6, 0.9}}, {{0.7, 0.7, 1.0}, {0.6, 0.6, 0.7}}, {{0.45, 0.45, 0.6}, {0.5, 0.5, 0.5}}};
+
+struct Tissue {
+    Contrast hu;
+    double noiseHu;
+};
+const Tissue kTissues[]{{{1000, 40}, 15}, {{1000, 40}, 40}, {{300, 40}, 20}};
+
+/// What became of the trials of a row.
+struct Row {
+    int stated = 0, bounds = 0, lost = 0, held = 0, heldBounds = 0, untold = 0;
+    Sample value, variance;
+
+    void add(const std::optional<Stated>& found, double truth) {
+        if (!found)
+            return void(++lost);
+        if (found->bound != Bound::none) {
+            ++bounds;
+            heldBounds += found->low <= truth && truth <= found->high;
+            return;
+        }
+        ++stated;
+        held += found->low <= truth && truth <= found->high;
+        value.add(found->value - truth);
+        variance.add(std::pow(found->plusMinus() / 1.96, 2));
+        untold += std::abs(found->value - truth) > roundedPlusMinus(found->plusMinus()).plusMinus;
+    }
+    static double percent(int part, int whole) { return whole > 0 ? 100.0 * part / whole : NAN; }
+    void print() const {
+        std::printf("%6d %7d %7d ", stated, bounds, lost);
+        if (stated > 1)
+            std::printf("%+6.3f %6.3f %6.3f %6.1f ", value.mean(), std::sqrt(value.variance()),
+                        std::sqrt(variance.mean()), percent(held, stated));
+        else
+            std::printf("%6s %6s %6s %6s ", "", "", "", "");
+        std::printf("%6.1f %6d\n", percent(heldBounds, bounds), untold);
+        std::fflush(stdout);
+    }
+};
+
+/// Returns the place of a click near `truth` on a border across `normal`, moved to its edge.
+std::optional<Place> clicked(const Volume& scan, dvec3 truth, dvec3 normal, std::mt19937& random) {
+    std::uniform_real_distribution<double> hand(-0.45, 0.45), pixel(-0.25, 0.25);
+    const dvec3 across = glm::normalize(glm::cross(normal, randomDirection(random)));
+    const double miss = hand(random);
+    const dvec3 click = truth + miss * normal + pixel(random) * across;
+    const EdgeSearch found = edgeNear(scan, click);
+    if (!found.edge)
+        return {};
+    return atEdge(clickedPlace(scan.geometry(), click, {normal, across, 0.5, 0}), *found.edge);
+}
+
+std::optional<Stated> plate(const Scanner& scanner, double thickness, Contrast hu, std::mt19937& random) {
+    const dvec3 normal = randomDirection(random);
+    const Volume scan = scannedPlate(scanner, thickness, normal, hu, thickness / 2 + 9, random);
+    const auto a = clicked(scan, -thickness / 2 * normal, normal, random),
+               b = clicked(scan, thickness / 2 * normal, normal, random);
+    if (!a || !b)
+        return {};
+    return distance(scan.geometry(), *a, *b);
+}
+
+void plates(int trials) {
+    std::printf("plates\n%-14s %-12s %5s %6s %7s %7s %6s %6s %6s %6s %6s %6s\n", "grid [mm]", "HU, noise", "mm",
+                "stated", "at most", "no edge", "bias", "SD", "±/1.96", "holds", "bounds", "untold");
+    unsigned seed = 0;
+    for (const Grid& grid : kGrids)
+        for (const Tissue& tissue : kTissues)
+            for (const double thickness : {0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0, 30.0}) {
+                std::mt19937 random(++seed);
+                const Scanner scanner{grid.spacingMm, grid.blurMm, tissue.noiseHu};
+                Row row;
+                for (int trial = 0; trial < trials; ++trial)
+                    row.add(plate(scanner, thickness, tissue.hu, random), thickness);
+                std::printf("%-4g%-4g%-6g %4g/%-3g %-3g %5.1f ", grid.spacingMm.x, grid.spacingMm.y, grid.spacingMm.z,
+                            tissue.hu.inside, tissue.hu.outside, tissue.noiseHu, thickness);
+                row.print();
+            }
+}
+
+/// The angle at the middle of a ball between two places on its border.
+std::optional<Stated> ballAngle(const Scanner& scanner, Contrast hu, double truth, std::mt19937& random) {
+    const double radius = 15, t = truth * std::numbers::pi / 180;
+    const Volume scan = scannedBall(scanner, radius, hu, radius + 9, random);
+    const dvec3 u = randomDirection(random), w = glm::normalize(glm::cross(u, randomDirection(random)));
+    const dvec3 v = std::cos(t) * u + std::sin(t) * w;
+    const auto a = clicked(scan, radius * u, u, random), b = clicked(scan, radius * v, v, random),
+               back = clicked(scan, -radius * u, -u, random), other = clicked(scan, -radius * v, -v, random);
+    if (!a || !b || !back || !other)
+        return {};
+    const Result<Stated> found = angleOfLines({*back, *a}, {*other, *b});
+    return found ? std::optional(*found) : std::nullopt;
+}
+
+void angles(int trials) {
+    std::printf("angles of two diameters of a ball of 30 mm\n");
+    unsigned seed = 1000;
+    for (const Grid& grid : kGrids)
+        for (const double truth : {2.0, 15.0, 45.0, 90.0, 150.0}) {
+            std::mt19937 random(++seed);
+            Row row;
+            for (int trial = 0; trial < trials; ++trial)
+                row.add(ballAngle({grid.spacingMm, dvec3(grid.blurMm.x), 15}, {1000, 40}, truth, random), truth);
+            std::printf("%-4g%-4g%-6g %-12s %4.0f° ", grid.spacingMm.x, grid.spacingMm.y, grid.spacingMm.z,
+                        "1000/40 15", truth);
+            row.print();
+        }
+}
+
+void regions(int trials) {
+    std::printf("means of balls in water, noise 20 HU: grid, radius [mm], voxels, holds [%%], SD/sqrt(n) holds [%%]\n");
+    unsigned seed = 2000;
+    for (const Grid& grid : kGrids)
+        for (const double grain : {0.0, 0.7})
+            for (const double radius : {3.0, 5.0, 8.0, 12.0}) {
+                std::mt19937 random(++seed);
+                int held = 0, naive = 0;
+                Sample count;
+                for (int trial = 0; trial < trials; ++trial) {
+                    const Scanner scanner{grid.spacingMm, grid.blurMm, 20, grain};
+                    const Volume scan = scanned(
+                        gridAround(scanner, radius + 3, random), scanner, [](dvec3) { return 0.0; }, random);
+                    const auto found = regionStatistics(scan, Ball{dvec3(0), radius});
+                    if (!found || !found->meanPlusMinus)
+                        continue;
+                    count.add(double(found->count));
+                    held += std::abs(found->meanHu) <= *found->meanPlusMinus;
+                    naive += std::abs(found->meanHu) <= 1.96 * found->sdHu / std::sqrt(double(found->count));
+                }
+                std::printf("%-4g%-4g%-6g %-12s %4.0f mm %7.0f %6.1f %6.1f\n", grid.spacingMm.x, grid.spacingMm.y,
+                            grid.spacingMm.z, grain > 0 ? "correlated" : "white", radius, count.mean(),
+                            Row::percent(held, trials), Row::percent(naive, trials));
+                std::fflush(stdout);
+            }
+}
+
+}  // namespace
+}  // namespace pdr::test
+
+int main(int argc, char** argv) {
+    int trials = 200;
+    std::string only;
+    for (int n = 1; n + 1 < argc; n += 2)
+        if (!std::strcmp(argv[n], "--trials"))
+            trials = std::atoi(argv[n + 1]);
+        else if (!std::strcmp(argv[n], "--only"))
+            only = argv[n + 1];
+    const auto wanted = [&](const char* part) { return only.empty() || only == part; };
+    if (wanted("regions"))
+        pdr::test::regions(trials);
+    if (wanted("angles"))
+        pdr::test::angles(trials);
+    if (wanted("plates"))
+        pdr::test::plates(trials);
+}
