@@ -22,7 +22,7 @@ Noise::Noise(ivec3 lags)
 
 std::size_t Noise::cell(ivec3 lag) const {
     const ivec3 at = lag + lags_, size = 2 * lags_ + 1;
-    return std::size_t(at.x + size.x * (at.y + size.y * at.z));
+    return std::size_t(at.x) + std::size_t(size.x) * (std::size_t(at.y) + std::size_t(size.y) * std::size_t(at.z));
 }
 
 double Noise::covariance(ivec3 lag) const {

@@ -16,7 +16,7 @@ PartMask maskOfShown(const segment::BodyParts& parts, const Labels& labels, cons
     double done = 0;
     for (const std::string& label : labels) {
         const double next = done + 1.0 / double(labels.size());
-        const PartMask one = parts.labelled(label, Use::shown, on, partOf(progress, done, next));
+        PartMask one = parts.labelled(label, Use::shown, on, partOf(progress, done, next));
         if (!one)
             return one;
         all = all ? united(*all, **one, phrase("Only %1 are shown.", segment::partNames(labels))) : *one;
@@ -32,7 +32,7 @@ PartMask maskWithout(const segment::BodyParts& parts, const Labels& labels, cons
     double done = 0;
     for (const std::string& label : labels) {
         const double next = done + 1.0 / double(labels.size());
-        const PartMask one = parts.labelled(label, Use::hidden, on, partOf(progress, done, next));
+        PartMask one = parts.labelled(label, Use::hidden, on, partOf(progress, done, next));
         if (!one)
             return one;
         all = combined(all, *one);
@@ -49,7 +49,7 @@ PartMask visibleMask(const segment::BodyParts& parts, const Visible& visible, co
         const double steps = double(!visible.shown.empty()) + double(!visible.hidden.empty()) + (visible.peelMm > 0);
         const double shownUntil = visible.shown.empty() ? 0 : 1 / steps;
         const double hiddenUntil = visible.peelMm > 0 ? 1 - 1 / steps : 1;
-        const PartMask shown = maskOfShown(parts, visible.shown, on, partOf(progress, 0, shownUntil));
+        PartMask shown = maskOfShown(parts, visible.shown, on, partOf(progress, 0, shownUntil));
         if (!shown)
             return shown;
         const PartMask rest = maskWithout(parts, visible.hidden, on, partOf(progress, shownUntil, hiddenUntil));

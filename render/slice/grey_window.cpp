@@ -22,7 +22,8 @@ struct Sigmoid {
 template <class Function>
 std::uint8_t levelOf(const Function& function, float hu) {
     const double level = function(double(hu));
-    return level > 0 ? std::uint8_t(std::min(level, 255.0) + 0.5) : std::uint8_t(0);  // also where it is not a number
+    return level > 0 ? std::uint8_t(std::floor(std::min(level, 255.0) + 0.5))
+                     : std::uint8_t(0);  // also where it is not a number
 }
 
 /// Calls `use` with the function of `window`.

@@ -86,7 +86,7 @@ auto isInside(const FlatGrid& grid, const Vec3<Real>& q) {
 /// Calls take(number of the pixel in the tile, HU, whether inside) for one sample of every pixel, Real by Real.
 template <class Real, class Take>
 void sampleTile(const FlatGrid& grid, const IndexSlab& slab, const Tile& tile, int sample, const Take& take) {
-    constexpr int kTogether = int(sizeof(Real) / sizeof(float));
+    constexpr int kTogether = std::is_same_v<Real, float> ? 1 : kLanes;
     const vec3 perX(slab.perX);
     for (int y = 0; y < tile.height; ++y) {
         const vec3 row = slab.place({tile.x, tile.y + y}, sample);
@@ -154,7 +154,7 @@ std::optional<SliceImage> reslice(const Volume& volume, const SlicePlane& plane,
                             std::min(kTileHeight, plane.size.y - top)};
             fill(grid, inIndex, slab.kind, tile, values);
             for (int y = 0; y < tile.height; ++y)
-                std::copy_n(&values.hu[std::size_t(y * kTileWidth)], tile.width,
+                std::copy_n(&values.hu[std::size_t(y) * kTileWidth], tile.width,
                             &image.hu[std::size_t(top + y) * std::size_t(plane.size.x) + std::size_t(left)]);
         }
     return image;

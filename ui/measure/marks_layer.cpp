@@ -87,12 +87,13 @@ void MarksLayer::press(const ViewPointer& pointer) {
 }
 
 void MarksLayer::move(const ViewPointer& pointer) {
-    if (drawing_)
+    if (drawing_) {
         pointer_ = placeUnder(pointer.image, pointer.at);
-    else if (dragged_)
+        emit changed();
+    } else if (dragged_) {
         emit dragged(dragged_->id, dragged_->index, placeUnder(pointer.image, pointer.at),
                      pointer.modifiers.testFlag(Qt::AltModifier), true);
-    emit changed();
+    }
 }
 
 void MarksLayer::release(const ViewPointer& pointer) {
