@@ -19,11 +19,13 @@ struct Sigmoid {
     double operator()(double hu) const { return 255 / (1 + std::exp(-4 * (hu - centre) / width)); }
 };
 
+/// Returns the level by comparisons that need no jump: neighbouring pixels may lie on either side of the window.
 template <class Function>
 std::uint8_t levelOf(const Function& function, float hu) {
     const double level = function(double(hu));
-    return level > 0 ? std::uint8_t(std::floor(std::min(level, 255.0) + 0.5))
-                     : std::uint8_t(0);  // also where it is not a number
+    const double lit = level > 0 ? level : 0;  // also where it is not a number
+    const double halfMore = (lit < 255 ? lit : 255) + 0.5;
+    return std::uint8_t(int(halfMore));
 }
 
 /// Calls `use` with the function of `window`.
@@ -50,15 +52,23 @@ std::uint8_t greyLevel(const GreyWindow& window, float hu) {
     return withFunction(window, [&](const auto& function) { return levelOf(function, hu); });
 }
 
-std::vector<std::uint8_t> greyPixels(const GreyWindow& window, std::span<const float> hu, const Ground& ground) {
-    std::vector<std::uint8_t> pixels(4 * hu.size());
+std::vector<std::uint8_t> greyPixels(const GreyWindow& window, std::span<const float> hu, const Ground& ground,
+                                     std::vector<std::uint8_t> pixels) {
+    pixels.resize(4 * hu.size());
     withFunction(window, [&](const auto& function) {
-        for (std::size_t i = 0; i < hu.size(); ++i) {
-            const bool outside = std::isnan(hu[i]);
-            const std::uint8_t level = levelOf(function, hu[i]);
-            for (std::size_t channel = 0; channel < 3; ++channel)
-                pixels[4 * i + channel] = outside ? ground[channel] : level;
-            pixels[4 * i + 3] = 255;
+        // Levels first, into memory of their own, which the compiler knows to be nothing else: it computes many at
+        // once.
+        std::array<std::uint8_t, 512> levels;
+        for (std::size_t first = 0; first < hu.size(); first += levels.size()) {
+            const std::span<const float> some = hu.subspan(first, std::min(levels.size(), hu.size() - first));
+            for (std::size_t i = 0; i < some.size(); ++i)
+                levels[i] = levelOf(function, some[i]);
+            for (std::size_t i = 0; i < some.size(); ++i) {
+                const Ground grey{levels[i], levels[i], levels[i]};
+                const Ground& colour = std::isnan(some[i]) ? ground : grey;
+                std::copy(colour.begin(), colour.end(), &pixels[4 * (first + i)]);
+                pixels[4 * (first + i) + 3] = 255;
+            }
         }
     });
     return pixels;

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 #include "render/base/tile.h"
 #include "render/kernel/flat_grid.h"
@@ -35,7 +36,7 @@ struct IndexSlab {
         const auto direction = [&](dvec3 mm) { return dvec3(indexFromPatient * dvec4(mm, 0)); };
         const double half = slab.thicknessMm / 2;
         samples = 1 + int(std::ceil(2 * slab.thicknessMm / sliceStepMm(geometry, plane.normal())));
-        origin = dvec3(indexFromPatient * dvec4(plane.behind(-half).originMm, 1));
+        origin = dvec3(indexFromPatient * dvec4(plane.behind(-half).originMm, 1)) + 0.5;
         perX = rounded(direction(plane.mmPerPixel * plane.right), kStepParts);
         perY = direction(plane.mmPerPixel * plane.down);
         perSample = samples > 1 ? direction(slab.thicknessMm / (samples - 1) * plane.normal()) : dvec3(0);
@@ -83,9 +84,10 @@ auto isInside(const FlatGrid& grid, const Vec3<Real>& q) {
            (q.y <= grid.lastIndex.y + 0.5f) & (q.z <= grid.lastIndex.z + 0.5f);
 }
 
-/// Calls take(number of the pixel in the tile, HU, whether inside) for one sample of every pixel, Real by Real.
+/// Calls take(number of the pixel in the tile, HU, whether inside) for one sample of every pixel, Real by Real. The
+/// grid is a copy, so that what is stored cannot change it.
 template <class Real, class Take>
-void sampleTile(const FlatGrid& grid, const IndexSlab& slab, const Tile& tile, int sample, const Take& take) {
+void sampleTile(FlatGrid grid, const IndexSlab& slab, const Tile& tile, int sample, const Take& take) {
     constexpr int kTogether = std::is_same_v<Real, float> ? 1 : kLanes;
     const vec3 perX(slab.perX);
     for (int y = 0; y < tile.height; ++y) {
@@ -140,11 +142,12 @@ void fillTile(const FlatGrid& grid, const IndexSlab& slab, SlabKind kind, const 
 }  // namespace
 
 std::optional<SliceImage> reslice(const Volume& volume, const SlicePlane& plane, const Slab& slab,
-                                  const std::stop_token& stop) {
+                                  const std::stop_token& stop, std::vector<float> memory) {
     const FlatGrid grid = flatGrid(volume.voxels().data(), volume.size());
     const IndexSlab inIndex(volume.geometry(), plane, slab);
     const auto fill = lanesCanRead(grid) ? fillTile<FloatLanes> : fillTile<float>;
-    SliceImage image{plane, slab, std::vector<float>(std::size_t(plane.size.x) * std::size_t(plane.size.y))};
+    SliceImage image{plane, slab, std::move(memory)};
+    image.hu.resize(std::size_t(plane.size.x) * std::size_t(plane.size.y));
     TileValues values;
     for (int top = 0; top < plane.size.y; top += kTileHeight)
         for (int left = 0; left < plane.size.x; left += kTileWidth) {

@@ -37,8 +37,9 @@ struct SliceImage {
 };
 
 /// Returns the slice of `volume` on `plane`, computed on the calling thread. None: a stop was requested, which is
-/// looked at after every 1024 pixels.
+/// looked at after every 1024 pixels. `memory`: values that are no longer needed; the new ones take their place, which
+/// saves up to half of the time while one slice follows another.
 std::optional<SliceImage> reslice(const Volume& volume, const SlicePlane& plane, const Slab& slab = {},
-                                  const std::stop_token& stop = {});
+                                  const std::stop_token& stop = {}, std::vector<float> memory = {});
 
 }  // namespace pdr

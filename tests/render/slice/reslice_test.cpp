@@ -220,6 +220,14 @@ class ResliceTest : public QObject {
         QCOMPARE(reslice(sheets, axial, {5.6, SlabKind::maximum})->at({2, 2}), 0.0f);
     }
 
+    void memoryThatIsUsedAgainLeavesNoTrace() {
+        const Volume made = test::madeVolume();
+        const SlicePlane plane = obliquePlane(made, {90, 50}, 5);
+        for (const std::size_t before : {10u, 100'000u})
+            QCOMPARE(differing(reslice(made, plane, {}, {}, std::vector<float>(before, 7))->hu, oneByOne(made, plane)),
+                     0);
+    }
+
     void aSliceThatNobodyWaitsForIsNotMade() {
         std::stop_source stop;
         stop.request_stop();
