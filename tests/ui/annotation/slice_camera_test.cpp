@@ -2,15 +2,36 @@
 
 #include <QTest>
 
+#include <algorithm>
+#include <vector>
+
 #include "render/slice/slice_letters.h"
 #include "render/slice/slice_stack.h"
 #include "tests/support/scenes/lattice.h"
 #include "tests/support/scenes/stored_ways.h"
+#include "ui/annotation/annotations.h"
 #include "ui/annotation/orientation_letters.h"
 #include "ui/annotation/scale_bar.h"
 #include "ui/annotation/slice_camera.h"
 
 using namespace pdr;
+
+namespace {
+
+/// Returns whether something is painted over the upper part of the corner that a cube takes.
+bool cornerIsPainted(bool cube) {
+    const ivec2 size(400, 400);
+    std::vector<std::uint8_t> rgba(std::size_t(4 * size.x * size.y), 0);
+    const SlicePlane plane = SlicePlane::around({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1, size);
+    ui::annotate({ui::cameraFacing(plane), {}, {}, cube}, size, rgba);
+    bool painted = false;
+    for (int y = 350; y < 366; ++y)
+        for (int x = 350; x < 390; ++x)
+            painted = painted || rgba[std::size_t(4 * (y * size.x + x))] != 0;
+    return painted;
+}
+
+}  // namespace
 
 class SliceCameraTest : public QObject {
     Q_OBJECT
@@ -30,7 +51,12 @@ class SliceCameraTest : public QObject {
                 QCOMPARE(bar->text, QString("10 mm"));
             }
     }
+
+    void noCubeHidesTheCornerOfASlice() {
+        QVERIFY(cornerIsPainted(true));
+        QVERIFY(!cornerIsPainted(false));
+    }
 };
 
-QTEST_APPLESS_MAIN(SliceCameraTest)
+QTEST_MAIN(SliceCameraTest)
 #include "slice_camera_test.moc"
