@@ -36,7 +36,7 @@ struct IndexSlab {
         const auto direction = [&](dvec3 mm) { return dvec3(indexFromPatient * dvec4(mm, 0)); };
         const double half = slab.thicknessMm / 2;
         samples = 1 + int(std::ceil(2 * slab.thicknessMm / sliceStepMm(geometry, plane.normal())));
-        origin = dvec3(indexFromPatient * dvec4(plane.behind(-half).originMm, 1)) + 0.5;
+        origin = dvec3(indexFromPatient * dvec4(plane.behind(-half).originMm, 1));
         perX = rounded(direction(plane.mmPerPixel * plane.right), kStepParts);
         perY = direction(plane.mmPerPixel * plane.down);
         perSample = samples > 1 ? direction(slab.thicknessMm / (samples - 1) * plane.normal()) : dvec3(0);
