@@ -260,10 +260,10 @@ class SentencesTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void cleanup() { ui::speak(*qApp, "en"); }
+    void cleanup() { ui::speak(*QCoreApplication::instance(), "en"); }
 
     void theWindowSaysInEnglishWhatTheRoomSays() {
-        ui::speak(*qApp, "en");
+        ui::speak(*QCoreApplication::instance(), "en");
         const std::vector<Text> texts = everything();
         QVERIFY(texts.size() > 40);
         for (const Text& text : texts) {
@@ -280,7 +280,7 @@ class SentencesTest : public QObject {
 
     void everySentenceIsSaidInTheWindowsLanguage() {
         QFETCH(QString, language);
-        ui::speak(*qApp, language);
+        ui::speak(*QCoreApplication::instance(), language);
         for (const Text& text : everything()) {
             const QString said = ui::inWords(text);
             QVERIFY2(said != QString::fromStdString(text) || !hasWords(text), text.c_str());
@@ -306,20 +306,20 @@ class SentencesTest : public QObject {
         QVERIFY(bool(segment::hideTable(*volume, listening)));
         (void)segment::BodyParts(volume).lungs(segment::Use::shown, volume->geometry(), listening);
         QVERIFY(steps.size() >= 6);
-        ui::speak(*qApp, language);
+        ui::speak(*QCoreApplication::instance(), language);
         for (const std::string& step : steps)
             QVERIFY2(ui::inWords(step) != QString::fromStdString(step), step.c_str());
     }
 
     void namesStayAsTheyAre() {
-        ui::speak(*qApp, "de");
+        ui::speak(*QCoreApplication::instance(), "de");
         const Text text = phrase("%1 is one slice; a volume needs at least two", std::string("position"));
         QVERIFY(ui::inWords(text).startsWith("position "));
         QCOMPARE(ui::inWords(phrase("%1 %2", std::string("%2"), fixedNumber(1.5, 1))), QString("%2 1,5"));
     }
 
     void sentencesKeepTheirForm() {
-        ui::speak(*qApp, "de");
+        ui::speak(*QCoreApplication::instance(), "de");
         const Text text = joined(Text::sentence(phrase("the file cannot be opened")), phrase("Try again."));
         QCOMPARE(ui::inWords(text), QString("Die Datei kann nicht geöffnet werden. Noch einmal versuchen."));
         QVERIFY(!isTranslated(phrase("a sentence that nobody has translated")));

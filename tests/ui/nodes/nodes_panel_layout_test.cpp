@@ -165,7 +165,9 @@ void TestNodesPanelLayout::sixtyFourNodesTenTimesASecondCostNext() {
         qInfo("an update of 64 nodes and its painting: p99 %.2f ms (median %.2f)", p99, painted[painted.size() / 2]);
         best = std::min(best, p99);
     }
+#if !defined(__SANITIZE_ADDRESS__)  // which takes three times as long
     QVERIFY2(best < 2, qPrintable(QString::number(best)));
+#endif
 }
 
 }  // namespace pdr::ui
