@@ -1,12 +1,9 @@
 #include "app/cli/scanned_volume.h"
 
-#include <algorithm>
 #include <cstdio>
 
 #include "app/cli/progress_line.h"
 #include "app/scan/scene_volume.h"
-#include "app/scan/series_choice.h"
-#include "dicom/import.h"
 #include "render/base/file_ending.h"
 
 namespace pdr::app {
@@ -37,35 +34,6 @@ Result<VolumeSource> sourceOf(const std::filesystem::path& path, const std::stri
     return source;
 }
 
-void tellOfOthers(const dicom::ScanResult& scan) {
-    const auto loadable = std::ranges::count_if(scan.series, [](const auto& each) { return each.verdict.loadable(); });
-    if (loadable > 1)
-        std::fprintf(stderr,
-                     "note: there are %td series here, and this is the first; --series chooses another, \"pdrender-cli "
-                     "info FOLDER\" lists them.\n",
-                     loadable);
-}
-
-Result<FetchedVolume> fetched(const VolumeSource& source, ProgressLine& line) {
-    const Progress progress = [&line](double fraction, std::string_view step) {
-        line.show(fraction, step);
-        return true;
-    };
-    if (!source.raw.path.empty())
-        return fetchVolume(source, progress);
-    const auto scan = dicom::scanFolder(source.dicomFolder, partOf(progress, 0, 0.1));
-    if (!scan)
-        return scan.error();
-    const auto series = chosenSeries(*scan, source.seriesUid);
-    if (!series)
-        return Error{series.error().what, source.dicomFolder.string(), series.error().hint};
-    auto volume = fetchSeries(*series, source, partOf(progress, 0.1, 1));
-    line.finish();
-    if (volume && source.seriesUid.empty())
-        tellOfOthers(*scan);
-    return volume;
-}
-
 }  // namespace
 
 Result<ScannedVolume> scannedVolume(const std::filesystem::path& path, const std::string& seriesUid) {
@@ -73,10 +41,18 @@ Result<ScannedVolume> scannedVolume(const std::filesystem::path& path, const std
     if (!source)
         return source.error();
     ProgressLine line;
-    const auto volume = fetched(*source, line);
+    const auto volume = fetchVolume(*source, [&line](double fraction, std::string_view step) {
+        line.show(fraction, step);
+        return true;
+    });
     line.finish();
     if (!volume)
         return volume.error();
+    if (source->seriesUid.empty() && volume->loadableSeries > 1)
+        std::fprintf(stderr,
+                     "note: there are %td series here, and this is the first; --series chooses another, \"pdrender-cli "
+                     "info FOLDER\" lists them.\n",
+                     volume->loadableSeries);
     for (const dicom::Note& note : volume->notes)
         std::fprintf(stderr, "note: %s\n", note.text.c_str());
     return ScannedVolume{volume->wanted.scan, volume->series, {path, source->raw.path}};

@@ -259,6 +259,12 @@ Text Document::redoText() const {
     return app::redoText(plan_, canRedo() ? history_.next() : plan_);
 }
 
+void Document::moveCrosshair(dvec3 placeMm) {
+    Navigation navigation = plan_.navigation;
+    navigation.crosshairMm = placeMm;
+    navigate(navigation);
+}
+
 void Document::navigate(const Navigation& navigation) {
     if (!hasVolume() || navigation == plan_.navigation)
         return;

@@ -19,21 +19,28 @@ SliceJob::SliceJob() {
     connect(
         this, &BackgroundJob::finished, this,
         [this] {
-            if (next_)
-                begin(*std::exchange(next_, std::nullopt));
+            if (std::exchange(waits_, false))
+                begin(*newest_);
         },
         Qt::QueuedConnection);  // after the signal with the result
+    connect(this, &BackgroundJob::failed, this, [this] {
+        if (!waits_)
+            newest_.reset();
+    });
 }
 
 void SliceJob::make(Request request) {
-    if (isRunning() || next_)
-        next_ = std::move(request);
-    else
-        begin(std::move(request));
+    if (request == newest_)
+        return;
+    newest_ = std::move(request);
+    waits_ = waits_ || isRunning();
+    if (!waits_)
+        begin(*newest_);
 }
 
 void SliceJob::drop() {
-    next_.reset();
+    newest_.reset();
+    waits_ = false;
     cancel();
 }
 

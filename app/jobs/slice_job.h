@@ -21,10 +21,12 @@ class SliceJob : public BackgroundJob {
         std::shared_ptr<const Volume> volume;
         SlicePlane plane;
         GreyWindow window;
+        bool operator==(const Request&) const = default;
     };
 
     SliceJob();
     /// Computes the slice, after the one in progress; ends with made() unless a newer request comes before it begins.
+    /// The same request again does nothing.
     void make(Request request);
     /// Drops all requests and releases their volumes, once the work in progress has ended.
     void drop();
@@ -36,7 +38,8 @@ class SliceJob : public BackgroundJob {
   private:
     void begin(Request request);
 
-    std::optional<Request> next_;  ///< the newest request, while another is computed
+    std::optional<Request> newest_;  ///< none before the first, and after one that failed
+    bool waits_ = false;             ///< the newest request waits for the one in progress
 };
 
 }  // namespace pdr::app

@@ -14,6 +14,10 @@ namespace {
 /// What lies in front is computed once edits rest, since it takes time from the image.
 constexpr auto kAtRest = std::chrono::milliseconds(250);
 
+/// Changes after which something else may hide the place.
+constexpr Changes kHides = Changes::crosshair | Changes::series | Changes::camera | Changes::look | Changes::table |
+                           Changes::clip | Changes::model | Changes::mask;
+
 struct Texts {
     Q_DECLARE_TR_FUNCTIONS(Crosshair)
 };
@@ -34,7 +38,7 @@ CrosshairPresenter::CrosshairPresenter(const Workspace& workspace) : Presenter(w
 void CrosshairPresenter::showDocument(Changes changes) {
     const bool shown = document().hasVolume() && window().views().layout() != ui::ViewLayout::image;
     layer_.setPlace(shown ? std::optional(document().plan().navigation.crosshairMm) : std::nullopt);
-    if (shown && changes != Changes::none)
+    if (shown && has(changes, kHides))
         atRest_.start();
 }
 
@@ -53,7 +57,7 @@ void CrosshairPresenter::pick(QPointF place) {
 
 void CrosshairPresenter::moveToLayer(const LayersUnder& under) {
     if (under.seen == SeenAt::place)
-        return moveTo(under.layers.front().placeMm);
+        return document().moveCrosshair(under.layers.front().placeMm);
     if (under.seen == SeenAt::choice)
         return offer(under);
     window().status().showForAWhile(ui::sentence(layersText(under)));
@@ -71,15 +75,10 @@ void CrosshairPresenter::offer(const LayersUnder& under) {
             layer.depthMm == nearest
                 ? Texts::tr("In front: %1 % of the light").arg(share)
                 : Texts::tr("%1 mm behind: %2 % of the light").arg(ui::number(layer.depthMm - nearest, 0), share);
-        connect(menu->addAction(text), &QAction::triggered, this, [this, place = layer.placeMm] { moveTo(place); });
+        connect(menu->addAction(text), &QAction::triggered, this,
+                [this, place = layer.placeMm] { document().moveCrosshair(place); });
     }
     menu->popup(QCursor::pos());
-}
-
-void CrosshairPresenter::moveTo(dvec3 placeMm) {
-    Navigation navigation = document().plan().navigation;
-    navigation.crosshairMm = placeMm;
-    document().navigate(navigation);
 }
 
 void CrosshairPresenter::lookAgain() {

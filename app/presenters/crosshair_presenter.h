@@ -23,7 +23,6 @@ class CrosshairPresenter : public Presenter {
     void pick(QPointF place);
     void moveToLayer(const LayersUnder& under);
     void offer(const LayersUnder& under);
-    void moveTo(dvec3 placeMm);
     void lookAgain();
     void showHidden(dvec3 placeMm, const std::optional<HiddenBy>& hiddenBy);
 

@@ -38,13 +38,6 @@ ui::MarkRow rowOf(const Measurement& measurement, int number, const VolumeGeomet
             ui::inWords(measure::causesText(*value))};
 }
 
-/// Returns the place with covariances that are symmetric to the last bit, as files keep them.
-measure::Place symmetric(measure::Place place) {
-    for (dmat3& share : place.spread.mm2)
-        share = 0.5 * (share + glm::transpose(share));
-    return place;
-}
-
 auto find(std::vector<Measurement>& measurements, std::uint64_t id) {
     return std::ranges::find(measurements, id, &Measurement::id);
 }
@@ -57,7 +50,6 @@ MarksPresenter::MarksPresenter(const Workspace& workspace, SlicesPresenter& slic
                       {"Measurements", ui::WindowDocks::tr("Measurements"), QKeySequence(Qt::CTRL | Qt::Key_M)});
     fillMenu(slices_.menu());
     window().viewport().tools().add(inImage_);
-    connect(&inImage_, &ui::MarksLayer::drawingCancelled, this, [this] { draw(std::nullopt); });
     for (const AnatomicalPlane plane : kAnatomicalPlanes)
         connectLayer(plane);
     connectPanel();
@@ -120,7 +112,6 @@ void MarksPresenter::draw(std::optional<MeasureKind> kind) {
     panel_->setDrawing(distance_->isChecked(), angle_->isChecked());
     for (ui::MarksLayer& layer : layers_)
         layer.setDrawing(drawing_.has_value());
-    inImage_.setDrawing(drawing_.has_value());
     showDrawn();
 }
 
@@ -138,9 +129,9 @@ measure::Place MarksPresenter::placeAt(const SlicePlane& plane, dvec3 placeMm, b
     const measure::Place clicked =
         measure::clickedPlace(volume->geometry(), placeMm, {plane.right, plane.down, plane.mmPerPixel, 0});
     if (free)
-        return symmetric(clicked);
+        return clicked;
     const measure::EdgeSearch search = measure::edgeNear(*volume, placeMm, plane.normal());
-    return symmetric(search.edge ? measure::atEdge(clicked, *search.edge) : clicked);
+    return search.edge ? measure::atEdge(clicked, *search.edge) : clicked;
 }
 
 void MarksPresenter::place(const SlicePlane& plane, dvec3 placeMm, bool free) {
@@ -189,11 +180,9 @@ void MarksPresenter::remove(std::uint64_t id) {
 /// Selects a measurement, and moves the slices to its first place.
 void MarksPresenter::select(std::uint64_t id) {
     selected_ = id;
-    Plan plan = document().plan();
-    if (const auto chosen = find(plan.measurements, id); chosen != plan.measurements.end()) {
-        plan.navigation.crosshairMm = chosen->places.front().mm;
-        document().navigate(plan.navigation);
-    }
+    const std::vector<Measurement>& all = document().plan().measurements;
+    if (const auto chosen = std::ranges::find(all, id, &Measurement::id); chosen != all.end())
+        document().moveCrosshair(chosen->places.front().mm);
     show();
 }
 
@@ -219,7 +208,7 @@ void MarksPresenter::show() {
     if (document().hasVolume())
         for (const Measurement& measurement : document().plan().measurements) {
             const int number = ++numbers[std::size_t(measurement.kind)];
-            rows.push_back(rowOf(measurement, number, document().seen()->geometry()));
+            rows.push_back(rowOf(measurement, number, document().scan()->geometry()));
             ui::ShownMark mark{
                 .id = measurement.id, .text = rows.back().value, .selected = measurement.id == selected_};
             for (const measure::Place& place : measurement.places)

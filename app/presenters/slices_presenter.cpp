@@ -49,7 +49,7 @@ SlicesPresenter::SlicesPresenter(const Workspace& workspace) : Presenter(workspa
     for (const AnatomicalPlane plane : kAnatomicalPlanes) {
         Slice& slice = slices_[std::size_t(plane)];
         slice.view = new ui::SliceView(plane);
-        window().views().addSlice(slice.view);
+        window().addSlice(slice.view, slice.view->tools());
         connectSlice(slice);
     }
     window().addMenu(ui::MainWindow::tr("Slices"), [this](QMenu& menu) { fillMenu(menu); });
@@ -81,10 +81,10 @@ void SlicesPresenter::connectSlice(Slice& slice) {
                 show(slice, grey, plane, window);
             });
     connect(view, &ui::SliceView::resized, this, [this, &slice] { request(slice); });
-    connect(view, &ui::SliceView::pointed, this, &SlicesPresenter::moveTo);
+    connect(view, &ui::SliceView::pointed, &document(), &Document::moveCrosshair);
     connect(view, &ui::SliceView::stepped, this, [this, &slice](int count) {
         if (slice.stack)
-            moveTo(stepped(*slice.stack, document().plan().navigation.crosshairMm, count));
+            document().moveCrosshair(stepped(*slice.stack, document().plan().navigation.crosshairMm, count));
     });
     connect(view, &ui::SliceView::panned, this, [this, &slice](dvec2 mm) {
         Navigation navigation = document().plan().navigation;
@@ -186,12 +186,6 @@ void SlicesPresenter::showPointed(Slice& slice, const std::optional<dvec3>& plac
                           sideText(placeMm->z, "H", "F") + " mm";
     slice.view->setPointed(std::isnan(hu) ? Texts::tr("outside the scan")
                                           : Texts::tr("%1 HU at %2").arg(ui::number(double(hu), 0), place));
-}
-
-void SlicesPresenter::moveTo(dvec3 placeMm) {
-    Navigation navigation = document().plan().navigation;
-    navigation.crosshairMm = placeMm;
-    document().navigate(navigation);
 }
 
 /// Chooses the window of a digit: a preset, the window of the files (9), or the whole range (0).

@@ -39,7 +39,6 @@ class SlicesPresenter : public Presenter {
     void request(Slice& slice);
     void show(Slice& slice, const QImage& grey, const SlicePlane& plane, const GreyWindow& window);
     void showPointed(Slice& slice, const std::optional<dvec3>& placeMm);
-    void moveTo(dvec3 placeMm);
     void chooseWindow(char key);
     void dragWindow(double wider, double brighter);
     QStringList textsOf(const Slice& slice, const SlicePlane& plane, const GreyWindow& window) const;

@@ -1,5 +1,6 @@
 #include "app/scan/scene_volume.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/scan/series_choice.h"
@@ -32,7 +33,11 @@ Result<FetchedVolume> fetchVolume(const VolumeSource& source, const Progress& pr
     const auto series = chosenSeries(*scan, source.seriesUid);
     if (!series)
         return Error{series.error().what, source.dicomFolder.string(), series.error().hint};
-    return fetchSeries(*series, source, partOf(progress, 0.1, 1));
+    auto fetched = fetchSeries(*series, source, partOf(progress, 0.1, 1));
+    if (fetched)
+        fetched->loadableSeries =
+            std::ranges::count_if(scan->series, [](const auto& each) { return each.verdict.loadable(); });
+    return fetched;
 }
 
 }  // namespace pdr::app

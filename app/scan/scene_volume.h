@@ -17,6 +17,7 @@ struct FetchedVolume {
     WantedVolume wanted;
     std::vector<dicom::Note> notes;               ///< what the user should know about how the voxels were read
     std::shared_ptr<const dicom::Series> series;  ///< series of the voxels; null for a raw file
+    std::ptrdiff_t loadableSeries = 0;            ///< how many series fetchVolume() had to choose from
 };
 
 /// Reads the voxels of `series`, as requested by `source`. Errors: those of the DICOM import; cancelled().

@@ -63,6 +63,13 @@ Text fixedNumber(double value, int decimals) {
     return formatted("%.*f", decimals, value);
 }
 
+std::string listed(const std::set<std::string, std::less<>>& names) {
+    std::string line;
+    for (const std::string& name : names)
+        line += (line.empty() ? "" : ", ") + name;
+    return line;
+}
+
 Text joined(const Text& a, const Text& b) {
     return a.empty() ? b : b.empty() ? a : phrase("%1 %2", a, b);
 }

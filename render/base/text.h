@@ -2,6 +2,8 @@
 /// Texts for the user. Modules write them in English, and ui/ translates them.
 
 #include <concepts>
+#include <functional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,6 +57,9 @@ Text phrase(const char* pattern, Arguments&&... arguments) {
 Text numberOf(double value, int digits = 6);
 /// Returns `value` with `decimals` digits behind the decimal point: "6.0".
 Text fixedNumber(double value, int decimals);
+
+/// Returns the names with commas in between: "bones, lungs".
+std::string listed(const std::set<std::string, std::less<>>& names);
 
 /// Returns `a` and `b` with a space in between; either may be empty.
 Text joined(const Text& a, const Text& b);

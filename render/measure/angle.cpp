@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/measure/line.h"
+
 namespace pdr::measure {
 namespace {
 
@@ -28,8 +30,7 @@ Result<Arm> armOf(const DrawnLine& line, const dmat3& projection) {
     const double length = glm::length(reach);
     const dvec3 direction = length > 0 ? reach / length : dvec3(0);
     const dmat3 spread = projection * (line.from.spread.total() + line.to.spread.total()) * projection;
-    const double across = spread[0][0] + spread[1][1] + spread[2][2] - glm::dot(direction, spread * direction);
-    const Arm arm{direction, length, std::sqrt(std::max(across, 0.0))};
+    const Arm arm{direction, length, std::sqrt(varianceAcross(spread, direction))};
     if (length <= kShortestSpreads * arm.sigmaMm || length == 0)
         return Error{phrase("a line is too short to have a direction"), "", phrase("Put its ends farther apart."),
                      ErrorKind::refused};

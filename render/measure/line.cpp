@@ -18,8 +18,8 @@ Line::Line(const Place& from, const Place& to)
       direction(lengthMm > 0 ? (to.mm - from.mm) / lengthMm : dvec3(1, 0, 0)),
       spread(from.spread.total() + to.spread.total()) {}
 
-double Line::varianceAcross() const {
-    return std::max(trace(spread) - glm::dot(direction, spread * direction), 0.0);
+double varianceAcross(const dmat3& covariance, dvec3 direction) {
+    return std::max(trace(covariance) - glm::dot(direction, covariance * direction), 0.0);
 }
 
 /// Solves the characteristic equation by the cosines of a third of an angle. Smith 1961, "Eigenvalues of a symmetric 3

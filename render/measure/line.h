@@ -5,6 +5,10 @@
 
 namespace pdr::measure {
 
+/// Returns the sum of the variances in the two directions across the unit vector `direction`. `covariance` is
+/// symmetric.
+double varianceAcross(const dmat3& covariance, dvec3 direction);
+
 struct Line {
     double lengthMm;
     dvec3 direction;  ///< unit vector from the first place to the second; +x where the two are the same
@@ -13,7 +17,7 @@ struct Line {
     Line(const Place& from, const Place& to);
 
     /// Returns the sum of the variances in the two directions across the line [mm^2].
-    double varianceAcross() const;
+    double varianceAcross() const { return measure::varianceAcross(spread, direction); }
     /// Returns by how much spread across the line lengthens it on average, to second order [mm]. Needs a length > 0.
     double lengtheningMm() const { return varianceAcross() / (2 * lengthMm); }
 };

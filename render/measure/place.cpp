@@ -15,6 +15,11 @@ dmat3 along(dvec3 direction, double sigma) {
     return sigma * sigma * glm::outerProduct(direction, direction);
 }
 
+/// Returns what rounding has left of a symmetric matrix, symmetric to the last bit, as files keep it.
+dmat3 symmetric(const dmat3& m) {
+    return 0.5 * (m + glm::transpose(m));
+}
+
 /// Returns the standard deviation of a uniform distribution of this width.
 double uniformSigma(double width) {
     return width / std::sqrt(12.0);
@@ -82,7 +87,7 @@ Place movedToEdge(Place place, dvec3 mm, dvec3 normal, double edgeSigma, double 
     const bool picked = place.found == Found::picked || place.found == Found::pickedEdge;
     const dmat3 across = dmat3(1) - glm::outerProduct(normal, normal);
     for (dmat3& each : place.spread.mm2)
-        each = across * each * across;
+        each = symmetric(across * each * across);
     place.spread.of(Cause::edge) = along(normal, edgeSigma);
     place.spread.of(Cause::grid) = along(normal, gridSigma);
     place.mm = mm;

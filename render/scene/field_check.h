@@ -2,12 +2,12 @@
 /// Checks the ranges of described structs (field.h). Rules between fields are left to the structs themselves.
 
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "render/scene/field.h"
+#include "render/segment/labels.h"
 
 namespace pdr {
 
@@ -44,7 +44,7 @@ class FieldCheck {
     void direction(const Field& field, const dvec3& value) { keep(checkDirection(value, pathOf(field))); }
     template <class T, std::size_t N>
     void word(const Field&, const T&, const Words<T, N>&) {}
-    void labels(const Field&, const std::set<std::string, std::less<>>&) {}
+    void labels(const Field&, const segment::Labels&) {}
     template <class T>
     void object(const Field& field, T& value) {
         below(pathOf(field), value);

@@ -2,7 +2,6 @@
 /// Reads described structs (field.h) from JSON objects. Fields that are absent and not required keep their value.
 
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -36,7 +35,7 @@ class FieldReader {
         if (field.required || fields_.has(field.name))
             fields_.required(field.name, value, words);
     }
-    void labels(const Field& field, std::set<std::string, std::less<>>& value) { (*this)(field, value); }
+    void labels(const Field& field, segment::Labels& value) { (*this)(field, value); }
     template <class T>
     void object(const Field& field, T& value) {
         if (field.required || fields_.has(field.name))

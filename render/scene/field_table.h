@@ -2,11 +2,11 @@
 /// Makes the manual's table of a described struct (field.h), in Markdown.
 
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "render/scene/field.h"
+#include "render/segment/labels.h"
 
 namespace pdr {
 
@@ -55,9 +55,7 @@ class FieldTable {
         }
         row(field, all, mine);
     }
-    void labels(const Field& field, const std::set<std::string, std::less<>>&) {
-        row(field, "a list of `bones`, `lungs`", "`[]`");
-    }
+    void labels(const Field& field, const segment::Labels&) { row(field, "a list of `bones`, `lungs`", "`[]`"); }
     template <class T>
     void object(const Field& field, T&) {
         row(field, "see below", "see below");

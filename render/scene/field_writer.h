@@ -5,12 +5,12 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "render/scene/field.h"
+#include "render/segment/labels.h"
 
 namespace pdr {
 
@@ -45,7 +45,7 @@ class FieldWriter {
                 object_[std::string(field.name)] = std::string(word);
     }
     /// Writes the labels; an empty set counts as absent.
-    void labels(const Field& field, const std::set<std::string, std::less<>>& value) {
+    void labels(const Field& field, const segment::Labels& value) {
         if (!value.empty())
             object_[std::string(field.name)] = value;
     }

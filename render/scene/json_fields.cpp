@@ -10,13 +10,6 @@ namespace {
 
 using nlohmann::json;
 
-std::string listed(const std::set<std::string, std::less<>>& names) {
-    std::string line;
-    for (const std::string& name : names)
-        line += (line.empty() ? "" : ", ") + name;
-    return line;
-}
-
 /// Refuses a field that is written twice in one object; the parser would silently keep the last one.
 class TwinGuard {
   public:
@@ -179,12 +172,12 @@ void JsonFields::required(std::string_view name, std::pair<int, int>& value) {
     value = {int(read[0]), int(read[1])};
 }
 
-void JsonFields::required(std::string_view name, std::set<std::string, std::less<>>& value) {
+void JsonFields::required(std::string_view name, segment::Labels& value) {
     const json& found = field(name);
     const Text shape = phrase("must be a list of different texts in quotes");
     if (!found.is_array())
         fail(name, shape);
-    std::set<std::string, std::less<>> read;
+    segment::Labels read;
     for (const json& element : found)
         if (!element.is_string() || element.get_ref<const std::string&>().empty() ||
             !read.insert(element.get<std::string>()).second)

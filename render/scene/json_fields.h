@@ -17,6 +17,7 @@
 #include "render/base/portable.h"
 #include "render/base/result.h"
 #include "render/scene/field.h"
+#include "render/segment/labels.h"
 
 namespace pdr {
 
@@ -45,7 +46,7 @@ class JsonFields {
     void required(std::string_view name, dvec3& value);  ///< a place or a direction: [x, y, z]
     void required(std::string_view name, vec3& value);   ///< a colour: [r, g, b], or one number for all three
     void required(std::string_view name, std::pair<int, int>& value);
-    void required(std::string_view name, std::set<std::string, std::less<>>& value);  ///< a list of different texts
+    void required(std::string_view name, segment::Labels& value);  ///< a list of different texts
 
     /// Reads a field that holds one of a few words.
     template <class T, std::size_t N>

@@ -21,11 +21,4 @@ Text partNames(const Labels& labels) {
     return names;
 }
 
-std::string listed(const Labels& labels) {
-    std::string line;
-    for (const std::string& label : labels)
-        line += (line.empty() ? "" : ", ") + label;
-    return line;
-}
-
 }  // namespace pdr::segment

@@ -22,7 +22,5 @@ inline constexpr std::string_view kFoundLabels[] = {kBones, kLungs};
 Text partName(std::string_view label);
 /// Returns the names as a list within a sentence: "bones and the lungs". `labels` must not be empty.
 Text partNames(const Labels& labels);
-/// Returns the labels with commas in between, as files and options write them: "bones, lungs".
-std::string listed(const Labels& labels);
 
 }  // namespace pdr::segment

@@ -3,8 +3,8 @@
 /// patient's left, down: posterior), coronal ones from the front (left, feet), sagittal ones from the left (posterior,
 /// feet).
 ///
-/// Of a volume whose axes are turned against the patient's, the slices follow the volume: those along the pair of its
-/// axes that lies nearest to the patient's are called axial, and so on. They show voxels as they were measured, without
+/// The slices follow the volume also where its axes are turned against the patient's: those along the pair of its axes
+/// that lies nearest to the patient's are called axial, and so on. They show voxels as they were measured, without
 /// interpolation between slices, and are those that other programs show of the same series. A plane along the patient's
 /// own axes is an oblique one like any other (SlicePlane::around).
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 #include <random>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -58,7 +57,7 @@ class RandomFields {
     void word(const Field&, T& value, const Words<T, N>& words) {
         value = words[random_() % N].second;
     }
-    void labels(const Field& field, std::set<std::string, std::less<>>& value) {
+    void labels(const Field& field, segment::Labels& value) {
         value.clear();
         for (unsigned i = random_() % 3; i > 0; --i) {
             std::string label;

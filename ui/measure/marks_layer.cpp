@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/measure/view_places.h"
 #include "ui/text/language.h"
 #include "ui/view/mark.h"
+#include "ui/view/view_places.h"
 
 namespace pdr::ui {
 namespace {
@@ -16,13 +16,6 @@ constexpr double kHandle = 5;     ///< radius of a handle [px]
 constexpr double kNearPx = 9;     ///< how near the pointer takes hold of a handle [px]
 constexpr double kFarMm = 20;     ///< measurements farther off a slice are not shown
 constexpr double kInSlice = 0.6;  ///< how far off a slice a place still counts as lying in it [mm]
-
-void drawLine(QPainter& painter, QPointF from, QPointF to, bool solid, double width) {
-    painter.setPen(QPen(QColor(0, 0, 0, 170), width + 2));
-    painter.drawLine(from, to);
-    painter.setPen(QPen(QColor(kMarkColour), width, solid ? Qt::SolidLine : Qt::DashLine));
-    painter.drawLine(from, to);
-}
 
 void drawText(QPainter& painter, QPointF place, const QString& text) {
     painter.setPen(Qt::black);
@@ -82,6 +75,8 @@ void MarksLayer::press(const ViewPointer& pointer) {
     if (drawing_)
         return emit placed(placeUnder(pointer.image, pointer.at), pointer.modifiers.testFlag(Qt::AltModifier));
     dragged_ = handleAt(pointer);
+    pressed_ = pointer.at;
+    dragging_ = false;
     if (dragged_)
         emit selected(dragged_->id);
 }
@@ -89,21 +84,28 @@ void MarksLayer::press(const ViewPointer& pointer) {
 void MarksLayer::move(const ViewPointer& pointer) {
     if (drawing_) {
         pointer_ = placeUnder(pointer.image, pointer.at);
-        emit changed();
-    } else if (dragged_) {
-        emit dragged(dragged_->id, dragged_->index, placeUnder(pointer.image, pointer.at),
-                     pointer.modifiers.testFlag(Qt::AltModifier), true);
+        return emit changed();
     }
+    dragging_ = dragging_ || QLineF(pressed_, pointer.at).length() > kTremble;
+    if (dragging_)
+        reportDrag(pointer, true);
 }
 
+/// Ends a drag. A click on a handle has selected its measurement, and moves nothing.
 void MarksLayer::release(const ViewPointer& pointer) {
-    if (const auto end = std::exchange(dragged_, std::nullopt))
-        emit dragged(end->id, end->index, placeUnder(pointer.image, pointer.at),
-                     pointer.modifiers.testFlag(Qt::AltModifier), false);
+    if (std::exchange(dragging_, false))
+        reportDrag(pointer, false);
+    dragged_.reset();
+}
+
+void MarksLayer::reportDrag(const ViewPointer& pointer, bool moving) {
+    if (dragged_)
+        emit dragged(dragged_->id, dragged_->index, placeUnder(pointer.image, pointer.at),
+                     pointer.modifiers.testFlag(Qt::AltModifier), moving);
 }
 
 bool MarksLayer::hover(const ViewPointer& pointer) {
-    if (slice_ && drawing_ && pointer.image.camera) {
+    if (drawing_ && pointer.image.camera) {
         pointer_ = placeUnder(pointer.image, pointer.at);
         emit changed();
         return true;
@@ -130,7 +132,7 @@ bool MarksLayer::cancel() {
 }
 
 std::optional<Qt::CursorShape> MarksLayer::cursor() const {
-    if (slice_ && drawing_)
+    if (drawing_)
         return Qt::CrossCursor;
     return lit_ || dragged_ ? std::optional(Qt::SizeAllCursor) : std::nullopt;
 }
@@ -141,7 +143,7 @@ void MarksLayer::paint(QPainter& painter, const ImagePlace& image) const {
     painter.setRenderHint(QPainter::Antialiasing);
     for (const ShownMark& mark : marks_)
         paintMark(painter, image, mark);
-    if (!slice_ || !drawing_ || drawn_.empty())
+    if (!drawing_ || drawn_.empty())
         return;
     ShownMark open{.placesMm = drawn_};
     if (pointer_)
@@ -166,8 +168,9 @@ void MarksLayer::paintMark(QPainter& painter, const ImagePlace& image, const Sho
     if (slice_ && std::abs(nearest) > kFarMm)
         return;
     const bool solid = !slice_ || inSlice;
+    const QPen pen(QColor(kMarkColour), mark.selected ? 2 : 1.3, solid ? Qt::SolidLine : Qt::DashLine);
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        drawLine(painter, points[i], points[i + 1], solid, mark.selected ? 2 : 1.3);
+        drawMarkLine(painter, points[i], points[i + 1], pen);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const bool lit = lit_ == Handle{mark.id, int(i)};
         painter.setPen(QPen(Qt::black, 1));

@@ -19,7 +19,7 @@ class MarksLayer : public ViewTool {
     explicit MarksLayer(bool slice) : slice_(slice) {}
 
     void setMarks(std::vector<ShownMark> marks);
-    /// Sets whether presses of the left button set places, in a slice. In both kinds of views Esc then ends drawing.
+    /// Sets whether presses of the left button set places, in a slice, until Esc ends it.
     void setDrawing(bool drawing);
     /// Sets the lines that are being drawn; the pointer is their next place. Empty: nothing is being drawn.
     void setDrawn(std::vector<dvec3> placesMm);
@@ -52,6 +52,7 @@ class MarksLayer : public ViewTool {
     };
 
     std::optional<Handle> handleAt(const ViewPointer& pointer) const;
+    void reportDrag(const ViewPointer& pointer, bool moving);
     void paintMark(QPainter& painter, const ImagePlace& image, const ShownMark& mark) const;
     void light(const std::optional<Handle>& handle);
 
@@ -61,7 +62,9 @@ class MarksLayer : public ViewTool {
     std::vector<dvec3> drawn_;
     std::optional<dvec3> pointer_;   ///< place under the pointer while drawing
     std::optional<Handle> lit_;      ///< under the pointer
-    std::optional<Handle> dragged_;  ///< being dragged
+    std::optional<Handle> dragged_;  ///< pressed
+    QPointF pressed_;                ///< where it was pressed [px]
+    bool dragging_ = false;          ///< the pointer has moved further than a tremble
 };
 
 }  // namespace pdr::ui

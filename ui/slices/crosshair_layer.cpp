@@ -1,7 +1,8 @@
 #include "ui/slices/crosshair_layer.h"
 
-#include "render/scene/edit/view_geometry.h"
 #include "ui/slices/plane_pen.h"
+#include "ui/view/mark.h"
+#include "ui/view/view_places.h"
 
 namespace pdr::ui {
 namespace {
@@ -34,34 +35,27 @@ void CrosshairLayer::setInFront(InFront inFront, const QString& text) {
 void CrosshairLayer::paint(QPainter& painter, const ImagePlace& image) const {
     if (!placeMm_ || !image.camera)
         return;
-    const ViewGeometry geometry(*image.camera, image.area.width() / image.area.height());
-    const auto at = geometry.at(*placeMm_);
-    if (!at)
+    const auto middle = seenAt(image, *placeMm_);
+    if (!middle)
         return;
-    const auto inView = [&](dvec2 point) { return image.inPixels(QRectF(point.x, point.y, 0, 0)).topLeft(); };
-    const QPointF middle = inView(*at);
-    const double mmPerPixel = geometry.heightMm(*placeMm_) / image.area.height();
+    const double mm = mmPerPixel(image, *placeMm_);
     painter.setRenderHint(QPainter::Antialiasing);
     for (const Arm& arm : kArms)
         for (const double side : {-1.0, 1.0}) {
-            const auto from = geometry.at(*placeMm_ + side * kGap * mmPerPixel * arm.direction),
-                       to = geometry.at(*placeMm_ + side * kReach * mmPerPixel * arm.direction);
-            if (!from || !to)
-                continue;
-            QPen pen(planePen(arm.plane).color(), 2);
-            pen.setStyle(inFront_ == InFront::tissue ? Qt::DotLine : Qt::SolidLine);
-            painter.setPen(QPen(QColor(0, 0, 0, 150), 4));
-            painter.drawLine(inView(*from), inView(*to));
-            painter.setPen(pen);
-            painter.drawLine(inView(*from), inView(*to));
+            const auto from = seenAt(image, *placeMm_ + side * kGap * mm * arm.direction),
+                       to = seenAt(image, *placeMm_ + side * kReach * mm * arm.direction);
+            if (from && to)
+                drawMarkLine(
+                    painter, *from, *to,
+                    QPen(planePen(arm.plane).color(), 2, inFront_ == InFront::tissue ? Qt::DotLine : Qt::SolidLine));
         }
     if (inFront_ == InFront::cut) {
         painter.setPen(QPen(Qt::white, 1.5));
         painter.setBrush(Qt::NoBrush);
-        painter.drawEllipse(middle, kGap, kGap);
+        painter.drawEllipse(*middle, kGap, kGap);
     }
     if (!text_.isEmpty()) {
-        const QPointF text = middle + QPointF(kReach, kReach);
+        const QPointF text = *middle + QPointF(kReach, kReach);
         painter.setPen(Qt::black);
         painter.drawText(text + QPointF(1, 1), text_);
         painter.setPen(Qt::white);

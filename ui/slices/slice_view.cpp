@@ -106,10 +106,6 @@ ImagePlace SliceView::place() const {
     return {size(), rect(), slice_ ? std::optional(cameraFacing(slice_->plane)) : std::nullopt};
 }
 
-ViewPointer SliceView::pointer(const QSinglePointEvent& event) const {
-    return {event.position(), event.button(), event.buttons(), event.modifiers(), false, place()};
-}
-
 /// Returns the place at fractions of the slice's width and height.
 dvec3 SliceView::mmAt(QPointF fractions) const {
     return slice_->plane.mmAt(dvec2(fractions.x(), fractions.y()) * dvec2(slice_->plane.size) - 0.5);
@@ -142,29 +138,28 @@ void SliceView::enterEvent(QEnterEvent*) {
 }
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
-    tools_.press(pointer(*event));
+    tools_.press(pointerOf(*event, place()));
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
-    tools_.move(pointer(*event));
+    tools_.move(pointerOf(*event, place()));
     if (slice_)
         emit hovered(mmAt(place().fractionsAt(event->position())));
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
-    tools_.release(pointer(*event));
+    tools_.release(pointerOf(*event, place()));
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier)
         emit aloneRequested();
     else
-        tools_.press(pointer(*event));
+        tools_.press(pointerOf(*event, place()));
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {
-    constexpr double kPerClick = 120;
-    tools_.wheel(pointer(*event), event->angleDelta().y() / kPerClick);
+    tools_.wheel(pointerOf(*event, place()), clicksOf(*event));
 }
 
 void SliceView::keyPressEvent(QKeyEvent* event) {

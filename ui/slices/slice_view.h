@@ -69,7 +69,6 @@ class SliceView : public QWidget {
 
   private:
     void bindTools();
-    ViewPointer pointer(const QSinglePointEvent& event) const;
     ImagePlace place() const;
     dvec3 mmAt(QPointF fractions) const;
     void changePlace();

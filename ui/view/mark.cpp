@@ -3,10 +3,22 @@
 #include <QPen>
 
 namespace pdr::ui {
+namespace {
+
+constexpr QRgb kEdgeColour = qRgba(0, 0, 0, 170);
+
+}  // namespace
+
+void drawMarkLine(QPainter& painter, QPointF from, QPointF to, const QPen& pen) {
+    painter.setPen(QPen(QColor::fromRgba(kEdgeColour), pen.widthF() + 2));
+    painter.drawLine(from, to);
+    painter.setPen(pen);
+    painter.drawLine(from, to);
+}
 
 void drawMark(QPainter& painter, const QPolygonF& line, double width) {
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(0, 0, 0, 170), 3));
+    painter.setPen(QPen(QColor::fromRgba(kEdgeColour), 3));
     painter.drawPolygon(line);
     painter.setPen(QPen(QColor(kMarkColour), width));
     painter.drawPolygon(line);

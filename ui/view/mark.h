@@ -10,6 +10,8 @@ namespace pdr::ui {
 /// Colour of lines and marks over the image; visible on dark ground and on bright bone.
 inline constexpr QRgb kMarkColour = qRgb(255, 205, 110);
 
+/// Draws a straight line with `pen`, with a dark edge.
+void drawMarkLine(QPainter& painter, QPointF from, QPointF to, const QPen& pen);
 /// Draws the closed polygon `line`, `width` pixels wide, with a dark edge.
 void drawMark(QPainter& painter, const QPolygonF& line, double width);
 

@@ -7,25 +7,9 @@
 #include <QPainter>
 #include <optional>
 
-#include "ui/view/image_place.h"
+#include "ui/view/view_pointer.h"
 
 namespace pdr::ui {
-
-/// Pointer movement that still counts as a click [px].
-inline constexpr double kTremble = 3;
-
-/// The pointer in a view, at a mouse or wheel event.
-struct ViewPointer {
-    QPointF at;                             ///< [px]
-    Qt::MouseButton button = Qt::NoButton;  ///< the button pressed or released; for a move, none
-    Qt::MouseButtons held;                  ///< buttons held after the event
-    Qt::KeyboardModifiers modifiers;
-    bool twice = false;  ///< the second press of a double click
-    ImagePlace image;
-
-    /// Returns the place in fractions of the image's width and height.
-    QPointF fractions() const { return image.fractionsAt(at); }
-};
 
 class ViewTool : public QObject {
     Q_OBJECT

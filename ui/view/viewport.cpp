@@ -150,33 +150,27 @@ void Viewport::changeSize() {
         emit sizeInPixelsChanged(sizeInPixels());
 }
 
-ViewPointer Viewport::pointer(const QSinglePointEvent& event) const {
-    return {event.position(), event.button(), event.buttons(), event.modifiers(), false, place()};
-}
-
-void Viewport::press(const QMouseEvent& event, bool twice) {
-    ViewPointer pressed = pointer(event);
-    pressed.twice = twice;
-    tools_.press(pressed);
+void Viewport::press(const QMouseEvent& event) {
+    tools_.press(pointerOf(event, place()));
     if (tools_.inGesture())
         camera_.hold();
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
-    press(*event, false);
+    press(*event);
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
-    press(*event, true);
+    press(*event);
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
     resting_.reset();
-    tools_.move(pointer(*event));
+    tools_.move(pointerOf(*event, place()));
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-    tools_.release(pointer(*event));
+    tools_.release(pointerOf(*event, place()));
     if (!tools_.inGesture())
         camera_.letGo();
 }
@@ -188,8 +182,7 @@ void Viewport::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {
-    constexpr double kPerClick = 120;
-    tools_.wheel(pointer(*event), event->angleDelta().y() / kPerClick);
+    tools_.wheel(pointerOf(*event, place()), clicksOf(*event));
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event) {

@@ -84,8 +84,7 @@ class Viewport : public QWidget {
     void bindTools();
     void forwardTools();
     void followTools();
-    void press(const QMouseEvent& event, bool twice);
-    ViewPointer pointer(const QSinglePointEvent& event) const;
+    void press(const QMouseEvent& event);
     ImagePlace place() const;
     void changeSize();
     void tellPlace(const QHelpEvent& event);

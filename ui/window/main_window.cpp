@@ -7,6 +7,7 @@
 #include <QShortcut>
 #include <QStatusBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "render/base/version.h"
 #include "ui/keys/keys_dialog.h"
@@ -31,6 +32,7 @@ QList<QAction*> namedActions(const QMenuBar& bar) {
 MainWindow::MainWindow()
     : viewport_(new Viewport),
       views_(new ViewGrid(viewport_)),
+      tools_{&viewport_->tools()},
       accuracyStatus_(new AccuracyStatus),
       message_(new MessageBar(viewport_)),
       start_(new StartPanel),
@@ -92,6 +94,11 @@ QAction* MainWindow::addPanel(QWidget* panel, const PanelInfo& info) {
     addAction(toggle);
     guardWheels(*panel);
     return toggle;
+}
+
+void MainWindow::addSlice(QWidget* view, ViewTools& tools) {
+    views_->addSlice(view);
+    tools_.push_back(&tools);
 }
 
 void MainWindow::addMenu(const QString& title, const std::function<void(QMenu&)>& fill) {
@@ -208,7 +215,7 @@ QStringList MainWindow::linesOverImage() const {
 void MainWindow::escape() {
     if (keys_->isVisible())
         return keys_->hide();
-    if (viewport_->tools().cancel())
+    if (std::ranges::any_of(tools_, [](ViewTools* tools) { return tools->cancel(); }))
         return;
     actions_.alone->setChecked(false);
     message_->clear();

@@ -7,6 +7,7 @@
 #include <QMainWindow>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "ui/accuracy/accuracy_status.h"
 #include "ui/keys/key_bindings.h"
@@ -33,6 +34,8 @@ class MainWindow : public QMainWindow {
     Viewport& viewport() { return *viewport_; }
     /// The views in the middle of the window: the viewport, and those that are added.
     ViewGrid& views() { return *views_; }
+    /// Adds the view of a slice, which the window then owns. Esc cancels what its `tools` are doing, too.
+    void addSlice(QWidget* view, ViewTools& tools);
     AccuracyStatus& accuracyStatus() { return *accuracyStatus_; }
     StatusLine& status() { return accuracyStatus_->status(); }
     MessageBar& message() { return *message_; }
@@ -123,6 +126,7 @@ class MainWindow : public QMainWindow {
 
     Viewport* viewport_;
     ViewGrid* views_;
+    std::vector<ViewTools*> tools_;  ///< those of the viewport first, then of each slice view
     AccuracyStatus* accuracyStatus_;
     MessageBar* message_;
     StartPanel* start_;

@@ -6,7 +6,7 @@
 
 #include "ui/annotation/slice_camera.h"
 #include "ui/measure/marks_layer.h"
-#include "ui/measure/view_places.h"
+#include "ui/view/view_places.h"
 
 namespace pdr::ui {
 namespace {
@@ -97,6 +97,17 @@ class MarksLayerTest : public QObject {
         QCOMPARE(over.drags.size(), std::size_t(2));
         QVERIFY(over.drags[0].id == 7 && over.drags[0].index == 1 && over.drags[0].moving);
         QVERIFY(near(over.drags[1].mm, over.under({230, 170})) && !over.drags[1].moving);
+    }
+
+    void aClickOnAHandleSelectsAndMovesNothing() {
+        Over over;
+        QSignalSpy selected(&over.layer, &MarksLayer::selected);
+        over.layer.setMarks({{7, {over.under({100, 100}), over.under({200, 150})}, ""}});
+        over.layer.press(over.at({203, 148}));
+        over.layer.move(over.at({204, 149}));  // a hand trembles
+        over.layer.release(over.at({204, 149}));
+        QCOMPARE(selected.size(), 1);
+        QVERIFY(over.drags.empty());
     }
 
     /// Whoever drags a place sees it, so what lies off the slice has no handle there.

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "ui/view/view_tool.h"
+#include "ui/view/image_place.h"
 
 namespace pdr::ui {
 
@@ -12,6 +12,9 @@ std::optional<QPointF> seenAt(const ImagePlace& image, dvec3 placeMm);
 /// Returns the place in the plane of the view's target under a point of the view [px]: in a slice, the place of the
 /// slice. The view must have an image.
 dvec3 placeUnder(const ImagePlace& image, QPointF point);
+/// Returns the length that a pixel of the view shows at a place's depth [mm]; 0 at and behind the eye. The view must
+/// have an image.
+double mmPerPixel(const ImagePlace& image, dvec3 placeMm);
 /// Returns how far a place lies behind the plane of the view's target [mm]; negative: before it.
 double depthMm(const ImagePlace& image, dvec3 placeMm);
 

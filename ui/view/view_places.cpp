@@ -1,4 +1,4 @@
-#include "ui/measure/view_places.h"
+#include "ui/view/view_places.h"
 
 #include "render/scene/edit/view_geometry.h"
 
@@ -26,6 +26,10 @@ dvec3 placeUnder(const ImagePlace& image, QPointF point) {
     const dvec3 forward = image.camera->forward();
     const double along = glm::dot(image.camera->targetMm - line.originMm, forward) / glm::dot(line.direction, forward);
     return line.originMm + along * line.direction;
+}
+
+double mmPerPixel(const ImagePlace& image, dvec3 placeMm) {
+    return geometryOf(image).heightMm(placeMm) / image.area.height();
 }
 
 double depthMm(const ImagePlace& image, dvec3 placeMm) {

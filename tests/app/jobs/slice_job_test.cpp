@@ -1,0 +1,71 @@
+/// Slices in the background: the newest request is answered, the same one once, and volumes are released.
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "app/jobs/slice_job.h"
+#include "render/slice/slice_stack.h"
+#include "tests/support/patience.h"
+#include "tests/support/scenes/scenes.h"
+
+namespace pdr::app {
+namespace {
+
+std::shared_ptr<const Volume> ramp() {
+    return test::makeVolume({40, 30, 20}, dvec3(1), [](int i, int j, int k) { return i + 10 * j - 20 * k; });
+}
+
+SliceJob::Request requestOf(const std::shared_ptr<const Volume>& volume, int slice) {
+    return {volume, SliceStack(volume->geometry(), AnatomicalPlane::axial).slice(slice), {}};
+}
+
+}  // namespace
+
+class SliceJobTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theNewestRequestIsAnsweredLast() {
+        SliceJob job;
+        const auto volume = ramp();
+        std::vector<SlicePlane> made;
+        connect(&job, &SliceJob::made, [&](const QImage&, const SlicePlane& plane) { made.push_back(plane); });
+        for (int slice = 0; slice < 20; ++slice)
+            job.make(requestOf(volume, slice));
+        QTRY_VERIFY_WITH_TIMEOUT(!made.empty() && made.back() == requestOf(volume, 19).plane, test::kPatience);
+        QVERIFY(made.size() >= 2);  // the first one is never cancelled
+        QVERIFY(made.front() == requestOf(volume, 0).plane);
+    }
+
+    void theSameRequestIsAnsweredOnce() {
+        SliceJob job;
+        const auto volume = ramp();
+        QSignalSpy made(&job, &SliceJob::made);
+        job.make(requestOf(volume, 3));
+        job.make(requestOf(volume, 3));
+        QTRY_COMPARE_WITH_TIMEOUT(made.size(), 1, test::kPatience);
+        job.make(requestOf(volume, 3));
+        job.make(requestOf(volume, 4));
+        QTRY_COMPARE_WITH_TIMEOUT(made.size(), 2, test::kPatience);
+        QVERIFY(made[1][1].value<SlicePlane>() == requestOf(volume, 4).plane);
+        job.drop();
+        job.make(requestOf(volume, 4));  // the view may have been cleared since
+        QTRY_COMPARE_WITH_TIMEOUT(made.size(), 3, test::kPatience);
+    }
+
+    void droppedVolumesAreReleased() {
+        SliceJob job;
+        auto volume = ramp();
+        const std::weak_ptr<const Volume> held = volume;
+        for (int slice = 0; slice < 5; ++slice)
+            job.make(requestOf(volume, slice));
+        volume.reset();
+        job.drop();
+        QTRY_VERIFY_WITH_TIMEOUT(held.expired(), test::kPatience);
+    }
+};
+
+}  // namespace pdr::app
+
+QTEST_GUILESS_MAIN(pdr::app::SliceJobTest)
+#include "slice_job_test.moc"
