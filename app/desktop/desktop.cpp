@@ -20,6 +20,7 @@
 #include "app/presenters/nodes_presenter.h"
 #include "app/presenters/plan_presenter.h"
 #include "app/presenters/preferences_presenter.h"
+#include "app/presenters/recovery_presenter.h"
 #include "app/presenters/region_presenter.h"
 #include "app/presenters/rendering_presenter.h"
 #include "app/presenters/saving_presenter.h"
@@ -28,6 +29,7 @@
 #include "app/presenters/tissue_presenter.h"
 #include "app/presenters/view_presenter.h"
 #include "app/presenters/visible_presenter.h"
+#include "ui/text/to_qt.h"
 
 namespace pdr::app {
 namespace {
@@ -70,8 +72,7 @@ void place(ui::MainWindow& window, const Settings& settings) {
 Desktop::Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, const QString& settingsFile, int threads,
                  std::filesystem::path powerSupplies)
     : settings_(settingsFile), document_(std::move(looks)), bridge_(std::move(device), threads) {
-    addPresenters(settingsFile.isEmpty() ? QString() : QFileInfo(settingsFile).path() + "/looks",
-                  std::move(powerSupplies));
+    addPresenters(settingsFile.isEmpty() ? QString() : QFileInfo(settingsFile).path(), std::move(powerSupplies));
     place(window_, settings_);
     connectPresenters();
     showDocument(Changes::all);
@@ -84,12 +85,13 @@ Desktop::~Desktop() {
 }
 
 /// Adds the presenter of each feature. Their order is that of the panels in the View menu, and that in which they show
-/// a frame; those that cancel a job on request are asked in it.
-void Desktop::addPresenters(const QString& ownLooks, std::filesystem::path powerSupplies) {
+/// a frame; those that cancel a job on request are asked in it. `beside`: the folder of the user's looks and of plans
+/// that were not saved; empty: where each usually is.
+void Desktop::addPresenters(const QString& beside, std::filesystem::path powerSupplies) {
     add<SeriesPresenter>();
     add<ImagePresenter>();
     add<ViewPresenter>();
-    auto& looks = add<LooksPresenter>(ownLooks);
+    auto& looks = add<LooksPresenter>(beside.isEmpty() ? OwnLooks::usualFolder() : beside + "/looks");
     add<VisiblePresenter>(looks.visibleRow());
     add<TissuePresenter>();
     add<LightPresenter>();
@@ -104,7 +106,8 @@ void Desktop::addPresenters(const QString& ownLooks, std::filesystem::path power
     add<EffectsPresenter>();
     auto& nodes = add<NodesPresenter>();
     add<SavingPresenter>();
-    add<PlanPresenter>();
+    auto& plans = add<PlanPresenter>();
+    add<RecoveryPresenter>(plans, beside.isEmpty() ? RecoveryPresenter::usualFolder() : ui::fromQt(beside) / "plans");
     add<HelpPresenter>();
     add<PreferencesPresenter>();
     QObject::connect(&nodes, &NodesPresenter::eventsChanged, &accuracy, &AccuracyPresenter::setEvents);

@@ -13,10 +13,9 @@ class SeriesPresenter;
 class Desktop {
   public:
     /// `looks` holds at least one look.
-    /// `settingsFile`: where to save the settings, with the user's looks in a folder beside it; empty: the user's
-    /// configuration.
-    /// `threads`: number of CPU threads if the CPU takes over from another device; 0: one per core.
-    /// `powerSupplies`: see onBattery(); empty: rendering does not depend on the power supply.
+    /// `settingsFile`: where to save the settings, with the user's looks and unsaved plans in folders beside it; empty:
+    /// the user's configuration. `threads`: number of CPU threads if the CPU takes over from another device; 0: one per
+    /// core. `powerSupplies`: see onBattery(); empty: rendering does not depend on the power supply.
     Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, const QString& settingsFile = {},
             int threads = 0, std::filesystem::path powerSupplies = {});
     /// Saves the window's geometry and state for the next run.
@@ -40,7 +39,7 @@ class Desktop {
     void open(const QString& path);
 
   private:
-    void addPresenters(const QString& ownLooks, std::filesystem::path powerSupplies);
+    void addPresenters(const QString& beside, std::filesystem::path powerSupplies);
     template <class One, class... Arguments>
     One& add(Arguments&&... arguments);
     void connectPresenters();

@@ -56,10 +56,7 @@ Result<void> checkFree(const Document& document, const std::string& name) {
 }  // namespace
 
 LooksPresenter::LooksPresenter(const Workspace& workspace, const QString& ownLooks)
-    : Presenter(workspace),
-      panel_(new ui::LookPanel),
-      visible_(new ui::VisibleRow),
-      own_(ownLooks.isEmpty() ? OwnLooks::usualFolder() : ownLooks) {
+    : Presenter(workspace), panel_(new ui::LookPanel), visible_(new ui::VisibleRow), own_(ownLooks) {
     window().addPanel(stacked(panel_, visible_),
                       {"Look", ui::WindowDocks::tr("Appearance"), Qt::Key_F3, ui::PanelPlace::looks});
     images_.setImageStands(false);

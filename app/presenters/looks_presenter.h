@@ -13,7 +13,7 @@ class LooksPresenter : public Presenter {
     Q_OBJECT
 
   public:
-    /// `ownLooks`: folder of the user's own looks; empty: the one in the user's configuration.
+    /// `ownLooks`: the folder of the user's own looks.
     LooksPresenter(const Workspace& workspace, const QString& ownLooks);
 
     void showDocument(Changes changes) override;

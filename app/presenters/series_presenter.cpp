@@ -117,7 +117,7 @@ void SeriesPresenter::showVolume(std::shared_ptr<const Volume> volume, int index
     if (const QString notes = notesOn(import_.loadNotes(), table); !notes.isEmpty())
         message.showNotice(notes);
     if (hidden)
-        message.offer(ui::MainWindow::tr("Show"));
+        message.offer(ui::MainWindow::tr("Show"), [this] { document().setTable(Table::shown); });
     window().setSubject(ui::windowSubject(series), ui::seriesNumber(series));
     panel_->setCurrent(index);
     window().setPatient(ui::patientLines(series), {panel_->numberedPatient()});

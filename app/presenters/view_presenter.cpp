@@ -11,8 +11,6 @@ ViewPresenter::ViewPresenter(const Workspace& workspace) : Presenter(workspace) 
     connect(actions.fit, &QAction::triggered, this, &ViewPresenter::fitFilm);
     connect(actions.table, &QAction::triggered, &document(),
             [this](bool shown) { document().setTable(shown ? Table::shown : Table::hidden); });
-    connect(&window().message(), &ui::MessageBar::offerTaken, &document(),
-            [this] { document().setTable(Table::shown); });
     connect(actions.denoised, &QAction::triggered, &document(), &Document::setDenoised);
     connect(actions.undo, &QAction::triggered, &document(), &Document::undo);
     connect(actions.redo, &QAction::triggered, &document(), &Document::redo);
@@ -49,7 +47,7 @@ void ViewPresenter::showDocument(Changes changes) {
     const ui::WindowActions& actions = window().menuActions();
     window().viewport().setCamera(shown.hasVolume() ? std::optional(shown.setup().camera) : std::nullopt);
     if (has(changes, Changes::table) && shown.setup().table == Table::shown)
-        window().message().withdraw();
+        window().message().withdraw(ui::MainWindow::tr("Show"));
     actions.table->setChecked(shown.setup().table == Table::shown);
     actions.table->setEnabled(shown.hasTable());
     actions.denoised->setChecked(shown.denoised());

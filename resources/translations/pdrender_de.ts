@@ -302,6 +302,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 Pixel, gestreckt auf %2</translation>
     </message>
     <message>
+        <source>%1 plans were not saved, the last one from %2 with %3. They will be restored when their series are opened.</source>
+        <translation>%1 Pläne wurden nicht gesichert, der letzte von %2 mit %3. Sie werden wiederhergestellt, wenn ihre Serien geöffnet werden.</translation>
+    </message>
+    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -500,6 +504,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1° from below</source>
         <translation>%1° von unten</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n measurement(s)</source>
+        <translation><numerusform>%n Messung</numerusform><numerusform>%n Messungen</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n point(s)</source>
@@ -784,6 +792,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>A pinhole, which focuses nowhere</source>
         <translation>Eine Lochkamera, die nirgends scharf stellt</translation>
+    </message>
+    <message>
+        <source>A plan from %1 with %2 was not saved. It will be restored when its series is opened.</source>
+        <translation>Ein Plan von %1 mit %2 wurde nicht gesichert. Er wird wiederhergestellt, wenn seine Serie geöffnet wird.</translation>
     </message>
     <message>
         <source>A plane between front and back</source>
@@ -1382,6 +1394,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Koronale Schicht</translation>
     </message>
     <message>
+        <source>Create it by hand, or make the folder above it writable.</source>
+        <translation>Legen Sie ihn von Hand an, oder machen Sie den Ordner darüber beschreibbar.</translation>
+    </message>
+    <message>
         <source>Create the folder first, or choose another place.</source>
         <translation>Den Ordner erst anlegen oder einen anderen Ort wählen.</translation>
     </message>
@@ -1430,8 +1446,16 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>„%1“ löschen?</translation>
     </message>
     <message>
+        <source>Delete it</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
         <source>Delete the look</source>
         <translation>Darstellung löschen</translation>
+    </message>
+    <message>
+        <source>Delete them</source>
+        <translation>Alle löschen</translation>
     </message>
     <message>
         <source>Denoised, error not known yet</source>
@@ -3350,6 +3374,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Die Seite des Patienten, die man ansieht (%1)</translation>
     </message>
     <message>
+        <source>The plan from %1 with %2, which was not saved, has been restored. Undo removes it again.</source>
+        <translation>Der Plan von %1 mit %2, der nicht gesichert war, ist wiederhergestellt. Rückgängig entfernt ihn wieder.</translation>
+    </message>
+    <message>
         <source>The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom.</source>
         <translation>Das berechnete Volumen. Pfeiltasten drehen es, Umschalt und Pfeiltasten verschieben es, Plus und Minus zoomen.</translation>
     </message>
@@ -3590,6 +3618,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Unlit tissue</source>
         <translation>Unbeleuchtetes Gewebe</translation>
+    </message>
+    <message>
+        <source>Until this is fixed, unsaved work is lost if the program ends unexpectedly: save the plan yourself.</source>
+        <translation>Bis das behoben ist, geht Ungesichertes verloren, wenn das Programm unerwartet endet: Sichern Sie den Plan selbst.</translation>
     </message>
     <message>
         <source>Until:</source>
@@ -5346,6 +5378,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the files say that their values are in "%1"; they are taken as HU</source>
         <translation>die Dateien nennen als Einheit ihrer Werte „%1“; sie werden als HU genommen</translation>
+    </message>
+    <message>
+        <source>the folder cannot be created (%1)</source>
+        <translation>der Ordner lässt sich nicht anlegen (%1)</translation>
     </message>
     <message>
         <source>the folder cannot be looked into (%1)</source>

@@ -302,6 +302,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 píxeles, estirados a %2</translation>
     </message>
     <message>
+        <source>%1 plans were not saved, the last one from %2 with %3. They will be restored when their series are opened.</source>
+        <translation>No se guardaron %1 planes, el último del %2 con %3. Se recuperarán al abrir sus series.</translation>
+    </message>
+    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -500,6 +504,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1° from below</source>
         <translation>%1° desde abajo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n measurement(s)</source>
+        <translation><numerusform>%n medición</numerusform><numerusform>%n mediciones</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n point(s)</source>
@@ -784,6 +792,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>A pinhole, which focuses nowhere</source>
         <translation>Una cámara estenopeica, que no enfoca ningún punto</translation>
+    </message>
+    <message>
+        <source>A plan from %1 with %2 was not saved. It will be restored when its series is opened.</source>
+        <translation>No se guardó un plan del %1 con %2. Se recuperará al abrir su serie.</translation>
     </message>
     <message>
         <source>A plane between front and back</source>
@@ -1382,6 +1394,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Corte coronal</translation>
     </message>
     <message>
+        <source>Create it by hand, or make the folder above it writable.</source>
+        <translation>Créela a mano o permita escribir en la carpeta superior.</translation>
+    </message>
+    <message>
         <source>Create the folder first, or choose another place.</source>
         <translation>Cree antes la carpeta o elija otro lugar.</translation>
     </message>
@@ -1430,8 +1446,16 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>¿Borrar «%1»?</translation>
     </message>
     <message>
+        <source>Delete it</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
         <source>Delete the look</source>
         <translation>Borrar el aspecto</translation>
+    </message>
+    <message>
+        <source>Delete them</source>
+        <translation>Eliminar todos</translation>
     </message>
     <message>
         <source>Denoised, error not known yet</source>
@@ -3350,6 +3374,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>El lado del paciente que se mira (%1)</translation>
     </message>
     <message>
+        <source>The plan from %1 with %2, which was not saved, has been restored. Undo removes it again.</source>
+        <translation>Se ha recuperado el plan del %1 con %2, que no estaba guardado. Deshacer lo quita de nuevo.</translation>
+    </message>
+    <message>
         <source>The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom.</source>
         <translation>El volumen calculado. Las flechas lo giran, Mayús y flechas lo mueven, más y menos amplían y reducen.</translation>
     </message>
@@ -3590,6 +3618,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Unlit tissue</source>
         <translation>Tejido sin iluminar</translation>
+    </message>
+    <message>
+        <source>Until this is fixed, unsaved work is lost if the program ends unexpectedly: save the plan yourself.</source>
+        <translation>Hasta que se resuelva, lo no guardado se pierde si el programa termina de forma inesperada: guarde el plan usted mismo.</translation>
     </message>
     <message>
         <source>Until:</source>
@@ -5346,6 +5378,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the files say that their values are in "%1"; they are taken as HU</source>
         <translation>los archivos dicen que sus valores están en «%1»; se toman como HU</translation>
+    </message>
+    <message>
+        <source>the folder cannot be created (%1)</source>
+        <translation>no se puede crear la carpeta (%1)</translation>
     </message>
     <message>
         <source>the folder cannot be looked into (%1)</source>

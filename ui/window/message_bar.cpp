@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QStyle>
 #include <algorithm>
+#include <utility>
 
 #include "ui/text/room_text.h"
 
@@ -33,7 +34,7 @@ MessageBar::MessageBar(QWidget* image) : Floating(image) {
     offer_.hide();
     connect(&offer_, &QPushButton::clicked, this, [this] {
         clear();
-        emit offerTaken();
+        remedy_();
     });
     auto* close = new QToolButton;
     close->setAccessibleName(tr("Close the message"));
@@ -70,6 +71,13 @@ void MessageBar::add(const QString& sentence) {
     if (isHidden())
         return showNotice(sentence);
     text_.setText(text_.text() + '\n' + sentence);
+    fit();
+}
+
+void MessageBar::addAbove(const QString& sentence) {
+    if (isHidden())
+        return showNotice(sentence);
+    text_.setText(sentence + '\n' + text_.text());
     fit();
 }
 
@@ -117,14 +125,15 @@ void MessageBar::fit() {
     lines_.setVerticalScrollBarPolicy(all && whole > kLong * line ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
 }
 
-void MessageBar::offer(const QString& action) {
+void MessageBar::offer(const QString& action, std::function<void()> remedy) {
+    remedy_ = std::move(remedy);
     offer_.setText(action);
     offer_.setAccessibleName(action);
     offer_.show();
 }
 
-void MessageBar::withdraw() {
-    if (!offer_.isHidden())
+void MessageBar::withdraw(const QString& action) {
+    if (!offer_.isHidden() && offer_.text() == action)
         clear();
 }
 

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QToolButton>
+#include <functional>
 
 #include "render/base/result.h"
 #include "ui/window/floating.h"
@@ -24,15 +25,14 @@ class MessageBar : public Floating {
     void showNotice(const QString& sentences);
     /// Appends a line to the message, or shows it as a notice if there is none.
     void add(const QString& sentence);
-    /// Adds a button labelled `action` that offers a remedy. A click on it closes the message and emits offerTaken().
-    void offer(const QString& action);
-    /// Clears the message if it offers a remedy; call it when the remedy has been applied elsewhere.
-    void withdraw();
+    /// Puts a line above the message, so that it is seen without a click, or shows it as a notice if there is none.
+    void addAbove(const QString& sentence);
+    /// Adds a button labelled `action` that offers a remedy. A click on it closes the message and calls `remedy`.
+    void offer(const QString& action, std::function<void()> remedy);
+    /// Clears the message if it offers `action`; call it when that has been done elsewhere.
+    void withdraw(const QString& action);
     void clear();
     QString text() const { return text_.text(); }
-
-  signals:
-    void offerTaken();
 
   protected:
     QRect placeIn(QSize view) override;
@@ -47,6 +47,7 @@ class MessageBar : public Floating {
     QLabel text_;        ///< declared after lines_, which holds it, and so destroyed before
     QToolButton details_;
     QPushButton offer_;
+    std::function<void()> remedy_;  ///< what offer_ does
 };
 
 }  // namespace pdr::ui
