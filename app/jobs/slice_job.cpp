@@ -1,16 +1,19 @@
 #include "app/jobs/slice_job.h"
 
+#include <bit>
 #include <utility>
 
 namespace pdr::app {
 namespace {
 
-/// Colour of what lies outside the scan: clearly no tissue, which is grey.
-constexpr Ground kOutside{24, 28, 38};
-
+/// Returns the pixels in the format that the window's thread paints without conversion.
 QImage greyImage(const SliceImage& slice, const GreyWindow& window) {
-    const std::vector<std::uint8_t> pixels = greyPixels(window, slice.hu, kOutside);
-    return QImage(pixels.data(), slice.plane.size.x, slice.plane.size.y, QImage::Format_RGBX8888).copy();
+    // What lies outside the scan is clearly no tissue, which is grey. In memory, blue comes first in this format.
+    constexpr std::uint8_t kRed = 24, kGreen = 28, kBlue = 38;
+    static_assert(std::endian::native == std::endian::little);
+    QImage image(slice.plane.size.x, slice.plane.size.y, QImage::Format_RGB32);
+    paintGrey(window, slice.hu, {kBlue, kGreen, kRed}, {image.bits(), std::size_t(image.sizeInBytes())});
+    return image;
 }
 
 }  // namespace
@@ -46,12 +49,12 @@ void SliceJob::drop() {
 
 void SliceJob::begin(Request request) {
     start([this, request = std::move(request)](const Progress&, const std::stop_token& stop) -> std::function<void()> {
-        const auto slice = reslice(*request.volume, request.plane, {}, stop);
+        auto slice = reslice(*request.volume, request.plane, {}, stop, std::move(memory_));
         if (!slice)
             return [] {};
-        return [this, grey = greyImage(*slice, request.window), plane = slice->plane, window = request.window] {
-            emit made(grey, plane, window);
-        };
+        const QImage grey = greyImage(*slice, request.window);
+        memory_ = std::move(slice->hu);
+        return [this, grey, plane = slice->plane, window = request.window] { emit made(grey, plane, window); };
     });
 }
 

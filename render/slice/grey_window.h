@@ -31,8 +31,10 @@ std::uint8_t greyLevel(const GreyWindow& window, float hu);
 using Ground = std::array<std::uint8_t, 3>;
 
 /// Returns pixels of 4 bytes each: red, green, blue, 255. Where `hu` is NaN, they have the colour of `ground`, which
-/// must not be taken for black tissue. `memory`: pixels that are no longer needed; the new ones take their place.
-std::vector<std::uint8_t> greyPixels(const GreyWindow& window, std::span<const float> hu, const Ground& ground = {},
-                                     std::vector<std::uint8_t> memory = {});
+/// must not be taken for black tissue.
+std::vector<std::uint8_t> greyPixels(const GreyWindow& window, std::span<const float> hu, const Ground& ground = {});
+/// Writes those pixels to `pixels`, 4 bytes for each of `hu`.
+void paintGrey(const GreyWindow& window, std::span<const float> hu, const Ground& ground,
+               std::span<std::uint8_t> pixels);
 
 }  // namespace pdr

@@ -65,7 +65,8 @@ void measure(const Volume& volume, const Direction& direction, int edge, int rep
         const double start = processorSeconds();
         auto image = reslice(volume, plane, direction.slab, {}, std::move(hu));
         const double sliced = processorSeconds();
-        pixels = greyPixels({40, 400}, image->hu, {}, std::move(pixels));
+        pixels.resize(4 * image->hu.size());
+        paintGrey({40, 400}, image->hu, {}, pixels);
         const double seen = processorSeconds();
         hu = std::move(image->hu);
         slice.push_back(1e3 * (sliced - start));
