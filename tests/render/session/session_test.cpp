@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "render/session/render_commands.h"
+#include "render/session/resolution_ladder.h"
 #include "tests/support/devices/reel.h"
 #include "tests/support/devices/screen.h"
 #include "tests/support/patience.h"
@@ -104,7 +105,9 @@ class SessionTest : public QObject {
         session.submit(compared, false);
         const auto shown = screen.await([&](const Frame& f) { return f.schedule == compared.schedule && !f.coarse; });
         QVERIFY(shown);  // once, even while paused
-        QCOMPARE(shown->status.samplesPerPixel, std::uint64_t(1));
+        // one, or on a slow machine, where a coarse image came first, as many as that has
+        const std::uint64_t samples = shown->status.samplesPerPixel;
+        QVERIFY2(samples == 1 || samples == ResolutionLadder::kSamples, std::to_string(samples).c_str());
         QCOMPARE(shown->revision, std::uint64_t(2));
         session.setPaused(false);
         session.submit(someScene(3), false);
