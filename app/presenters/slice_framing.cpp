@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/slice/slice_step.h"
+
 namespace pdr::app {
 
 SlicePlane framed(const SlicePlane& slice, const SliceFraming& framing, ivec2 pixels) {
@@ -32,6 +34,15 @@ dvec3 stepped(const SliceStack& stack, dvec3 crosshairMm, int count) {
     const int index = std::clamp(nearestSlice(stack, crosshairMm) + count, 0, stack.count() - 1);
     const SlicePlane slice = stack.slice(index);
     return crosshairMm - slice.depthMm(crosshairMm) * slice.normal();
+}
+
+dvec3 nudged(const SliceStack& stack, const VolumeGeometry& geometry, dvec3 crosshairMm, ivec2 voxels) {
+    const SlicePlane slice = stack.slice(0);
+    const dvec3 moved = crosshairMm + voxels.x * sliceStepMm(geometry, slice.right) * slice.right +
+                        voxels.y * sliceStepMm(geometry, slice.down) * slice.down;
+    const dvec3 index = dvec3(glm::inverse(geometry.patientFromIndex) * dvec4(moved, 1));
+    const dvec3 inside = glm::clamp(index, dvec3(0), dvec3(geometry.size - 1));
+    return inside == index ? moved : dvec3(geometry.patientFromIndex * dvec4(inside, 1));
 }
 
 }  // namespace pdr::app

@@ -18,6 +18,10 @@ SliceFraming zoomed(const SliceFraming& framing, const SlicePlane& slice, double
 /// stops at the ends.
 dvec3 stepped(const SliceStack& stack, dvec3 crosshairMm, int count);
 
+/// Returns the crosshair moved within its slice of `stack` by `voxels`, to the right and down. It stays in the scan on
+/// `geometry`.
+dvec3 nudged(const SliceStack& stack, const VolumeGeometry& geometry, dvec3 crosshairMm, ivec2 voxels);
+
 /// Returns the index of the slice of `stack` that lies nearest to a place.
 int nearestSlice(const SliceStack& stack, dvec3 placeMm);
 

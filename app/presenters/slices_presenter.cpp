@@ -86,6 +86,11 @@ void SlicesPresenter::connectSlice(Slice& slice) {
         if (slice.stack)
             document().moveCrosshair(stepped(*slice.stack, document().plan().navigation.crosshairMm, count));
     });
+    connect(view, &ui::SliceView::nudged, this, [this, &slice](QPoint voxels) {
+        if (slice.stack)
+            document().moveCrosshair(nudged(*slice.stack, volume_->geometry(), document().plan().navigation.crosshairMm,
+                                            {voxels.x(), voxels.y()}));
+    });
     connect(view, &ui::SliceView::panned, this, [this, &slice](dvec2 mm) {
         Navigation navigation = document().plan().navigation;
         framingOf(navigation, slice).panMm -= mm;

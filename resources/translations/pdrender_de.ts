@@ -3632,8 +3632,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Nach oben [Grad]</translation>
     </message>
     <message>
-        <source>Up and down scroll by a slice, Page up and Page down by ten, digits choose a window.</source>
-        <translation>Auf und Ab blättern um eine Schicht, Bild auf und Bild ab um zehn, Ziffern wählen ein Fenster.</translation>
+        <source>Up and down scroll by a slice, Page up and Page down by ten, digits choose a window. Shift with the arrows moves the crosshair, Enter clicks there.</source>
+        <translation>Auf und Ab blättern um eine Schicht, Bild auf und Bild ab um zehn, Ziffern wählen ein Fenster. Umschalt mit den Pfeiltasten bewegt das Fadenkreuz, Eingabe klickt dort.</translation>
     </message>
     <message>
         <source>Up°</source>

@@ -3632,8 +3632,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Hacia arriba [grados]</translation>
     </message>
     <message>
-        <source>Up and down scroll by a slice, Page up and Page down by ten, digits choose a window.</source>
-        <translation>Arriba y abajo avanzan un corte, Re Pág y Av Pág diez, y las cifras eligen una ventana.</translation>
+        <source>Up and down scroll by a slice, Page up and Page down by ten, digits choose a window. Shift with the arrows moves the crosshair, Enter clicks there.</source>
+        <translation>Arriba y Abajo pasan un corte, Re Pág y Av Pág diez, las cifras eligen una ventana. Mayús con las flechas mueve la cruz, Intro hace clic allí.</translation>
     </message>
     <message>
         <source>Up°</source>

@@ -8,6 +8,15 @@ namespace {
 constexpr double kZoomPerClick = 1.2;
 constexpr int kFarSteps = 5, kPageSteps = 10;
 
+/// Returns the direction of an arrow key, to the right and down; (0, 0): it is none.
+QPoint directionOf(int key) {
+    return key == Qt::Key_Left    ? QPoint(-1, 0)
+           : key == Qt::Key_Right ? QPoint(1, 0)
+           : key == Qt::Key_Up    ? QPoint(0, -1)
+           : key == Qt::Key_Down  ? QPoint(0, 1)
+                                  : QPoint();
+}
+
 }  // namespace
 
 bool SliceKeys::wheel(const ViewPointer& pointer, double clicks) {
@@ -24,10 +33,16 @@ bool SliceKeys::wheel(const ViewPointer& pointer, double clicks) {
 }
 
 bool SliceKeys::key(const QKeyEvent& event) {
-    if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier))
-        return false;
     const int key = event.key();
-    if (key == Qt::Key_Up || key == Qt::Key_Down)
+    const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
+    if (event.modifiers() & (Qt::ControlModifier | (enter ? Qt::NoModifier : Qt::AltModifier)))
+        return false;
+    const QPoint direction = directionOf(key);
+    if (enter)
+        emit clicked(event.modifiers() & Qt::AltModifier);
+    else if (!direction.isNull() && (event.modifiers() & Qt::ShiftModifier))
+        emit nudged(direction);
+    else if (key == Qt::Key_Up || key == Qt::Key_Down)
         emit stepped(key == Qt::Key_Up ? 1 : -1);
     else if (key == Qt::Key_PageUp || key == Qt::Key_PageDown)
         emit stepped(key == Qt::Key_PageUp ? kPageSteps : -kPageSteps);

@@ -1,5 +1,5 @@
 #pragma once
-/// The tool of a slice for wheel and keys: scrolling, zooming, and choosing a window.
+/// The tool of a slice for wheel and keys: scrolling, zooming, choosing a window, and what else needs no mouse.
 
 #include "ui/view/view_tool.h"
 
@@ -19,6 +19,10 @@ class SliceKeys : public ViewTool {
     void stepped(int count);
     /// Requests a magnification `factor` times as large, with `place` (fractions of the slice) staying where it is.
     void zoomed(double factor, QPointF place);
+    /// Requests the crosshair this many voxels further in the slice, to the right and down.
+    void nudged(QPoint voxels);
+    /// Requests what a click at the crosshair would do.
+    void clicked(Qt::KeyboardModifiers modifiers);
     /// Requests the window of the digit `key`.
     void windowChosen(char key);
 

@@ -35,7 +35,8 @@ SliceView::SliceView(AnatomicalPlane plane, QWidget* parent)
     setMouseTracking(true);
     setAccessibleName(nameOf(plane));
     setAccessibleDescription(
-        tr("Up and down scroll by a slice, Page up and Page down by ten, digits choose a window."));
+        tr("Up and down scroll by a slice, Page up and Page down by ten, digits choose a window. Shift with the arrows "
+           "moves the crosshair, Enter clicks there."));
     bindTools();
 }
 
@@ -48,6 +49,8 @@ void SliceView::bindTools() {
     tools_.bind(Qt::RightButton, Qt::ControlModifier, zoom_);
     connect(&tools_, &ViewTools::changed, this, qOverload<>(&QWidget::update));
     connect(&keys_, &SliceKeys::stepped, this, &SliceView::stepped);
+    connect(&keys_, &SliceKeys::nudged, this, &SliceView::nudged);
+    connect(&keys_, &SliceKeys::clicked, this, &SliceView::clickCrosshair);
     connect(&keys_, &SliceKeys::windowChosen, this, &SliceView::windowChosen);
     connect(&keys_, &SliceKeys::zoomed, this, [this](double factor, QPointF place) {
         if (slice_)
@@ -95,6 +98,17 @@ void SliceView::setPointed(const QString& text) {
         return;
     pointed_ = text;
     update();
+}
+
+/// Does what a click of the left button at the crosshair does.
+void SliceView::clickCrosshair(Qt::KeyboardModifiers modifiers) {
+    if (!slice_)
+        return;
+    const dvec2 at = (slice_->plane.pixelAt(crosshairMm_) + 0.5) / dvec2(slice_->plane.size);
+    ViewPointer pointer{{at.x * width(), at.y * height()}, Qt::LeftButton, Qt::LeftButton, modifiers, false, place()};
+    tools_.press(pointer);
+    pointer.held = Qt::NoButton;
+    tools_.release(pointer);
 }
 
 void SliceView::changePlace() {

@@ -38,6 +38,8 @@ class SliceView : public QWidget {
   signals:
     /// Reports another size in screen pixels.
     void resized();
+    /// Requests the crosshair this many voxels further in the slice, to the right and down.
+    void nudged(QPoint voxels);
     /// Requests the slice `count` further; positive: towards the head, the back or the patient's left.
     void stepped(int count);
     /// Reports a place of the slice that the user points at, in the patient (LPS) [mm].
@@ -71,6 +73,7 @@ class SliceView : public QWidget {
     void bindTools();
     ImagePlace place() const;
     dvec3 mmAt(QPointF fractions) const;
+    void clickCrosshair(Qt::KeyboardModifiers modifiers);
     void changePlace();
 
     AnatomicalPlane plane_;

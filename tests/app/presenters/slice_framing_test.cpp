@@ -59,6 +59,17 @@ class SliceFramingTest : public QObject {
         QCOMPARE(nearestSlice(stack, {0, 0, -1e6}), 0);
         QCOMPARE(nearestSlice(stack, {0, 0, 1e6}), 19);
     }
+
+    /// A voxel along each axis of the slice, on the display: down in an axial slice is towards the back.
+    void aNudgeIsAVoxelAndStaysInTheScan() {
+        const SliceStack axial(geometry(), AnatomicalPlane::axial), coronal(geometry(), AnatomicalPlane::coronal);
+        const dvec3 place{1.5, 2.25, 110};
+        QVERIFY(glm::length(nudged(axial, geometry(), place, {2, 0}) - dvec3(3.5, 2.25, 110)) < 1e-9);
+        QVERIFY(glm::length(nudged(axial, geometry(), place, {0, 1}) - dvec3(1.5, 3.25, 110)) < 1e-9);
+        QVERIFY(glm::length(nudged(coronal, geometry(), place, {0, 1}) - dvec3(1.5, 2.25, 107.5)) < 1e-9);
+        QVERIFY(glm::length(nudged(axial, geometry(), place, {1000, 0}) - dvec3(19, 2.25, 110)) < 1e-9);
+        QVERIFY(glm::length(nudged(axial, geometry(), place, {-1000, 0}) - dvec3(-20, 2.25, 110)) < 1e-9);
+    }
 };
 
 }  // namespace pdr::app

@@ -85,6 +85,24 @@ class SliceViewTest : public QObject {
         QCOMPARE(window[0][0].value<char>(), '4');
     }
 
+    /// Measuring needs no mouse: the crosshair is the pointer of the keyboard.
+    void shiftedArrowsMoveTheCrosshairAndEnterClicksThere() {
+        Shown shown;
+        QSignalSpy nudged(&shown.view, &SliceView::nudged), stepped(&shown.view, &SliceView::stepped);
+        const std::pair<Qt::Key, QPoint> arrows[] = {
+            {Qt::Key_Left, {-1, 0}}, {Qt::Key_Right, {1, 0}}, {Qt::Key_Up, {0, -1}}, {Qt::Key_Down, {0, 1}}};
+        for (const auto& [key, direction] : arrows) {
+            QTest::keyClick(&shown.view, key, Qt::ShiftModifier);
+            QCOMPARE(nudged.takeFirst()[0].toPoint(), direction);
+        }
+        QCOMPARE(stepped.size(), 0);
+        const dvec3 crosshair = shown.plane.mmAt({220.25, 31.75});
+        shown.view.setCrosshair(crosshair);
+        QTest::keyClick(&shown.view, Qt::Key_Return);
+        QCOMPARE(shown.pointed.size(), std::size_t(2));  // pressed and let go
+        QVERIFY(near(shown.pointed[1], crosshair));
+    }
+
     /// Digits turn the image elsewhere in the window, as shortcuts.
     void digitsBelongToTheSliceWithTheFocus() {
         Shown shown;
