@@ -1,24 +1,43 @@
 #pragma once
-/// A measurement: places of the patient, and what is measured between them. Its value follows from them.
+/// A measurement: places of the patient, and what is measured between them. Its value follows from them and the scan
+/// (measured.h).
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "render/base/result.h"
 #include "render/measure/place.h"
-#include "render/measure/stated.h"
 
 namespace pdr::app {
 
 enum class MeasureKind {
     distance,  ///< between two places
     angle,     ///< at the second of three places
+    lines,     ///< between the line from the first place to the second, and that from the third to the fourth
+    point,     ///< the HU at a place; its name is its label
+    ball,      ///< the HU around the first place, as far as the second
 };
+inline constexpr std::size_t kMeasureKinds = 5;
 
 /// Returns how many places a measurement of that kind has.
 constexpr std::size_t placesOf(MeasureKind kind) {
-    return kind == MeasureKind::distance ? 2 : 3;
+    switch (kind) {
+        case MeasureKind::point:
+            return 1;
+        case MeasureKind::distance:
+        case MeasureKind::ball:
+            return 2;
+        case MeasureKind::angle:
+            return 3;
+        case MeasureKind::lines:
+            break;
+    }
+    return 4;
+}
+
+/// Returns whether places of that kind belong to the edge of a structure. The HU at an edge are those of neither side.
+constexpr bool isBetweenEdges(MeasureKind kind) {
+    return kind != MeasureKind::point && kind != MeasureKind::ball;
 }
 
 struct Measurement {
@@ -28,9 +47,5 @@ struct Measurement {
     std::vector<measure::Place> places;  ///< placesOf(kind) of them
     bool operator==(const Measurement&) const = default;
 };
-
-/// Returns the value of a measurement in a scan on `geometry`, in millimetres or degrees. Fails if its places are too
-/// close to each other for an angle.
-Result<measure::Stated> valueOf(const Measurement& measurement, const VolumeGeometry& geometry);
 
 }  // namespace pdr::app

@@ -102,11 +102,21 @@ StepName nameOf(const Camera& before, const Camera& after) {
     return {phrase("Undo moving the view"), phrase("Redo moving the view")};
 }
 
+std::vector<Measurement> withoutNames(std::vector<Measurement> measurements) {
+    for (Measurement& measurement : measurements)
+        measurement.name.clear();
+    return measurements;
+}
+
 StepName nameOf(const std::vector<Measurement>& before, const std::vector<Measurement>& after) {
+    if (after.size() > before.size() && after.back().kind == MeasureKind::point)
+        return {phrase("Undo marking a place"), phrase("Redo marking a place")};
     if (after.size() > before.size())
         return {phrase("Undo measuring"), phrase("Redo measuring")};
     if (after.size() < before.size())
         return {phrase("Undo removing a measurement"), phrase("Redo removing a measurement")};
+    if (withoutNames(before) == withoutNames(after))
+        return {phrase("Undo naming a measurement"), phrase("Redo naming a measurement")};
     return {phrase("Undo changing a measurement"), phrase("Redo changing a measurement")};
 }
 

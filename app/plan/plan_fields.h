@@ -10,8 +10,11 @@ namespace pdr {
 inline constexpr Words<VoiFunction, 3> kVoiWords{
     {{"linear", VoiFunction::linear}, {"linearExact", VoiFunction::linearExact}, {"sigmoid", VoiFunction::sigmoid}}};
 
-inline constexpr Words<app::MeasureKind, 2> kMeasureWords{
-    {{"distance", app::MeasureKind::distance}, {"angle", app::MeasureKind::angle}}};
+inline constexpr Words<app::MeasureKind, app::kMeasureKinds> kMeasureWords{{{"distance", app::MeasureKind::distance},
+                                                                            {"angle", app::MeasureKind::angle},
+                                                                            {"lines", app::MeasureKind::lines},
+                                                                            {"point", app::MeasureKind::point},
+                                                                            {"ball", app::MeasureKind::ball}}};
 
 inline constexpr Words<measure::Found, 5> kFoundWords{{{"typed", measure::Found::typed},
                                                        {"onSlice", measure::Found::onSlice},
@@ -97,8 +100,13 @@ void describe(Visit& visit, Measurement& measurement) {
     visit({"id", "random", {}, kRequired}, measurement.id);
     visit.word({"kind", "what is measured", {}, kRequired}, measurement.kind, kMeasureWords);
     visit({"name", "what the user calls it"}, measurement.name);
-    visit.list({"places", "two for a distance; three for an angle, which is at the second", {}, kRequired},
-               measurement.places);
+    visit.list(
+        {"places",
+         "two for a distance; three for an angle, which is at the second; four for two lines, both ends of each; "
+         "one for a point; two for a ball, its middle and a place on its surface",
+         {},
+         kRequired},
+        measurement.places);
 }
 
 template <class Visit>

@@ -5,9 +5,9 @@
 #include <random>
 #include <utility>
 
+#include "app/plan/measured.h"
 #include "app/presenters/slices_presenter.h"
 #include "render/measure/edge.h"
-#include "render/measure/measure_text.h"
 #include "ui/text/room_text.h"
 
 namespace pdr::app {
@@ -24,18 +24,28 @@ std::uint64_t newId() {
 
 /// Returns what a measurement without a name is called; `number` counts those of its kind from 1.
 QString ordinalName(MeasureKind kind, int number) {
-    return kind == MeasureKind::distance ? Texts::tr("Distance %1").arg(number) : Texts::tr("Angle %1").arg(number);
+    switch (kind) {
+        case MeasureKind::distance:
+            return Texts::tr("Distance %1").arg(number);
+        case MeasureKind::angle:
+            return Texts::tr("Angle %1").arg(number);
+        case MeasureKind::lines:
+            return Texts::tr("Two lines %1").arg(number);
+        case MeasureKind::point:
+            return Texts::tr("Place %1").arg(number);
+        case MeasureKind::ball:
+            break;
+    }
+    return Texts::tr("Ball %1").arg(number);
 }
 
-ui::MarkRow rowOf(const Measurement& measurement, int number, const VolumeGeometry& geometry) {
+ui::MarkRow rowOf(const Measurement& measurement, int number, const Volume& volume) {
     const QString name =
         measurement.name.empty() ? ordinalName(measurement.kind, number) : QString::fromStdString(measurement.name);
-    const Result<measure::Stated> value = valueOf(measurement, geometry);
+    const Result<Measured> value = measured(measurement, volume);
     if (!value)
-        return {measurement.id, name, ui::inWords(value.error().what), {}};
-    const auto unit = measurement.kind == MeasureKind::distance ? measure::Unit::mm : measure::Unit::degrees;
-    return {measurement.id, name, ui::inWords(measure::valueText(*value, unit)),
-            ui::inWords(measure::causesText(*value))};
+        return {measurement.id, name, ui::inWords(value.error().what), ui::inWords(value.error().hint)};
+    return {measurement.id, name, ui::inWords(value->text), ui::inWords(value->details)};
 }
 
 auto find(std::vector<Measurement>& measurements, std::uint64_t id) {
@@ -204,11 +214,11 @@ void MarksPresenter::releaseVolume() {
 void MarksPresenter::show() {
     std::vector<ui::MarkRow> rows;
     std::vector<ui::ShownMark> marks;
-    std::array<int, 2> numbers{};
+    std::array<int, kMeasureKinds> numbers{};
     if (document().hasVolume())
         for (const Measurement& measurement : document().plan().measurements) {
             const int number = ++numbers[std::size_t(measurement.kind)];
-            rows.push_back(rowOf(measurement, number, document().scan()->geometry()));
+            rows.push_back(rowOf(measurement, number, *document().seen()));
             ui::ShownMark mark{
                 .id = measurement.id, .text = rows.back().value, .selected = measurement.id == selected_};
             for (const measure::Place& place : measurement.places)

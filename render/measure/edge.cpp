@@ -200,15 +200,15 @@ Place atEdge(const Place& place, const Edge& edge) {
 Text noEdgeText(NoEdge why) {
     switch (why) {
         case NoEdge::outside:
-            return "no edge: too close to the border of the scan";
+            return phrase("no edge: too close to the border of the scan");
         case NoEdge::far:
             return phrase("no edge within %1 mm", fixedNumber(kEdgeReachMm, 1));
         case NoEdge::faint:
-            return "no edge: the sides differ by less than five times the noise";
+            return phrase("no edge: the sides differ by less than five times the noise");
         case NoEdge::padding:
-            return "no edge: the scanner measured nothing on one side";
+            return phrase("no edge: the scanner measured nothing on one side");
         case NoEdge::cramped:
-            return "no edge: too few voxels on either side to know the noise";
+            return phrase("no edge: too few voxels on either side to know the noise");
     }
     return {};
 }

@@ -95,8 +95,8 @@ Text causesText(const Stated& stated) {
         list = list.empty() ? one : phrase("%1, %2", list, one);
     }
     if (list.empty())
-        return "Typed places have no ±.";
-    return joined(Text::sentence(list), "Not in it: the scanner's own scale, movement, what was meant.");
+        return phrase("Typed places have no ±.");
+    return joined(Text::sentence(list), phrase("Not in it: the scanner's own scale, movement, what was meant."));
 }
 
 Text meanText(const RegionStatistics& statistics) {
@@ -105,6 +105,20 @@ Text meanText(const RegionStatistics& statistics) {
     const RoundedPlusMinus spread = roundedPlusMinus(*statistics.meanPlusMinus);
     return phrase("%1 ± %2 HU", number(rounded(statistics.meanHu, spread.decimals), spread.decimals),
                   number(spread.plusMinus, spread.decimals));
+}
+
+Text regionText(const RegionStatistics& statistics) {
+    Text text =
+        phrase("SD %1 HU, %2 to %3 HU, %4 voxels, %5 ml.", number(statistics.sdHu, 0), number(statistics.lowestHu, 0),
+               number(statistics.highestHu, 0), statistics.count, fixedNumber(statistics.millilitres, 2));
+    if (statistics.padding > 0)
+        text = joined(text, phrase("The scanner measured nothing in %1 more.", statistics.padding));
+    if (statistics.cut)
+        text = joined(text, phrase("The region extends beyond the scan."));
+    if (statistics.meanPlusMinus)
+        text = joined(
+            text, phrase("The ± is that of the noise. Not in it: the scanner's own scale, where the region was put."));
+    return text;
 }
 
 }  // namespace pdr::measure

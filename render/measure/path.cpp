@@ -22,7 +22,7 @@ Result<Stated> pathLength(std::span<const Place> places) {
         const double sigma = std::sqrt(step.varianceAcross() / 4);  // of one end in one direction across
         if (step.lengthMm == 0 || step.lengthMm < kShortestSigmas * sigma)
             return Error{phrase("places %1 and %2 of the path are too close for how well they are known", n, n + 1), "",
-                         "Leave one of them out.", ErrorKind::refused};
+                         phrase("Leave one of them out."), ErrorKind::refused};
         length += step.lengthMm - step.lengtheningMm();
         gradients[n - 1] -= step.direction;
         gradients[n] += step.direction;

@@ -45,9 +45,9 @@ Result<RegionStatistics> regionStatistics(const Volume& volume, const MeasuredSh
     const MeasuredVoxels region = voxelsIn(volume, shape);
     const std::size_t count = region.hu.size();
     if (count == 0)
-        return Error{region.padding > 0 ? Text("the scanner measured nothing in this region")
-                                        : Text("no voxel's centre lies in this region"),
-                     "", "Move it, or make it larger.", ErrorKind::refused};
+        return Error{region.padding > 0 ? phrase("the scanner measured nothing in this region")
+                                        : phrase("no voxel's centre lies in this region"),
+                     "", phrase("Move it, or make it larger."), ErrorKind::refused};
     RegionStatistics statistics{.count = count, .padding = region.padding, .cut = region.cut};
     const dmat3 step(volume.geometry().patientFromIndex);
     statistics.millilitres = double(count) * std::abs(glm::determinant(step)) / 1000;

@@ -1018,6 +1018,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Hintergrund</translation>
     </message>
     <message>
+        <source>Ball %1</source>
+        <translation>Kugel %1</translation>
+    </message>
+    <message>
         <source>Bell</source>
         <translation>Glocke</translation>
     </message>
@@ -2074,6 +2078,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Eines von beiden weglassen.</translation>
     </message>
     <message>
+        <source>Leave one of them out.</source>
+        <translation>Einen davon weglassen.</translation>
+    </message>
+    <message>
         <source>Leave out nodes that lie on a line between their neighbours.</source>
         <translation>Stützstellen weglassen, die auf einer Linie zwischen ihren Nachbarn liegen.</translation>
     </message>
@@ -2294,6 +2302,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Ruhende Maus</translation>
     </message>
     <message>
+        <source>Move it into the scan.</source>
+        <translation>Es in die Aufnahme hinein verschieben.</translation>
+    </message>
+    <message>
+        <source>Move it, or make it larger.</source>
+        <translation>Ihn verschieben oder größer machen.</translation>
+    </message>
+    <message>
         <source>Move its corners.</source>
         <translation>Verschieben Sie seine Ecken.</translation>
     </message>
@@ -2386,6 +2402,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Nicht für diese Aufnahme</translation>
     </message>
     <message>
+        <source>Not in it: the scanner's own scale, movement, what was meant.</source>
+        <translation>Nicht darin: der Maßstab des Scanners, Bewegung, was gemeint war.</translation>
+    </message>
+    <message>
         <source>Not measured any further: %1</source>
         <translation>Nicht weiter gemessen: %1</translation>
     </message>
@@ -2408,6 +2428,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Off, without any loss: %1</source>
         <translation>Aus, und nichts geht verloren: %1</translation>
+    </message>
+    <message>
+        <source>On their other side %1.</source>
+        <translation>Auf ihrer anderen Seite %1.</translation>
     </message>
     <message>
         <source>One large panel: soft shadows</source>
@@ -2630,6 +2654,10 @@ Parallel: the same size at every depth, as for measuring</source>
 Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     </message>
     <message>
+        <source>Place %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
         <source>Place of the selected point</source>
         <translation>Ort des gewählten Punktes</translation>
     </message>
@@ -2782,6 +2810,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Wiederholen: Tisch ausblenden</translation>
     </message>
     <message>
+        <source>Redo marking a place</source>
+        <translation>Wiederholen: Punkt markieren</translation>
+    </message>
+    <message>
         <source>Redo measuring</source>
         <translation>Wiederholen: Messen</translation>
     </message>
@@ -2792,6 +2824,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Redo moving through the slices</source>
         <translation>Wiederholen: durch die Schichten bewegen</translation>
+    </message>
+    <message>
+        <source>Redo naming a measurement</source>
+        <translation>Wiederholen: Messung benennen</translation>
     </message>
     <message>
         <source>Redo removing a measurement</source>
@@ -3002,6 +3038,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Rauheit</translation>
     </message>
     <message>
+        <source>SD %1 HU, %2 to %3 HU, %4 voxels, %5 ml.</source>
+        <translation>SD %1 HU, %2 bis %3 HU, %4 Voxel, %5 ml.</translation>
+    </message>
+    <message>
         <source>Sa&amp;ve plan...</source>
         <translation>Plan s&amp;peichern...</translation>
     </message>
@@ -3068,6 +3108,18 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Search the manual</source>
         <translation>Handbuch durchsuchen</translation>
+    </message>
+    <message>
+        <source>Seen from the feet %1.</source>
+        <translation>Von den Füßen her gesehen %1.</translation>
+    </message>
+    <message>
+        <source>Seen from the front %1.</source>
+        <translation>Von vorn gesehen %1.</translation>
+    </message>
+    <message>
+        <source>Seen from the left %1.</source>
+        <translation>Von links gesehen %1.</translation>
     </message>
     <message>
         <source>Sending the scan, %1 %</source>
@@ -3306,6 +3358,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Die CPU rechnet, da die Grafikkarte nicht verwendet werden kann: %1.</translation>
     </message>
     <message>
+        <source>The HU that slices show at this place. One place has no ±: a ball has a mean with a ±.</source>
+        <translation>Der HU-Wert, den Schichten an diesem Ort zeigen. Ein einzelner Ort hat kein ±: Eine Kugel hat einen Mittelwert mit ±.</translation>
+    </message>
+    <message>
         <source>The chosen lamp</source>
         <translation>Die gewählte Lampe</translation>
     </message>
@@ -3378,14 +3434,26 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Der Plan von %1 mit %2, der nicht gesichert war, ist wiederhergestellt. Rückgängig entfernt ihn wieder.</translation>
     </message>
     <message>
+        <source>The region extends beyond the scan.</source>
+        <translation>Der Bereich reicht über die Aufnahme hinaus.</translation>
+    </message>
+    <message>
         <source>The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom.</source>
         <translation>Das berechnete Volumen. Pfeiltasten drehen es, Umschalt und Pfeiltasten verschieben es, Plus und Minus zoomen.</translation>
+    </message>
+    <message>
+        <source>The scanner measured nothing in %1 more.</source>
+        <translation>In %1 weiteren hat der Scanner nichts gemessen.</translation>
     </message>
     <message>
         <source>The view: each side is lit alike
 The patient: the lamps stay where they are when the patient is turned</source>
         <translation>Die Ansicht: Jede Seite ist gleich beleuchtet
 Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</translation>
+    </message>
+    <message>
+        <source>The ± is that of the noise. Not in it: the scanner's own scale, where the region was put.</source>
+        <translation>Das ± ist das des Rauschens. Nicht darin: der Maßstab des Scanners, wohin der Bereich gelegt wurde.</translation>
     </message>
     <message>
         <source>Then click the anatomy that is to be sharp</source>
@@ -3512,8 +3580,16 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Zwei Lampen dahinter: helle Umrisse</translation>
     </message>
     <message>
+        <source>Two lines %1</source>
+        <translation>Zwei Linien %1</translation>
+    </message>
+    <message>
         <source>Type the address of a node first, such as gpu-07 or 10.0.0.7:%1.</source>
         <translation>Geben Sie zuerst die Adresse eines Render-Rechners ein, etwa gpu-07 oder 10.0.0.7:%1.</translation>
+    </message>
+    <message>
+        <source>Typed places have no ±.</source>
+        <translation>Eingetippte Orte haben kein ±.</translation>
     </message>
     <message>
         <source>Unbiased</source>
@@ -3576,6 +3652,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Rückgängig: Tisch ausblenden</translation>
     </message>
     <message>
+        <source>Undo marking a place</source>
+        <translation>Rückgängig: Punkt markieren</translation>
+    </message>
+    <message>
         <source>Undo measuring</source>
         <translation>Rückgängig: Messen</translation>
     </message>
@@ -3586,6 +3666,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Undo moving through the slices</source>
         <translation>Rückgängig: durch die Schichten bewegen</translation>
+    </message>
+    <message>
+        <source>Undo naming a measurement</source>
+        <translation>Rückgängig: Messung benennen</translation>
     </message>
     <message>
         <source>Undo removing a measurement</source>
@@ -4888,6 +4972,22 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>kein Rand im Umkreis von %1 mm</translation>
     </message>
     <message>
+        <source>no edge: the scanner measured nothing on one side</source>
+        <translation>kein Rand: auf einer Seite hat der Scanner nichts gemessen</translation>
+    </message>
+    <message>
+        <source>no edge: the sides differ by less than five times the noise</source>
+        <translation>kein Rand: die Seiten unterscheiden sich um weniger als das Fünffache des Rauschens</translation>
+    </message>
+    <message>
+        <source>no edge: too close to the border of the scan</source>
+        <translation>kein Rand: zu nah an der Grenze der Aufnahme</translation>
+    </message>
+    <message>
+        <source>no edge: too few voxels on either side to know the noise</source>
+        <translation>kein Rand: zu wenige Voxel auf beiden Seiten, um das Rauschen zu kennen</translation>
+    </message>
+    <message>
         <source>no image, but %1</source>
         <translation>kein Bild, sondern %1</translation>
     </message>
@@ -4962,6 +5062,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>no tissue scatters light</source>
         <translation>kein Gewebe streut Licht</translation>
+    </message>
+    <message>
+        <source>no voxel's centre lies in this region</source>
+        <translation>in diesem Bereich liegt kein Mittelpunkt eines Voxels</translation>
     </message>
     <message>
         <source>nobody can be listened to there: %1</source>
@@ -5588,6 +5692,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die Abtastungen kommen zuerst: %3 in %2, innerhalb ±%1</translation>
     </message>
     <message>
+        <source>the scanner measured nothing here</source>
+        <translation>hier hat der Scanner nichts gemessen</translation>
+    </message>
+    <message>
+        <source>the scanner measured nothing in this region</source>
+        <translation>in diesem Bereich hat der Scanner nichts gemessen</translation>
+    </message>
+    <message>
         <source>the scene that was ordered cannot be rendered: %1</source>
         <translation>die bestellte Szene kann nicht gerechnet werden: %1</translation>
     </message>
@@ -5750,6 +5862,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>thin structures may be further off</source>
         <translation>dünne Strukturen können weiter abweichen</translation>
+    </message>
+    <message>
+        <source>this ball holds more than %1 voxels</source>
+        <translation>diese Kugel enthält mehr als %1 Voxel</translation>
     </message>
     <message>
         <source>this body is no wider than a head</source>

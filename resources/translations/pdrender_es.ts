@@ -1018,6 +1018,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Fondo</translation>
     </message>
     <message>
+        <source>Ball %1</source>
+        <translation>Esfera %1</translation>
+    </message>
+    <message>
         <source>Bell</source>
         <translation>Campana</translation>
     </message>
@@ -2074,6 +2078,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Omita uno de los dos.</translation>
     </message>
     <message>
+        <source>Leave one of them out.</source>
+        <translation>Omita uno de ellos.</translation>
+    </message>
+    <message>
         <source>Leave out nodes that lie on a line between their neighbours.</source>
         <translation>Omita los puntos que estén en línea entre sus vecinos.</translation>
     </message>
@@ -2294,6 +2302,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Ratón en reposo</translation>
     </message>
     <message>
+        <source>Move it into the scan.</source>
+        <translation>Muévalo dentro del estudio.</translation>
+    </message>
+    <message>
+        <source>Move it, or make it larger.</source>
+        <translation>Muévala o hágala más grande.</translation>
+    </message>
+    <message>
         <source>Move its corners.</source>
         <translation>Mueva sus esquinas.</translation>
     </message>
@@ -2386,6 +2402,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>No para este estudio</translation>
     </message>
     <message>
+        <source>Not in it: the scanner's own scale, movement, what was meant.</source>
+        <translation>No incluye: la escala del propio escáner, el movimiento ni lo que se quería medir.</translation>
+    </message>
+    <message>
         <source>Not measured any further: %1</source>
         <translation>No se mide más: %1</translation>
     </message>
@@ -2408,6 +2428,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Off, without any loss: %1</source>
         <translation>Desactivado, y no se pierde nada: %1</translation>
+    </message>
+    <message>
+        <source>On their other side %1.</source>
+        <translation>Por el otro lado %1.</translation>
     </message>
     <message>
         <source>One large panel: soft shadows</source>
@@ -2630,6 +2654,10 @@ Parallel: the same size at every depth, as for measuring</source>
 Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation>
     </message>
     <message>
+        <source>Place %1</source>
+        <translation>Punto %1</translation>
+    </message>
+    <message>
         <source>Place of the selected point</source>
         <translation>Posición del punto elegido</translation>
     </message>
@@ -2782,6 +2810,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Rehacer: ocultar la mesa</translation>
     </message>
     <message>
+        <source>Redo marking a place</source>
+        <translation>Rehacer: marcar un punto</translation>
+    </message>
+    <message>
         <source>Redo measuring</source>
         <translation>Rehacer: medir</translation>
     </message>
@@ -2792,6 +2824,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Redo moving through the slices</source>
         <translation>Rehacer: moverse por los cortes</translation>
+    </message>
+    <message>
+        <source>Redo naming a measurement</source>
+        <translation>Rehacer: nombrar una medición</translation>
     </message>
     <message>
         <source>Redo removing a measurement</source>
@@ -3002,6 +3038,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Rugosidad</translation>
     </message>
     <message>
+        <source>SD %1 HU, %2 to %3 HU, %4 voxels, %5 ml.</source>
+        <translation>DE %1 UH, de %2 a %3 UH, %4 vóxeles, %5 ml.</translation>
+    </message>
+    <message>
         <source>Sa&amp;ve plan...</source>
         <translation>Guardar p&amp;lan...</translation>
     </message>
@@ -3068,6 +3108,18 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Search the manual</source>
         <translation>Buscar en el manual</translation>
+    </message>
+    <message>
+        <source>Seen from the feet %1.</source>
+        <translation>Visto desde los pies %1.</translation>
+    </message>
+    <message>
+        <source>Seen from the front %1.</source>
+        <translation>Visto de frente %1.</translation>
+    </message>
+    <message>
+        <source>Seen from the left %1.</source>
+        <translation>Visto desde la izquierda %1.</translation>
     </message>
     <message>
         <source>Sending the scan, %1 %</source>
@@ -3306,6 +3358,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Calcula la CPU, pues la tarjeta gráfica no se puede usar: %1.</translation>
     </message>
     <message>
+        <source>The HU that slices show at this place. One place has no ±: a ball has a mean with a ±.</source>
+        <translation>El valor UH que muestran los cortes en este punto. Un solo punto no tiene ±: una esfera tiene una media con ±.</translation>
+    </message>
+    <message>
         <source>The chosen lamp</source>
         <translation>La lámpara elegida</translation>
     </message>
@@ -3378,14 +3434,26 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Se ha recuperado el plan del %1 con %2, que no estaba guardado. Deshacer lo quita de nuevo.</translation>
     </message>
     <message>
+        <source>The region extends beyond the scan.</source>
+        <translation>La región se extiende más allá del estudio.</translation>
+    </message>
+    <message>
         <source>The rendered volume. Arrow keys turn it, Shift and arrow keys move it, plus and minus zoom.</source>
         <translation>El volumen calculado. Las flechas lo giran, Mayús y flechas lo mueven, más y menos amplían y reducen.</translation>
+    </message>
+    <message>
+        <source>The scanner measured nothing in %1 more.</source>
+        <translation>En %1 más el escáner no midió nada.</translation>
     </message>
     <message>
         <source>The view: each side is lit alike
 The patient: the lamps stay where they are when the patient is turned</source>
         <translation>La vista: cada lado se ilumina igual
 El paciente: las lámparas se quedan donde están cuando se gira al paciente</translation>
+    </message>
+    <message>
+        <source>The ± is that of the noise. Not in it: the scanner's own scale, where the region was put.</source>
+        <translation>El ± es el del ruido. No incluye: la escala del propio escáner ni dónde se puso la región.</translation>
     </message>
     <message>
         <source>Then click the anatomy that is to be sharp</source>
@@ -3512,8 +3580,16 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Dos lámparas detrás: contornos brillantes</translation>
     </message>
     <message>
+        <source>Two lines %1</source>
+        <translation>Dos líneas %1</translation>
+    </message>
+    <message>
         <source>Type the address of a node first, such as gpu-07 or 10.0.0.7:%1.</source>
         <translation>Escriba primero la dirección de un equipo de render, como gpu-07 o 10.0.0.7:%1.</translation>
+    </message>
+    <message>
+        <source>Typed places have no ±.</source>
+        <translation>Los puntos escritos no tienen ±.</translation>
     </message>
     <message>
         <source>Unbiased</source>
@@ -3576,6 +3652,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Deshacer: ocultar la mesa</translation>
     </message>
     <message>
+        <source>Undo marking a place</source>
+        <translation>Deshacer: marcar un punto</translation>
+    </message>
+    <message>
         <source>Undo measuring</source>
         <translation>Deshacer: medir</translation>
     </message>
@@ -3586,6 +3666,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Undo moving through the slices</source>
         <translation>Deshacer: moverse por los cortes</translation>
+    </message>
+    <message>
+        <source>Undo naming a measurement</source>
+        <translation>Deshacer: nombrar una medición</translation>
     </message>
     <message>
         <source>Undo removing a measurement</source>
@@ -4888,6 +4972,22 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>ningún borde a menos de %1 mm</translation>
     </message>
     <message>
+        <source>no edge: the scanner measured nothing on one side</source>
+        <translation>ningún borde: a un lado el escáner no midió nada</translation>
+    </message>
+    <message>
+        <source>no edge: the sides differ by less than five times the noise</source>
+        <translation>ningún borde: los lados difieren en menos de cinco veces el ruido</translation>
+    </message>
+    <message>
+        <source>no edge: too close to the border of the scan</source>
+        <translation>ningún borde: demasiado cerca del límite del estudio</translation>
+    </message>
+    <message>
+        <source>no edge: too few voxels on either side to know the noise</source>
+        <translation>ningún borde: muy pocos vóxeles a ambos lados para conocer el ruido</translation>
+    </message>
+    <message>
         <source>no image, but %1</source>
         <translation>no es una imagen, sino %1</translation>
     </message>
@@ -4962,6 +5062,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>no tissue scatters light</source>
         <translation>ningún tejido dispersa luz</translation>
+    </message>
+    <message>
+        <source>no voxel's centre lies in this region</source>
+        <translation>en esta región no está el centro de ningún vóxel</translation>
     </message>
     <message>
         <source>nobody can be listened to there: %1</source>
@@ -5588,6 +5692,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>las muestras llegan primero: %3 en %2, dentro de ±%1</translation>
     </message>
     <message>
+        <source>the scanner measured nothing here</source>
+        <translation>aquí el escáner no midió nada</translation>
+    </message>
+    <message>
+        <source>the scanner measured nothing in this region</source>
+        <translation>en esta región el escáner no midió nada</translation>
+    </message>
+    <message>
         <source>the scene that was ordered cannot be rendered: %1</source>
         <translation>la escena pedida no se puede calcular: %1</translation>
     </message>
@@ -5750,6 +5862,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>thin structures may be further off</source>
         <translation>las estructuras finas pueden desviarse más</translation>
+    </message>
+    <message>
+        <source>this ball holds more than %1 voxels</source>
+        <translation>esta esfera contiene más de %1 vóxeles</translation>
     </message>
     <message>
         <source>this body is no wider than a head</source>

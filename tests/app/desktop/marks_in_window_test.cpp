@@ -6,6 +6,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "app/plan/measured.h"
 #include "app/presenters/marks_presenter.h"
 #include "app/presenters/slices_presenter.h"
 #include "dicom/write/export.h"
@@ -51,10 +52,10 @@ class MarksInWindowTest : public QObject {
         click(centre_ + dvec3(-9, 3, 0));
         click(centre_ + dvec3(10.8, 3, 0));
         QCOMPARE(measurements().size(), std::size_t(1));
-        const auto value = valueOf(measurements()[0], document().seen()->geometry());
+        const auto value = measured(measurements()[0], *document().seen());
         QVERIFY(value);
         QVERIFY2(std::abs(value->value - 20) < 0.3, qPrintable(QString::number(value->value)));
-        QVERIFY(value->low <= 20 && value->high >= 20);
+        QVERIFY(std::abs(value->value - 20) <= value->plusMinus.value());
         QVERIFY(isAtEdge(measurements()[0].places[0]) && isAtEdge(measurements()[0].places[1]));
         const auto* list = panel().findChild<QTreeWidget*>();
         QCOMPARE(list->topLevelItemCount(), 1);
@@ -78,8 +79,8 @@ class MarksInWindowTest : public QObject {
         click(centre_ + dvec3(20, 0, 0), Qt::AltModifier);
         click(centre_ + dvec3(20, 15, 0), Qt::AltModifier);
         click(centre_ + dvec3(35, 15, 0), Qt::AltModifier);
-        const auto value = valueOf(measurements().back(), document().seen()->geometry());
-        QVERIFY(value && std::abs(value->value - 90) < 6 && value->low <= 90 && value->high >= 90);
+        const auto value = measured(measurements().back(), *document().seen());
+        QVERIFY(value && std::abs(value->value - 90) < 6 && std::abs(value->value - 90) <= value->plusMinus.value());
     }
 
     void eachIsOneStepAndUndoBringsItBack() {

@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <set>
 
 #include "app/plan/plan_fields.h"
 #include "app/plan/plan_file.h"
@@ -69,15 +70,19 @@ class PlanFileTest : public QObject {
     void anyPlanComesBackToTheBit() {
         test::RandomFields random(1);
         std::size_t measurements = 0, cuts = 0;
+        std::set<MeasureKind> kinds;
         for (int i = 0; i < 1000; ++i) {
             const SavedPlan saved = anyPlan(random);
             const Result<SavedPlan> read = planFromText(planText(saved), "a test");
             QVERIFY2(read, read ? "" : read.error().text().c_str());
             QVERIFY2(*read == saved, planText(saved).c_str());
             measurements += saved.plan.measurements.size();
+            for (const Measurement& measurement : saved.plan.measurements)
+                kinds.insert(measurement.kind);
             cuts += saved.plan.image.clip.box.has_value();
         }
         QVERIFY(measurements > 500 && cuts > 50);
+        QCOMPARE(kinds.size(), kMeasureKinds);
     }
 
     void everyMistakeNamesItsField() {
@@ -89,6 +94,9 @@ class PlanFileTest : public QObject {
         QCOMPARE(where(planText(saved)), std::string("nowhere"));
         QCOMPARE(where(changed(saved, "\"kind\": \"distance\"", "\"kind\": \"angle\"")),
                  std::string("p, measurements[0].places"));
+        QCOMPARE(where(changed(saved, "\"kind\": \"distance\"", "\"kind\": \"point\"")),
+                 std::string("p, measurements[0].places"));
+        QCOMPARE(where(changed(saved, "\"kind\": \"distance\"", "\"kind\": \"ball\"")), std::string("nowhere"));
         QCOMPARE(where(changed(saved, "\"kind\": \"distance\"", "\"kind\": \"length\"")),
                  std::string("p, measurements[0].kind"));
         QCOMPARE(where(changed(saved, "\"name\": \"defect\"", "\"patient\": \"defect\"")),

@@ -14,6 +14,7 @@ class TestStepName : public QObject {
     void eachEditHasItsName_data();
     void eachEditHasItsName();
     void theTableIsNamedByWhatWasDone();
+    void measuringMarkingAndNamingAreToldApart();
     void aGestureIsCalledByAllOfIt();
     void aStepKeepsItsNameBackAndForth();
     void aChangedLookIsNotAChosenOne();
@@ -87,6 +88,23 @@ void TestStepName::theTableIsNamedByWhatWasDone() {
     shown.image.table = Table::shown;
     QCOMPARE(undoText(hidden, shown), Text("Undo showing the table"));
     QCOMPARE(redoText(shown, hidden), Text("Redo hiding the table"));
+}
+
+void TestStepName::measuringMarkingAndNamingAreToldApart() {
+    const Plan none;
+    Plan ball, point, named, moved;
+    ball.measurements = {{1, MeasureKind::ball, "", {{}, {}}}};
+    point.measurements = {{1, MeasureKind::point, "", {{}}}};
+    named = point;
+    named.measurements[0].name = "nerve";
+    moved = named;
+    moved.measurements[0].places[0].mm.x += 1;
+    QCOMPARE(undoText(none, ball), Text("Undo measuring"));
+    QCOMPARE(undoText(none, point), Text("Undo marking a place"));
+    QCOMPARE(redoText(point, named), Text("Redo naming a measurement"));
+    QCOMPARE(undoText(named, moved), Text("Undo changing a measurement"));
+    QCOMPARE(undoText(point, moved), Text("Undo changing a measurement"));
+    QCOMPARE(undoText(moved, none), Text("Undo removing a measurement"));
 }
 
 void TestStepName::aGestureIsCalledByAllOfIt() {

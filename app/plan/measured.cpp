@@ -1,0 +1,109 @@
+#include "app/plan/measured.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "render/measure/angle.h"
+#include "render/measure/distance.h"
+#include "render/measure/profile.h"
+
+namespace pdr::app {
+namespace {
+
+using measure::Place;
+using measure::Stated;
+using measure::Unit;
+
+Measured measuredOf(const Stated& stated, Unit unit) {
+    Measured measured{.unit = unit, .value = stated.value, .bound = stated.bound};
+    if (stated.bound == measure::Bound::none && stated.plusMinus() > 0)
+        measured.plusMinus = stated.plusMinus();
+    measured.text = measure::valueText(stated, unit);
+    measured.details = measure::causesText(stated);
+    return measured;
+}
+
+Result<Measured> angleOf(const Result<Stated>& angle) {
+    if (!angle)
+        return angle.error();
+    return measuredOf(*angle, Unit::degrees);
+}
+
+/// Returns the angles of two lines as seen along the patient's axes, from where both can be seen: "Seen from the front
+/// 61 ± 2°."
+Text seenAlongAxes(const measure::DrawnLine& first, const measure::DrawnLine& second) {
+    const auto along = [&](dvec3 normal) -> std::optional<Text> {
+        const Result<Stated> angle = measure::angleInPlane(first, second, normal);
+        return angle ? std::optional(measure::valueText(*angle, Unit::degrees)) : std::nullopt;
+    };
+    Text all;
+    if (const auto front = along({0, 1, 0}))
+        all = joined(all, phrase("Seen from the front %1.", *front));
+    if (const auto left = along({1, 0, 0}))
+        all = joined(all, phrase("Seen from the left %1.", *left));
+    if (const auto feet = along({0, 0, 1}))
+        all = joined(all, phrase("Seen from the feet %1.", *feet));
+    return all;
+}
+
+Result<Measured> linesOf(const std::vector<Place>& places) {
+    const measure::DrawnLine first{places[0], places[1]}, second{places[2], places[3]};
+    const Result<Stated> angle = measure::angleOfLines(first, second);
+    if (!angle)
+        return angle.error();
+    Measured measured = measuredOf(*angle, Unit::degrees);
+    const Text other = measure::valueText(measure::supplement(*angle), Unit::degrees);
+    measured.details =
+        joined(joined(phrase("On their other side %1.", other), seenAlongAxes(first, second)), measured.details);
+    return measured;
+}
+
+Result<Measured> pointOf(const Place& place, const Volume& volume) {
+    const measure::ProfileSample sample = measure::profile(volume, place.mm, place.mm).front();
+    if (!sample.measured)
+        return Error{phrase("the scanner measured nothing here"), "", phrase("Move it into the scan."),
+                     ErrorKind::refused};
+    return Measured{.unit = Unit::hu,
+                    .value = sample.hu,
+                    .text = phrase("%1 HU", fixedNumber(std::round(sample.hu) + 0.0, 0)),  // no "-0"
+                    .details = phrase("The HU that slices show at this place. One place has no ±: a ball has a mean "
+                                      "with a ±.")};
+}
+
+Result<Measured> ballOf(const std::vector<Place>& places, const Volume& volume) {
+    const double radius = glm::distance(places[0].mm, places[1].mm);
+    const double voxelMm3 = std::abs(glm::determinant(dmat3(volume.geometry().patientFromIndex)));
+    if (4 * std::numbers::pi / 3 * radius * radius * radius > kMostBallVoxels * voxelMm3)
+        return Error{phrase("this ball holds more than %1 voxels", int(kMostBallVoxels)), "",
+                     phrase("Make it smaller."), ErrorKind::refused};
+    const auto region = measure::regionStatistics(volume, measure::Ball{places[0].mm, radius});
+    if (!region)
+        return region.error();
+    return Measured{.unit = Unit::hu,
+                    .value = region->meanHu,
+                    .plusMinus = region->meanPlusMinus,
+                    .region = *region,
+                    .text = measure::meanText(*region),
+                    .details = measure::regionText(*region)};
+}
+
+}  // namespace
+
+Result<Measured> measured(const Measurement& measurement, const Volume& volume) {
+    const std::vector<Place>& places = measurement.places;
+    switch (measurement.kind) {
+        case MeasureKind::distance:
+            return measuredOf(measure::distance(volume.geometry(), places[0], places[1]), Unit::mm);
+        case MeasureKind::angle:
+            return angleOf(measure::angle(places[0], places[1], places[2]));
+        case MeasureKind::lines:
+            return linesOf(places);
+        case MeasureKind::point:
+            return pointOf(places[0], volume);
+        case MeasureKind::ball:
+            break;
+    }
+    return ballOf(places, volume);
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,32 @@
+#pragma once
+/// What a measurement says of its scan: a value with its ±, and the texts in which users read it.
+
+#include <optional>
+
+#include "app/plan/measurement.h"
+#include "render/base/result.h"
+#include "render/measure/measure_text.h"
+
+namespace pdr::app {
+
+struct Measured {
+    measure::Unit unit = measure::Unit::mm;
+    double value = 0;                 ///< in `unit`; of a bound, the bound
+    std::optional<double> plusMinus;  ///< half of the 95 % interval, unrounded; none: a bound, typed places, the HU of
+                                      ///< a single place, too few voxels
+    measure::Bound bound = measure::Bound::none;
+    std::optional<measure::RegionStatistics> region;  ///< what is known of a ball
+    Text text;                                        ///< the value as lists and views show it: "42.3 ± 0.5 mm"
+    Text details;                                     ///< sentences: what the ± consists of, and what else is known
+};
+
+/// Returns what `measurement`, which has the places of its kind, says of `volume`. Fails if the places do not measure
+/// anything: the ends of an angle's line are too close to each other, a place lies where the scanner measured nothing,
+/// a ball holds no voxel, or more than kMostBallVoxels.
+Result<Measured> measured(const Measurement& measurement, const Volume& volume);
+
+/// Most voxels whose statistics are computed, so that the window answers at once: a ball of 12 cm across on 0.9 x 0.9
+/// x 2.5 mm.
+inline constexpr double kMostBallVoxels = 500'000;
+
+}  // namespace pdr::app

@@ -1,0 +1,155 @@
+/// What each kind of measurement says of a scan: value, ±, texts and refusals.
+
+#include <QTest>
+#include <cmath>
+#include <numbers>
+
+#include "app/plan/measured.h"
+#include "tests/support/scenes/scenes.h"
+
+namespace pdr::app {
+namespace {
+
+/// A scan of 40 x 40 x 20 voxels of 1 x 1 x 2 mm whose HU rise by 10 a millimetre to the left, 0 HU at its middle.
+std::shared_ptr<const Volume> ramp() {
+    return test::makeVolume({40, 40, 20}, dvec3(1, 1, 2), [](int i, int, int) { return 10 * (i - 20); });
+}
+
+dvec3 voxelMm(const Volume& volume, dvec3 index) {
+    return dvec3(volume.geometry().patientFromIndex * dvec4(index, 1));
+}
+
+Measurement measurementOf(MeasureKind kind, const std::vector<dvec3>& places, double sigmaMm = 0) {
+    Measurement measurement{1, kind, "", {}};
+    for (const dvec3& mm : places) {
+        measurement.places.push_back(measure::typedPlace(mm));
+        measurement.places.back().spread.of(measure::Cause::hand) = dmat3(sigmaMm * sigmaMm);
+    }
+    return measurement;
+}
+
+QString said(const Text& text) {
+    return QString::fromStdString(text);
+}
+
+/// Four places: a line along x, and one that is turned against it by `degrees` in the axial plane, 30 mm further.
+std::vector<dvec3> twoLines(double degrees) {
+    const double radians = degrees * std::numbers::pi / 180;
+    return {{0, 0, 0}, {20, 0, 0}, {0, 30, 0}, {20 * std::cos(radians), 30 + 20 * std::sin(radians), 0}};
+}
+
+}  // namespace
+
+class MeasuredTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void everyKindHasItsPlaces() {
+        QCOMPARE(placesOf(MeasureKind::point), std::size_t(1));
+        QCOMPARE(placesOf(MeasureKind::distance), std::size_t(2));
+        QCOMPARE(placesOf(MeasureKind::ball), std::size_t(2));
+        QCOMPARE(placesOf(MeasureKind::angle), std::size_t(3));
+        QCOMPARE(placesOf(MeasureKind::lines), std::size_t(4));
+        QVERIFY(!isBetweenEdges(MeasureKind::point) && !isBetweenEdges(MeasureKind::ball));
+    }
+
+    void aDistanceIsStatedWithItsPlusMinus() {
+        const auto found = measured(measurementOf(MeasureKind::distance, {{0, 0, 0}, {3, 4, 0}}, 0.02), *ramp());
+        QVERIFY(found && found->unit == measure::Unit::mm && found->bound == measure::Bound::none);
+        QVERIFY(std::abs(found->value - 5) < 1e-3);
+        QVERIFY(std::abs(found->plusMinus.value() - 1.96 * 0.02 * std::numbers::sqrt2) < 1e-9);
+        QCOMPARE(said(found->text), QString("5.0 ± 0.1 mm"));
+        QVERIFY2(said(found->details).startsWith("Hand ±0.1."), found->details.c_str());
+    }
+
+    void aBoundAndTypedPlacesHaveNoPlusMinus() {
+        QVERIFY(!measured(measurementOf(MeasureKind::distance, {{0, 0, 0}, {3, 4, 0}}), *ramp())->plusMinus);
+        const auto bound = measured(measurementOf(MeasureKind::distance, {{0, 0, 0}, {1, 0, 0}}, 2), *ramp());
+        QVERIFY(bound && bound->bound == measure::Bound::atMost && !bound->plusMinus);
+    }
+
+    /// Lines are taken as they were drawn: 60 degrees are not 120, which is said as well.
+    void twoLinesFormTheAngleOfTheirDirections() {
+        for (const double degrees : {30.0, 60.0, 120.0, 150.0}) {
+            const auto found = measured(measurementOf(MeasureKind::lines, twoLines(degrees), 0.1), *ramp());
+            QVERIFY(found && found->unit == measure::Unit::degrees);
+            QVERIFY(std::abs(found->value - degrees) < 1e-9);
+            const QString other = QString("On their other side %1 ± ").arg(180 - degrees, 0, 'f', 1);
+            QVERIFY2(said(found->details).startsWith(other), found->details.c_str());
+        }
+    }
+
+    void anAngleOfLinesIsAlsoSaidAsItIsSeen() {
+        std::vector<dvec3> places = twoLines(60);
+        places[3].z = 40;  // the second line rises, which cannot be seen from the feet
+        const auto found = measured(measurementOf(MeasureKind::lines, places, 0.1), *ramp());
+        QVERIFY(found->value > 70);
+        QVERIFY2(said(found->details).contains("Seen from the feet 60.0 ± "), found->details.c_str());
+        QVERIFY2(!said(found->details).contains("Seen from the left"), found->details.c_str());  // the first is a point
+    }
+
+    void parallelLinesAreWithinABound() {
+        const auto found = measured(measurementOf(MeasureKind::lines, twoLines(0), 0.1), *ramp());
+        QVERIFY(found && found->bound == measure::Bound::atMost && !found->plusMinus);
+        const auto none =
+            measured(measurementOf(MeasureKind::lines, {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {2, 0, 0}}), *ramp());
+        QVERIFY(!none && said(none.error().what).contains("too short"));
+    }
+
+    /// What is stated at a place is what a slice shows there.
+    void aPointSaysTheHuThere() {
+        const auto volume = ramp();
+        for (const double index : {3.0, 20.0, 20.25, 38.9}) {
+            const auto found =
+                measured(measurementOf(MeasureKind::point, {voxelMm(*volume, {index, 7.3, 4.6})}), *volume);
+            QVERIFY(found && found->unit == measure::Unit::hu && !found->plusMinus);
+            QVERIFY(std::abs(found->value - 10 * (index - 20)) < 1e-9);
+        }
+        const auto text = [&](double index) {
+            return said(measured(measurementOf(MeasureKind::point, {voxelMm(*volume, {index, 7, 4})}), *volume)->text);
+        };
+        QCOMPARE(text(20.27), QString("3 HU"));
+        QCOMPARE(text(19.98), QString("0 HU"));
+        const auto outside = measured(measurementOf(MeasureKind::point, {voxelMm(*volume, {60, 7, 4})}), *volume);
+        QVERIFY(!outside && !outside.error().what.empty());
+    }
+
+    /// The second place lies on the surface: the ball reaches as far as it, on either side.
+    void aBallHoldsTheVoxelsAsFarAsItsSecondPlace() {
+        const auto volume = ramp();
+        const dvec3 middle = voxelMm(*volume, {18, 20, 10});
+        const auto found = measured(measurementOf(MeasureKind::ball, {middle, middle + dvec3(0, 8, 0)}), *volume);
+        QVERIFY(found && found->region && found->unit == measure::Unit::hu);
+        std::size_t inside = 0;
+        for (int k = 0; k < 20; ++k)
+            for (int j = 0; j < 40; ++j)
+                for (int i = 0; i < 40; ++i)
+                    inside += glm::length(voxelMm(*volume, {i, j, k}) - middle) <= 8;
+        QCOMPARE(found->region->count, inside);
+        QVERIFY(std::abs(found->value + 20) < 1e-9);
+        QCOMPARE(found->region->lowestHu, -100.0);
+        QCOMPARE(found->region->highestHu, 60.0);
+        QVERIFY(found->plusMinus == found->region->meanPlusMinus && found->plusMinus > 0);
+        QVERIFY2(said(found->text).contains(QString::fromUtf8("±")), found->text.c_str());
+        const QString counted =
+            QString("-100 to 60 HU, %1 voxels, %2 ml.").arg(inside).arg(0.002 * double(inside), 0, 'f', 2);
+        QVERIFY2(said(found->details).contains(counted), found->details.c_str());
+    }
+
+    void aBallOfAFewVoxelsHasNoPlusMinusAndAnEmptyOneIsRefused() {
+        const auto volume = ramp();
+        const dvec3 voxel = voxelMm(*volume, {20, 20, 10});
+        const auto few = measured(measurementOf(MeasureKind::ball, {voxel, voxel + dvec3(1, 0, 0)}), *volume);
+        QVERIFY(few && few->region->count == 5 && !few->plusMinus);
+        const dvec3 between = voxel + dvec3(0.5, 0.5, 1);
+        const auto none = measured(measurementOf(MeasureKind::ball, {between, between + dvec3(0.2, 0, 0)}), *volume);
+        QVERIFY(!none && !none.error().hint.empty());
+        const auto huge = measured(measurementOf(MeasureKind::ball, {voxel, voxel + dvec3(1000, 0, 0)}), *volume);
+        QVERIFY(!huge && said(huge.error().what).contains("500000"));
+    }
+};
+
+}  // namespace pdr::app
+
+QTEST_GUILESS_MAIN(pdr::app::MeasuredTest)
+#include "measured_test.moc"
