@@ -99,8 +99,8 @@ void Desktop::addPresenters(const QString& beside, std::filesystem::path powerSu
     add<CutPresenter>();
     add<RegionPresenter>();
     auto& slices = add<SlicesPresenter>();
-    add<CrosshairPresenter>();
-    add<MarksPresenter>(slices);
+    auto& crosshair = add<CrosshairPresenter>();
+    add<MarksPresenter>(slices, crosshair);
     add<RenderingPresenter>();
     auto& accuracy = add<AccuracyPresenter>(std::move(powerSupplies));
     add<EffectsPresenter>();

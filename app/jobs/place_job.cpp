@@ -20,9 +20,12 @@ void PlaceJob::pick(const Scene& scene, QPointF place) {
     });
 }
 
-void PlaceJob::look(const Scene& scene, dvec3 placeMm) {
-    examine(scene, [this, placeMm](const PreparedScene& prepared) -> std::function<void()> {
-        return [this, placeMm, hidden = hiddenBy(prepared, placeMm)] { emit seen(placeMm, hidden); };
+void PlaceJob::look(const Scene& scene, const std::vector<dvec3>& placesMm) {
+    examine(scene, [this, placesMm](const PreparedScene& prepared) -> std::function<void()> {
+        std::vector<std::optional<HiddenBy>> hidden;
+        for (const dvec3& place : placesMm)
+            hidden.push_back(hiddenBy(prepared, place));
+        return [this, placesMm, hidden] { emit seen(placesMm, hidden); };
     });
 }
 

@@ -5,14 +5,20 @@
 #include <QPointF>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/jobs/background_job.h"
+#include "app/plan/plan.h"
 #include "render/prepare/flatten.h"
 #include "render/prepare/hidden_by.h"
 #include "render/prepare/layers_under.h"
 #include "render/scene/scene.h"
 
 namespace pdr::app {
+
+/// Changes of a document after which something else may hide a place.
+inline constexpr Changes kHides =
+    Changes::series | Changes::camera | Changes::look | Changes::table | Changes::clip | Changes::model | Changes::mask;
 
 class PlaceJob : public BackgroundJob {
     Q_OBJECT
@@ -21,15 +27,15 @@ class PlaceJob : public BackgroundJob {
     /// Finds what `scene`, which must have a volume, shows at `place`, in fractions of its width and height. Ends with
     /// found().
     void pick(const pdr::Scene& scene, QPointF place);
-    /// Finds what hides `placeMm`, in the patient (LPS) [mm], in the image of `scene`. Ends with seen().
-    void look(const pdr::Scene& scene, pdr::dvec3 placeMm);
+    /// Finds what hides each of `placesMm`, in the patient (LPS) [mm], in the image of `scene`. Ends with seen().
+    void look(const pdr::Scene& scene, const std::vector<pdr::dvec3>& placesMm);
     /// Cancels the running job and releases the volume.
     void drop();
 
   signals:
     void found(const pdr::LayersUnder& under);
-    /// `hiddenBy`: none if the place lies at or behind the eye.
-    void seen(pdr::dvec3 placeMm, const std::optional<pdr::HiddenBy>& hiddenBy);
+    /// Reports what hides each of `placesMm`; none: it lies at or behind the eye.
+    void seen(const std::vector<pdr::dvec3>& placesMm, const std::vector<std::optional<pdr::HiddenBy>>& hiddenBy);
 
   private:
     template <class Examine>

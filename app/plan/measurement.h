@@ -40,6 +40,9 @@ constexpr bool isBetweenEdges(MeasureKind kind) {
     return kind != MeasureKind::point && kind != MeasureKind::ball;
 }
 
+/// Most measurements of a plan, and the longest name of one [bytes]: plan files hold no more.
+inline constexpr std::size_t kMostMeasurements = 1000, kLongestName = 200;
+
 struct Measurement {
     std::uint64_t id = 0;  ///< random, so that files and reports name the same measurement
     MeasureKind kind = MeasureKind::distance;

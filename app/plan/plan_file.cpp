@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::string_view kFormat = "pdrender-plan";
 constexpr std::uint64_t kMostBytes = 16 << 20;
-constexpr std::size_t kMostMeasurements = 1000, kLongestName = 200;
 
 /// Returns whether a symmetric matrix can be a covariance: no direction has a negative variance. Rounding of 1e-9 of
 /// the largest variance is let pass.

@@ -3,7 +3,7 @@
 
 #include <QTimer>
 
-#include "app/jobs/place_job.h"
+#include "app/presenters/image_pick.h"
 #include "app/presenters/presenter.h"
 #include "ui/slices/crosshair_layer.h"
 
@@ -18,16 +18,17 @@ class CrosshairPresenter : public Presenter {
     void showDocument(Changes changes) override;
     void releaseVolume() override;
     ui::CrosshairLayer& layer() { return layer_; }
+    /// The clicks on the image that find a place, while slices are shown.
+    const ImagePick& picks() const { return picks_; }
 
   private:
     void pick(QPointF place);
-    void moveToLayer(const LayersUnder& under);
-    void offer(const LayersUnder& under);
     void lookAgain();
-    void showHidden(dvec3 placeMm, const std::optional<HiddenBy>& hiddenBy);
+    void showHidden(const std::vector<dvec3>& placesMm, const std::vector<std::optional<HiddenBy>>& hidden);
 
     ui::CrosshairLayer layer_;
-    PlaceJob picks_, looks_;
+    ImagePick picks_;
+    PlaceJob looks_;
     QTimer atRest_;  ///< runs out when nothing has changed for a while
 };
 

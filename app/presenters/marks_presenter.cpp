@@ -1,86 +1,51 @@
 #include "app/presenters/marks_presenter.h"
 
-#include <QMenu>
 #include <algorithm>
 #include <random>
 #include <utility>
 
-#include "app/plan/measured.h"
+#include "app/presenters/crosshair_presenter.h"
+#include "app/presenters/mark_places.h"
 #include "app/presenters/slices_presenter.h"
-#include "render/measure/edge.h"
-#include "ui/text/room_text.h"
 
 namespace pdr::app {
 namespace {
 
-struct Texts {
-    Q_DECLARE_TR_FUNCTIONS(Marks)
-};
+constexpr const char* kPanel = "Measurements";
 
 std::uint64_t newId() {
     std::random_device random;
     return std::uint64_t(random()) << 32 | random();
 }
 
-/// Returns what a measurement without a name is called; `number` counts those of its kind from 1.
-QString ordinalName(MeasureKind kind, int number) {
-    switch (kind) {
-        case MeasureKind::distance:
-            return Texts::tr("Distance %1").arg(number);
-        case MeasureKind::angle:
-            return Texts::tr("Angle %1").arg(number);
-        case MeasureKind::lines:
-            return Texts::tr("Two lines %1").arg(number);
-        case MeasureKind::point:
-            return Texts::tr("Place %1").arg(number);
-        case MeasureKind::ball:
-            break;
-    }
-    return Texts::tr("Ball %1").arg(number);
-}
-
-ui::MarkRow rowOf(const Measurement& measurement, int number, const Volume& volume) {
-    const QString name =
-        measurement.name.empty() ? ordinalName(measurement.kind, number) : QString::fromStdString(measurement.name);
-    const Result<Measured> value = measured(measurement, volume);
-    if (!value)
-        return {measurement.id, name, ui::inWords(value.error().what), ui::inWords(value.error().hint)};
-    return {measurement.id, name, ui::inWords(value->text), ui::inWords(value->details)};
-}
-
 auto find(std::vector<Measurement>& measurements, std::uint64_t id) {
     return std::ranges::find(measurements, id, &Measurement::id);
 }
 
-}  // namespace
-
-MarksPresenter::MarksPresenter(const Workspace& workspace, SlicesPresenter& slices)
-    : Presenter(workspace), slices_(slices), panel_(new ui::MarksPanel) {
-    window().addPanel(panel_,
-                      {"Measurements", ui::WindowDocks::tr("Measurements"), QKeySequence(Qt::CTRL | Qt::Key_M)});
-    fillMenu(slices_.menu());
-    window().viewport().tools().add(inImage_);
-    for (const AnatomicalPlane plane : kAnatomicalPlanes)
-        connectLayer(plane);
-    connectPanel();
+/// Returns what was typed as a name, no longer than a plan file holds.
+std::string nameOf(const QString& typed) {
+    QString name = typed.trimmed();
+    while (std::size_t(name.toUtf8().size()) > kLongestName)
+        name.chop(1);
+    return name.toStdString();
 }
 
-void MarksPresenter::fillMenu(QMenu& menu) {
-    menu.addSeparator();
-    const auto add = [&](const QString& text, const char* name, Qt::Key key, MeasureKind kind, const QString& toolTip) {
-        QAction* action = menu.addAction(text, QKeySequence(key));
-        action->setCheckable(true);
-        action->setObjectName(name);
-        action->setToolTip(toolTip);
-        window().addAction(action);  // so that its key works while the menu bar is hidden
-        connect(action, &QAction::triggered, this,
-                [this, kind](bool drawing) { draw(drawing ? std::optional(kind) : std::nullopt); });
-        return action;
-    };
-    distance_ = add(Texts::tr("&Distance"), "distance", Qt::Key_M, MeasureKind::distance,
-                    Texts::tr("Measures between two places of a slice, which move to the edge of a structure."));
-    angle_ = add(Texts::tr("&Angle"), "angle", Qt::Key_A, MeasureKind::angle,
-                 Texts::tr("Measures at the second of three places of a slice."));
+}  // namespace
+
+MarksPresenter::MarksPresenter(const Workspace& workspace, SlicesPresenter& slices, const CrosshairPresenter& crosshair)
+    : Presenter(workspace), slices_(slices), panel_(new ui::MarksPanel), inImage_(workspace) {
+    window().addPanel(panel_, {kPanel, ui::WindowDocks::tr("Measurements"), QKeySequence(Qt::CTRL | Qt::Key_M)});
+    tools_ = new MarkTools(slices_.menu(), *panel_, window());
+    tools_->setParent(this);
+    connect(tools_, &MarkTools::chosen, this, &MarksPresenter::draw);
+    for (const AnatomicalPlane plane : kAnatomicalPlanes)
+        connectLayer(plane);
+    connect(&inImage(), &ui::MarksLayer::drawingCancelled, this, [this] { draw(std::nullopt); });
+    connect(&crosshair.picks(), &ImagePick::picked, this, [this](const PickedPlace& picked) {
+        if (drawing_)
+            place(placeInImage(*document().seen(), picked, isBetweenEdges(*drawing_) && !picked.free));
+    });
+    connectPanel();
 }
 
 void MarksPresenter::connectLayer(AnatomicalPlane plane) {
@@ -88,8 +53,8 @@ void MarksPresenter::connectLayer(AnatomicalPlane plane) {
     ui::MarksLayer& layer = layers_[std::size_t(plane)];
     view.tools().add(layer);
     connect(&layer, &ui::MarksLayer::placed, this, [this, &view](dvec3 placeMm, bool free) {
-        if (view.slice())
-            place(view.slice()->plane, placeMm, free);
+        if (drawing_ && view.slice())
+            place(placeOnSlice(*document().seen(), view.slice()->plane, placeMm, isBetweenEdges(*drawing_) && !free));
     });
     connect(&layer, &ui::MarksLayer::dragged, this,
             [this, &view](std::uint64_t id, int index, dvec3 placeMm, bool free, bool moving) {
@@ -104,24 +69,21 @@ void MarksPresenter::connectLayer(AnatomicalPlane plane) {
 }
 
 void MarksPresenter::connectPanel() {
-    connect(panel_, &ui::MarksPanel::distanceChosen, distance_, &QAction::trigger);
-    connect(panel_, &ui::MarksPanel::angleChosen, angle_, &QAction::trigger);
     connect(panel_, &ui::MarksPanel::selected, this, &MarksPresenter::select);
     connect(panel_, &ui::MarksPanel::renamed, this, &MarksPresenter::rename);
     connect(panel_, &ui::MarksPanel::removed, this, &MarksPresenter::remove);
 }
 
-/// Begins to draw a measurement on the slices, or ends drawing.
+/// Begins to draw a measurement on slices and in the image, or ends drawing.
 void MarksPresenter::draw(std::optional<MeasureKind> kind) {
     drawing_ = document().hasVolume() ? kind : std::nullopt;
     drawn_.clear();
     if (drawing_)
         slices_.showSlices();
-    distance_->setChecked(drawing_ == MeasureKind::distance);
-    angle_->setChecked(drawing_ == MeasureKind::angle);
-    panel_->setDrawing(distance_->isChecked(), angle_->isChecked());
+    tools_->setDrawing(drawing_);
     for (ui::MarksLayer& layer : layers_)
         layer.setDrawing(drawing_.has_value());
+    inImage().setDrawing(drawing_.has_value());
     showDrawn();
 }
 
@@ -129,25 +91,15 @@ void MarksPresenter::showDrawn() {
     std::vector<dvec3> places;
     for (const measure::Place& place : drawn_)
         places.push_back(place.mm);
+    const ui::MarkShape shape = drawing_ ? shapeOf(*drawing_) : ui::MarkShape::path;
     for (ui::MarksLayer& layer : layers_)
-        layer.setDrawn(places);
+        layer.setDrawn(shape, places);
+    inImage().setDrawn(shape, places);
 }
 
-/// Returns the place of a click on a slice: at the edge of a structure near it, unless it is to stay free.
-measure::Place MarksPresenter::placeAt(const SlicePlane& plane, dvec3 placeMm, bool free) const {
-    const std::shared_ptr<const Volume> volume = document().seen();
-    const measure::Place clicked =
-        measure::clickedPlace(volume->geometry(), placeMm, {plane.right, plane.down, plane.mmPerPixel, 0});
-    if (free)
-        return clicked;
-    const measure::EdgeSearch search = measure::edgeNear(*volume, placeMm, plane.normal());
-    return search.edge ? measure::atEdge(clicked, *search.edge) : clicked;
-}
-
-void MarksPresenter::place(const SlicePlane& plane, dvec3 placeMm, bool free) {
-    if (!drawing_ || !document().hasVolume())
-        return;
-    drawn_.push_back(placeAt(plane, placeMm, free));
+/// Sets the next place of what is being drawn; the last one makes a measurement of it.
+void MarksPresenter::place(const measure::Place& place) {
+    drawn_.push_back(place);
     if (drawn_.size() < placesOf(*drawing_))
         return showDrawn();
     Measurement measurement{newId(), *drawing_, {}, std::exchange(drawn_, {})};
@@ -156,10 +108,24 @@ void MarksPresenter::place(const SlicePlane& plane, dvec3 placeMm, bool free) {
 }
 
 void MarksPresenter::add(Measurement measurement) {
-    selected_ = measurement.id;
     Plan plan = document().plan();
+    if (plan.measurements.size() >= kMostMeasurements)
+        return showError({phrase("a plan holds %1 measurements at most", kMostMeasurements), "",
+                          phrase("Remove some of them."), ErrorKind::refused});
+    selected_ = measurement.id;
+    const bool isPoint = measurement.kind == MeasureKind::point;
     plan.measurements.push_back(std::move(measurement));
     document().edit(std::move(plan));
+    if (isPoint)
+        askForName(selected_);
+}
+
+/// Opens the name of a new label for typing.
+void MarksPresenter::askForName(std::uint64_t id) {
+    QAction* toggle = window().panelToggle(kPanel);
+    if (!toggle->isChecked())
+        toggle->trigger();
+    panel_->editName(id);
 }
 
 /// Moves a place. It goes to an edge only when the button is released, so that it does not jump under the pointer.
@@ -168,8 +134,15 @@ void MarksPresenter::drag(const SlicePlane& plane, std::uint64_t id, int index, 
     const auto measurement = find(plan.measurements, id);
     if (measurement == plan.measurements.end())
         return;
-    measurement->places[std::size_t(index)] = placeAt(plane, placeMm, free || moving);
+    const bool toEdge = isBetweenEdges(measurement->kind) && !free && !moving;
+    const dvec3 before = measurement->places[std::size_t(index)].mm;
+    measurement->places[std::size_t(index)] = placeOnSlice(*document().seen(), plane, placeMm, toEdge);
+    if (measurement->kind == MeasureKind::ball && index == 0)  // the ball goes with its middle
+        measurement->places[1].mm += measurement->places[0].mm - before;
+    moving_ = moving ? id : 0;
     document().edit(std::move(plan), Changes::measurements, moving);
+    if (!moving)
+        show();  // also if it ended where it was
 }
 
 void MarksPresenter::rename(std::uint64_t id, const QString& name) {
@@ -177,7 +150,7 @@ void MarksPresenter::rename(std::uint64_t id, const QString& name) {
     const auto measurement = find(plan.measurements, id);
     if (measurement == plan.measurements.end())
         return;
-    measurement->name = name.trimmed().toStdString();
+    measurement->name = nameOf(name);
     document().edit(std::move(plan));
 }
 
@@ -200,36 +173,30 @@ void MarksPresenter::showDocument(Changes changes) {
     if (has(changes, Changes::series)) {
         draw(std::nullopt);
         panel_->setEnabled(document().hasVolume());
-        distance_->setEnabled(document().hasVolume());
-        angle_->setEnabled(document().hasVolume());
+        tools_->setEnabled(document().hasVolume());
     }
-    if (has(changes, Changes::series | Changes::measurements))
+    if (has(changes, Changes::series | Changes::table))
+        rows_.clear();
+    if (has(changes, Changes::series | Changes::table | Changes::measurements))
         show();
+    inImage_.showDocument(changes);
 }
 
 void MarksPresenter::releaseVolume() {
     draw(std::nullopt);
+    inImage_.releaseVolume();
 }
 
 void MarksPresenter::show() {
-    std::vector<ui::MarkRow> rows;
-    std::vector<ui::ShownMark> marks;
-    std::array<int, kMeasureKinds> numbers{};
     if (document().hasVolume())
-        for (const Measurement& measurement : document().plan().measurements) {
-            const int number = ++numbers[std::size_t(measurement.kind)];
-            rows.push_back(rowOf(measurement, number, *document().seen()));
-            ui::ShownMark mark{
-                .id = measurement.id, .text = rows.back().value, .selected = measurement.id == selected_};
-            for (const measure::Place& place : measurement.places)
-                mark.placesMm.push_back(place.mm);
-            marks.push_back(std::move(mark));
-        }
-    panel_->setRows(rows);
+        rows_.make(document().plan().measurements, *document().seen(), selected_, moving_);
+    else
+        rows_.clear();
+    panel_->setRows(rows_.rows());
     panel_->setSelected(selected_);
     for (ui::MarksLayer& layer : layers_)
-        layer.setMarks(marks);
-    inImage_.setMarks(marks);
+        layer.setMarks(rows_.marks());
+    inImage_.setMarks(rows_.marks());
 }
 
 }  // namespace pdr::app

@@ -1,9 +1,12 @@
 #pragma once
-/// Measurements on slices: drawing and moving them, their values, and the list of all.
+/// Measurements on slices and in the image: drawing and moving them, and the list of all.
 
 #include <array>
 #include <optional>
 
+#include "app/presenters/image_marks.h"
+#include "app/presenters/mark_rows.h"
+#include "app/presenters/mark_tools.h"
 #include "app/presenters/presenter.h"
 #include "ui/measure/marks_layer.h"
 #include "ui/measure/marks_panel.h"
@@ -12,27 +15,30 @@
 namespace pdr::app {
 
 class SlicesPresenter;
+class CrosshairPresenter;
 
 class MarksPresenter : public Presenter {
     Q_OBJECT
 
   public:
-    /// `slices` shows the views in which is measured, and must outlive this object.
-    MarksPresenter(const Workspace& workspace, SlicesPresenter& slices);
+    /// `slices` shows the views in which is measured, and `crosshair` knows what clicks on the image find; both must
+    /// outlive this object.
+    MarksPresenter(const Workspace& workspace, SlicesPresenter& slices, const CrosshairPresenter& crosshair);
 
     void showDocument(Changes changes) override;
     void releaseVolume() override;
     ui::MarksPanel& panel() { return *panel_; }
+    /// The measurements in the image.
+    ui::MarksLayer& inImage() { return inImage_.layer(); }
 
   private:
-    void fillMenu(QMenu& menu);
     void connectLayer(AnatomicalPlane plane);
     void connectPanel();
     void draw(std::optional<MeasureKind> kind);
-    void place(const SlicePlane& plane, dvec3 placeMm, bool free);
+    void place(const measure::Place& place);
     void drag(const SlicePlane& plane, std::uint64_t id, int index, dvec3 placeMm, bool free, bool moving);
-    measure::Place placeAt(const SlicePlane& plane, dvec3 placeMm, bool free) const;
     void add(Measurement measurement);
+    void askForName(std::uint64_t id);
     void rename(std::uint64_t id, const QString& name);
     void remove(std::uint64_t id);
     void select(std::uint64_t id);
@@ -41,12 +47,14 @@ class MarksPresenter : public Presenter {
 
     SlicesPresenter& slices_;
     ui::MarksPanel* panel_;
+    MarkTools* tools_;
     std::array<ui::MarksLayer, 3> layers_{ui::MarksLayer(true), ui::MarksLayer(true), ui::MarksLayer(true)};
-    ui::MarksLayer inImage_{false};
-    QAction *distance_ = nullptr, *angle_ = nullptr;
+    ImageMarks inImage_;
+    MarkRows rows_;
     std::optional<MeasureKind> drawing_;  ///< what is being drawn; none: nothing
     std::vector<measure::Place> drawn_;   ///< the places that it has so far
     std::uint64_t selected_ = 0;          ///< 0: none
+    std::uint64_t moving_ = 0;            ///< whose place is being dragged; 0: none
 };
 
 }  // namespace pdr::app

@@ -942,6 +942,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Winkel %1</translation>
     </message>
     <message>
+        <source>Angle of two lines</source>
+        <translation>Winkel zweier Linien</translation>
+    </message>
+    <message>
         <source>Annotations:</source>
         <translation>Beschriftung:</translation>
     </message>
@@ -1016,6 +1020,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Background</source>
         <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kugel</translation>
     </message>
     <message>
         <source>Ball %1</source>
@@ -1278,12 +1286,24 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Den Ablauf von PD-Render wählen.</translation>
     </message>
     <message>
-        <source>Click three places of a slice (A): the angle at the second.</source>
-        <translation>Drei Punkte einer Schicht anklicken (A): der Winkel am zweiten.</translation>
+        <source>Click a place, and type what it is. The list shows its HU.</source>
+        <translation>Einen Punkt anklicken und eintippen, was er ist. Die Liste zeigt seinen HU-Wert.</translation>
     </message>
     <message>
-        <source>Click two places of a slice (M). They move to the edge of a structure; Alt: they stay.</source>
-        <translation>Zwei Punkte einer Schicht anklicken (M). Sie rücken an den Rand einer Struktur; Alt: Sie bleiben.</translation>
+        <source>Click both ends of a line, then of another: the angle between their directions.</source>
+        <translation>Beide Enden einer Linie anklicken, dann einer zweiten: der Winkel zwischen ihren Richtungen.</translation>
+    </message>
+    <message>
+        <source>Click the middle of a ball, then a place on its surface: the mean of the HU inside.</source>
+        <translation>Die Mitte einer Kugel anklicken, dann einen Punkt auf ihrer Oberfläche: der Mittelwert der HU darin.</translation>
+    </message>
+    <message>
+        <source>Click three places of a slice or of the image: the angle at the second.</source>
+        <translation>Drei Punkte einer Schicht oder des Bildes anklicken: der Winkel am zweiten.</translation>
+    </message>
+    <message>
+        <source>Click two places of a slice or of the image. They move to the edge of a structure; Alt: they stay.</source>
+        <translation>Zwei Punkte einer Schicht oder des Bildes anklicken. Sie rücken an den Rand einer Struktur; Alt: Sie bleiben.</translation>
     </message>
     <message>
         <source>Close %1</source>
@@ -2050,6 +2070,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Bekannte Teile: %1.</translation>
     </message>
     <message>
+        <source>Label</source>
+        <translation>Beschriftung</translation>
+    </message>
+    <message>
         <source>Lamp</source>
         <translation>Lampe</translation>
     </message>
@@ -2234,6 +2258,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Maximale Intensität</translation>
     </message>
     <message>
+        <source>Mean in a ball</source>
+        <translation>Mittelwert in einer Kugel</translation>
+    </message>
+    <message>
         <source>Measure at least 5 sizes with 3 numbers of iterations.</source>
         <translation>Mindestens 5 Größen mit 3 Anzahlen von Durchgängen messen.</translation>
     </message>
@@ -2256,14 +2284,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Measurements are not saved. Discard them?</source>
         <translation>Messungen sind nicht gespeichert. Verwerfen?</translation>
-    </message>
-    <message>
-        <source>Measures at the second of three places of a slice.</source>
-        <translation>Misst am zweiten von drei Punkten einer Schicht.</translation>
-    </message>
-    <message>
-        <source>Measures between two places of a slice, which move to the edge of a structure.</source>
-        <translation>Misst zwischen zwei Punkten einer Schicht, die an den Rand einer Struktur rücken.</translation>
     </message>
     <message>
         <source>Measuring %1 from time to time, in 1/20 of the time</source>
@@ -2884,6 +2904,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Remove one of them.</source>
         <translation>Eines davon entfernen.</translation>
+    </message>
+    <message>
+        <source>Remove some of them.</source>
+        <translation>Einige davon entfernen.</translation>
     </message>
     <message>
         <source>Remove the last freehand cut</source>
@@ -3580,6 +3604,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Zwei Lampen dahinter: helle Umrisse</translation>
     </message>
     <message>
+        <source>Two lines</source>
+        <translation>Zwei Linien</translation>
+    </message>
+    <message>
         <source>Two lines %1</source>
         <translation>Zwei Linien %1</translation>
     </message>
@@ -3978,6 +4006,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>a piece of a scan that was not asked for</source>
         <translation>ein Stück eines Scans, um das nicht gebeten war</translation>
+    </message>
+    <message>
+        <source>a plan holds %1 measurements at most</source>
+        <translation>ein Plan enthält höchstens %1 Messungen</translation>
     </message>
     <message>
         <source>a point of the curve emits light</source>

@@ -942,6 +942,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Ángulo %1</translation>
     </message>
     <message>
+        <source>Angle of two lines</source>
+        <translation>Ángulo de dos líneas</translation>
+    </message>
+    <message>
         <source>Annotations:</source>
         <translation>Anotaciones:</translation>
     </message>
@@ -1016,6 +1020,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Background</source>
         <translation>Fondo</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Esfera</translation>
     </message>
     <message>
         <source>Ball %1</source>
@@ -1278,12 +1286,24 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Elija el orden de trabajo de PD-Render.</translation>
     </message>
     <message>
-        <source>Click three places of a slice (A): the angle at the second.</source>
-        <translation>Haga clic en tres puntos de un corte (A): el ángulo en el segundo.</translation>
+        <source>Click a place, and type what it is. The list shows its HU.</source>
+        <translation>Haga clic en un punto y escriba qué es. La lista muestra su valor UH.</translation>
     </message>
     <message>
-        <source>Click two places of a slice (M). They move to the edge of a structure; Alt: they stay.</source>
-        <translation>Haga clic en dos puntos de un corte (M). Pasan al borde de una estructura; con Alt se quedan.</translation>
+        <source>Click both ends of a line, then of another: the angle between their directions.</source>
+        <translation>Haga clic en ambos extremos de una línea y luego de otra: el ángulo entre sus direcciones.</translation>
+    </message>
+    <message>
+        <source>Click the middle of a ball, then a place on its surface: the mean of the HU inside.</source>
+        <translation>Haga clic en el centro de una esfera y luego en un punto de su superficie: la media de las UH de dentro.</translation>
+    </message>
+    <message>
+        <source>Click three places of a slice or of the image: the angle at the second.</source>
+        <translation>Haga clic en tres puntos de un corte o de la imagen: el ángulo en el segundo.</translation>
+    </message>
+    <message>
+        <source>Click two places of a slice or of the image. They move to the edge of a structure; Alt: they stay.</source>
+        <translation>Haga clic en dos puntos de un corte o de la imagen. Pasan al borde de una estructura; con Alt se quedan.</translation>
     </message>
     <message>
         <source>Close %1</source>
@@ -2050,6 +2070,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Partes conocidas: %1.</translation>
     </message>
     <message>
+        <source>Label</source>
+        <translation>Etiqueta</translation>
+    </message>
+    <message>
         <source>Lamp</source>
         <translation>Lámpara</translation>
     </message>
@@ -2234,6 +2258,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Intensidad máxima</translation>
     </message>
     <message>
+        <source>Mean in a ball</source>
+        <translation>Media en una esfera</translation>
+    </message>
+    <message>
         <source>Measure at least 5 sizes with 3 numbers of iterations.</source>
         <translation>Mida al menos 5 tamaños con 3 números de iteraciones.</translation>
     </message>
@@ -2256,14 +2284,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Measurements are not saved. Discard them?</source>
         <translation>Las mediciones no están guardadas. ¿Descartarlas?</translation>
-    </message>
-    <message>
-        <source>Measures at the second of three places of a slice.</source>
-        <translation>Mide en el segundo de tres puntos de un corte.</translation>
-    </message>
-    <message>
-        <source>Measures between two places of a slice, which move to the edge of a structure.</source>
-        <translation>Mide entre dos puntos de un corte, que pasan al borde de una estructura.</translation>
     </message>
     <message>
         <source>Measuring %1 from time to time, in 1/20 of the time</source>
@@ -2884,6 +2904,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Remove one of them.</source>
         <translation>Quite uno de ellos.</translation>
+    </message>
+    <message>
+        <source>Remove some of them.</source>
+        <translation>Quite algunas.</translation>
     </message>
     <message>
         <source>Remove the last freehand cut</source>
@@ -3580,6 +3604,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Dos lámparas detrás: contornos brillantes</translation>
     </message>
     <message>
+        <source>Two lines</source>
+        <translation>Dos líneas</translation>
+    </message>
+    <message>
         <source>Two lines %1</source>
         <translation>Dos líneas %1</translation>
     </message>
@@ -3978,6 +4006,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>a piece of a scan that was not asked for</source>
         <translation>un trozo de un estudio que no se pidió</translation>
+    </message>
+    <message>
+        <source>a plan holds %1 measurements at most</source>
+        <translation>un plan contiene como máximo %1 mediciones</translation>
     </message>
     <message>
         <source>a point of the curve emits light</source>

@@ -20,9 +20,8 @@
 #include "render/measure/angle.h"
 #include "render/measure/distance.h"
 #include "render/measure/edge.h"
-#include "render/measure/measure_text.h"
 #include "tests/support/scenes/edge_phantoms.h"
-#include "tests/support/statistics.h"
+#include "tools/measure/coverage_row.h"
 
 namespace pdr::test {
 namespace {
@@ -40,38 +39,6 @@ struct Tissue {
     double noiseHu;
 };
 const Tissue kTissues[]{{{1000, 40}, 15}, {{1000, 40}, 40}, {{300, 40}, 20}};
-
-/// What became of the trials of a row.
-struct Row {
-    int stated = 0, bounds = 0, lost = 0, held = 0, heldBounds = 0, untold = 0;
-    Sample value, variance;
-
-    void add(const std::optional<Stated>& found, double truth) {
-        if (!found)
-            return void(++lost);
-        if (found->bound != Bound::none) {
-            ++bounds;
-            heldBounds += found->low <= truth && truth <= found->high;
-            return;
-        }
-        ++stated;
-        held += found->low <= truth && truth <= found->high;
-        value.add(found->value - truth);
-        variance.add(std::pow(found->plusMinus() / 1.96, 2));
-        untold += std::abs(found->value - truth) > roundedPlusMinus(found->plusMinus()).plusMinus;
-    }
-    static double percent(int part, int whole) { return whole > 0 ? 100.0 * part / whole : NAN; }
-    void print() const {
-        std::printf("%6d %7d %7d ", stated, bounds, lost);
-        if (stated > 1)
-            std::printf("%+6.3f %6.3f %6.3f %6.1f ", value.mean(), std::sqrt(value.variance()),
-                        std::sqrt(variance.mean()), percent(held, stated));
-        else
-            std::printf("%6s %6s %6s %6s ", "", "", "", "");
-        std::printf("%6.1f %6d\n", percent(heldBounds, bounds), untold);
-        std::fflush(stdout);
-    }
-};
 
 /// Returns the place of a click near `truth` on a border across `normal`, moved to its edge.
 std::optional<Place> clicked(const Volume& scan, dvec3 truth, dvec3 normal, std::mt19937& random) {
@@ -104,7 +71,7 @@ void plates(int trials) {
             for (const double thickness : {0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0, 30.0}) {
                 std::mt19937 random(++seed);
                 const Scanner scanner{grid.spacingMm, grid.blurMm, tissue.noiseHu};
-                Row row;
+                CoverageRow row;
                 for (int trial = 0; trial < trials; ++trial)
                     row.add(plate(scanner, thickness, tissue.hu, random), thickness);
                 std::printf("%-4g%-4g%-6g %4g/%-3g %-3g %5.1f ", grid.spacingMm.x, grid.spacingMm.y, grid.spacingMm.z,
@@ -133,7 +100,7 @@ void angles(int trials) {
     for (const Grid& grid : kGrids)
         for (const double truth : {2.0, 15.0, 45.0, 90.0, 150.0}) {
             std::mt19937 random(++seed);
-            Row row;
+            CoverageRow row;
             for (int trial = 0; trial < trials; ++trial)
                 row.add(ballAngle({grid.spacingMm, dvec3(grid.blurMm.x), 15}, {1000, 40}, truth, random), truth);
             std::printf("%-4g%-4g%-6g %-12s %4.0f° ", grid.spacingMm.x, grid.spacingMm.y, grid.spacingMm.z,
@@ -164,7 +131,7 @@ void regions(int trials) {
                 }
                 std::printf("%-4g%-4g%-6g %-12s %4.0f mm %7.0f %6.1f %6.1f\n", grid.spacingMm.x, grid.spacingMm.y,
                             grid.spacingMm.z, grain > 0 ? "correlated" : "white", radius, count.mean(),
-                            Row::percent(held, trials), Row::percent(naive, trials));
+                            percent(held, trials), percent(naive, trials));
                 std::fflush(stdout);
             }
 }

@@ -1,29 +1,15 @@
 #include "ui/measure/marks_layer.h"
 
 #include <QLineF>
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "ui/text/language.h"
-#include "ui/view/mark.h"
 #include "ui/view/view_places.h"
 
 namespace pdr::ui {
 namespace {
 
-constexpr double kHandle = 5;     ///< radius of a handle [px]
-constexpr double kNearPx = 9;     ///< how near the pointer takes hold of a handle [px]
-constexpr double kFarMm = 20;     ///< measurements farther off a slice are not shown
-constexpr double kInSlice = 0.6;  ///< how far off a slice a place still counts as lying in it [mm]
-
-void drawText(QPainter& painter, QPointF place, const QString& text) {
-    painter.setPen(Qt::black);
-    for (const QPointF off : {QPointF(1, 1), QPointF(-1, 1), QPointF(1, -1), QPointF(-1, -1)})
-        painter.drawText(place + off, text);
-    painter.setPen(QColor(kMarkColour));
-    painter.drawText(place, text);
-}
+constexpr double kNearPx = 9;  ///< how near the pointer takes hold of a handle [px]
 
 }  // namespace
 
@@ -41,8 +27,15 @@ void MarksLayer::setDrawing(bool drawing) {
     emit changed();
 }
 
-void MarksLayer::setDrawn(std::vector<dvec3> placesMm) {
-    drawn_ = std::move(placesMm);
+void MarksLayer::setDrawn(MarkShape shape, std::vector<dvec3> placesMm) {
+    drawn_ = {.shape = shape, .placesMm = std::move(placesMm)};
+    emit changed();
+}
+
+void MarksLayer::setHidden(std::map<std::uint64_t, MarkHidden> hidden) {
+    if (hidden == hidden_)
+        return;
+    hidden_ = std::move(hidden);
     emit changed();
 }
 
@@ -55,7 +48,7 @@ std::optional<MarksLayer::Handle> MarksLayer::handleAt(const ViewPointer& pointe
     for (const ShownMark& mark : marks_)
         for (std::size_t i = 0; i < mark.placesMm.size(); ++i) {
             const auto at = seenAt(pointer.image, mark.placesMm[i]);
-            if (!at || std::abs(depthMm(pointer.image, mark.placesMm[i])) > kInSlice)
+            if (!at || std::abs(depthMm(pointer.image, mark.placesMm[i])) > kInSliceMm)
                 continue;
             if (const double distance = QLineF(*at, pointer.at).length(); distance <= reach) {
                 reach = distance;
@@ -105,7 +98,7 @@ void MarksLayer::reportDrag(const ViewPointer& pointer, bool moving) {
 }
 
 bool MarksLayer::hover(const ViewPointer& pointer) {
-    if (drawing_ && pointer.image.camera) {
+    if (drawing_ && slice_ && pointer.image.camera) {
         pointer_ = placeUnder(pointer.image, pointer.at);
         emit changed();
         return true;
@@ -140,48 +133,25 @@ std::optional<Qt::CursorShape> MarksLayer::cursor() const {
 void MarksLayer::paint(QPainter& painter, const ImagePlace& image) const {
     if (!image.camera)
         return;
-    painter.setRenderHint(QPainter::Antialiasing);
-    for (const ShownMark& mark : marks_)
-        paintMark(painter, image, mark);
-    if (!drawing_ || drawn_.empty())
-        return;
-    ShownMark open{.placesMm = drawn_};
-    if (pointer_)
-        open.placesMm.push_back(*pointer_);
-    paintMark(painter, image, open);
+    MarkPainter marks(painter, image, slice_);
+    for (const ShownMark& mark : marks_) {
+        const auto hidden = hidden_.find(mark.id);
+        marks.paint(mark, lit_ && lit_->id == mark.id ? lit_->index : -1,
+                    hidden == hidden_.end() ? MarkHidden() : hidden->second);
+    }
+    marks.paintLabels();
+    if (drawing_)
+        paintDrawn(painter, image);
 }
 
-void MarksLayer::paintMark(QPainter& painter, const ImagePlace& image, const ShownMark& mark) const {
-    std::vector<QPointF> points;
-    double nearest = INFINITY;  // signed distance of the end that lies nearest to the slice
-    bool inSlice = true;
-    for (const dvec3& place : mark.placesMm) {
-        const auto at = seenAt(image, place);
-        if (!at)
-            return;
-        points.push_back(*at);
-        const double depth = depthMm(image, place);
-        inSlice = inSlice && std::abs(depth) <= kInSlice;
-        if (std::abs(depth) < std::abs(nearest))
-            nearest = depth;
-    }
-    if (slice_ && std::abs(nearest) > kFarMm)
+/// Paints what is being drawn; the pointer is its next place.
+void MarksLayer::paintDrawn(QPainter& painter, const ImagePlace& image) const {
+    ShownMark open = drawn_;
+    if (open.placesMm.empty())
         return;
-    const bool solid = !slice_ || inSlice;
-    const QPen pen(QColor(kMarkColour), mark.selected ? 2 : 1.3, solid ? Qt::SolidLine : Qt::DashLine);
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        drawMarkLine(painter, points[i], points[i + 1], pen);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const bool lit = lit_ == Handle{mark.id, int(i)};
-        painter.setPen(QPen(Qt::black, 1));
-        painter.setBrush(QColor(kMarkColour));
-        painter.drawEllipse(points[i], lit ? kHandle : kHandle / 2, lit ? kHandle : kHandle / 2);
-    }
-    QString text = mark.text;
-    if (!solid && std::abs(nearest) > kInSlice)
-        text += "  " + tr("%1 mm off").arg(number(std::abs(nearest), 1));
-    if (!text.isEmpty())
-        drawText(painter, points.back() + QPointF(8, -8), text);
+    if (pointer_)
+        open.placesMm.push_back(*pointer_);
+    MarkPainter(painter, image, slice_).paint(open);
 }
 
 }  // namespace pdr::ui

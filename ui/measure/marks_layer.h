@@ -1,12 +1,13 @@
 #pragma once
 /// The tool that shows measurements in a view, sets their places, and moves them. In a slice, a measurement that lies
 /// off the slice is dashed, with the distance of its nearest end; beyond 20 mm it is not shown. In the image all are
-/// shown. Setters emit no signals.
+/// shown, dotted where they are hidden. Setters emit no signals.
 
+#include <map>
 #include <optional>
 #include <vector>
 
-#include "ui/measure/shown_mark.h"
+#include "ui/measure/mark_painter.h"
 #include "ui/view/view_tool.h"
 
 namespace pdr::ui {
@@ -19,10 +20,15 @@ class MarksLayer : public ViewTool {
     explicit MarksLayer(bool slice) : slice_(slice) {}
 
     void setMarks(std::vector<ShownMark> marks);
-    /// Sets whether presses of the left button set places, in a slice, until Esc ends it.
+    const std::vector<ShownMark>& marks() const { return marks_; }
+    /// Sets whether something is being drawn, until Esc ends it. In a slice, presses of the left button set its places;
+    /// in the image, clicks leave that to others, so that drags still turn it.
     void setDrawing(bool drawing);
-    /// Sets the lines that are being drawn; the pointer is their next place. Empty: nothing is being drawn.
-    void setDrawn(std::vector<dvec3> placesMm);
+    /// Sets the places of what is being drawn; in a slice, the pointer is the next one.
+    void setDrawn(MarkShape shape, std::vector<dvec3> placesMm);
+    /// Sets what of the marks is hidden, by their ids; others are shown as if nothing of them were.
+    void setHidden(std::map<std::uint64_t, MarkHidden> hidden);
+    const std::map<std::uint64_t, MarkHidden>& hidden() const { return hidden_; }
 
     bool takes(const ViewPointer& pointer) const override;
     void press(const ViewPointer& pointer) override;
@@ -53,13 +59,14 @@ class MarksLayer : public ViewTool {
 
     std::optional<Handle> handleAt(const ViewPointer& pointer) const;
     void reportDrag(const ViewPointer& pointer, bool moving);
-    void paintMark(QPainter& painter, const ImagePlace& image, const ShownMark& mark) const;
+    void paintDrawn(QPainter& painter, const ImagePlace& image) const;
     void light(const std::optional<Handle>& handle);
 
     bool slice_;
     bool drawing_ = false;
     std::vector<ShownMark> marks_;
-    std::vector<dvec3> drawn_;
+    std::map<std::uint64_t, MarkHidden> hidden_;
+    ShownMark drawn_;                ///< what is being drawn
     std::optional<dvec3> pointer_;   ///< place under the pointer while drawing
     std::optional<Handle> lit_;      ///< under the pointer
     std::optional<Handle> dragged_;  ///< pressed

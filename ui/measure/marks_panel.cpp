@@ -1,21 +1,16 @@
 #include "ui/measure/marks_panel.h"
 
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace pdr::ui {
 
-MarksPanel::MarksPanel(QWidget* parent)
-    : QWidget(parent), distance_(tr("Distance")), angle_(tr("Angle")), remove_(tr("Remove")) {
-    distance_.setToolTip(tr("Click two places of a slice (M). They move to the edge of a structure; Alt: they stay."));
-    angle_.setToolTip(tr("Click three places of a slice (A): the angle at the second."));
+MarksPanel::MarksPanel(QWidget* parent) : QWidget(parent), buttons_(new QGridLayout) {
+    remove_.setText(tr("Remove"));
     remove_.setToolTip(tr("Removes the selected measurement (Delete)."));
-    distance_.setCheckable(true);
-    angle_.setCheckable(true);
     remove_.setEnabled(false);
     list_.setColumnCount(2);
     list_.setHeaderLabels({tr("Name"), tr("Value")});
@@ -28,18 +23,13 @@ MarksPanel::MarksPanel(QWidget* parent)
     list_.header()->setStretchLastSection(false);
     list_.installEventFilter(this);
 
-    auto* buttons = new QHBoxLayout;
-    for (QPushButton* button : {&distance_, &angle_, &remove_}) {
-        button->setFocusPolicy(Qt::TabFocus);
-        buttons->addWidget(button);
-    }
     auto* layout = new QVBoxLayout(this);
-    layout->addLayout(buttons);
+    layout->addLayout(buttons_);
     layout->addWidget(&list_, 1);
+    layout->addWidget(&remove_, 0, Qt::AlignRight);
+    remove_.setFocusPolicy(Qt::TabFocus);
 
-    connect(&distance_, &QPushButton::clicked, this, &MarksPanel::distanceChosen);
-    connect(&angle_, &QPushButton::clicked, this, &MarksPanel::angleChosen);
-    connect(&remove_, &QPushButton::clicked, this, [this] { emit removed(idOf(list_.currentItem())); });
+    connect(&remove_, &QToolButton::clicked, this, [this] { emit removed(idOf(list_.currentItem())); });
     connect(&list_, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
         remove_.setEnabled(item);
         if (item)
@@ -47,6 +37,16 @@ MarksPanel::MarksPanel(QWidget* parent)
     });
     connect(&list_, &QTreeWidget::itemChanged, this,
             [this](const QTreeWidgetItem* item) { emit renamed(idOf(item), item->text(0)); });
+}
+
+void MarksPanel::addTool(QAction* action) {
+    constexpr int kColumns = 3;
+    auto* button = new QToolButton;
+    button->setDefaultAction(action);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    const int count = buttons_->count();
+    buttons_->addWidget(button, count / kColumns, count % kColumns);
 }
 
 std::uint64_t MarksPanel::idOf(const QTreeWidgetItem* item) const {
@@ -69,18 +69,20 @@ void MarksPanel::setRows(const std::vector<MarkRow>& rows) {
     setSelected(current);
 }
 
+QTreeWidgetItem* MarksPanel::itemOf(std::uint64_t id) const {
+    const auto row = std::ranges::find(rows_, id, &MarkRow::id);
+    return row == rows_.end() ? nullptr : list_.topLevelItem(int(row - rows_.begin()));
+}
+
 void MarksPanel::setSelected(std::uint64_t id) {
     const QSignalBlocker silent(list_);
-    list_.setCurrentItem(nullptr);
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-        if (rows_[i].id == id)
-            list_.setCurrentItem(list_.topLevelItem(int(i)));
+    list_.setCurrentItem(itemOf(id));
     remove_.setEnabled(list_.currentItem());
 }
 
-void MarksPanel::setDrawing(bool distance, bool angle) {
-    distance_.setChecked(distance);
-    angle_.setChecked(angle);
+void MarksPanel::editName(std::uint64_t id) {
+    if (QTreeWidgetItem* item = itemOf(id))
+        list_.editItem(item, 0);
 }
 
 /// Removes the selected measurement without asking, since undo brings it back.

@@ -1,7 +1,8 @@
 #pragma once
-/// The list of all measurements, with their values. Setters emit no signals.
+/// The list of all measurements, with their values, and the buttons of the tools that measure. Setters emit no signals.
 
-#include <QPushButton>
+#include <QGridLayout>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QWidget>
 #include <cstdint>
@@ -24,16 +25,16 @@ class MarksPanel : public QWidget {
   public:
     explicit MarksPanel(QWidget* parent = nullptr);
 
+    /// Adds a button that shows and triggers `action`.
+    void addTool(QAction* action);
     void setRows(const std::vector<MarkRow>& rows);
     void setSelected(std::uint64_t id);
-    /// Sets which of the buttons is pressed: what is being measured.
-    void setDrawing(bool distance, bool angle);
+    /// Opens the name of a row for typing.
+    void editName(std::uint64_t id);
 
     QSize sizeHint() const override { return {316, 260}; }
 
   signals:
-    void distanceChosen(bool chosen);
-    void angleChosen(bool chosen);
     void selected(std::uint64_t id);
     void renamed(std::uint64_t id, const QString& name);
     void removed(std::uint64_t id);
@@ -43,8 +44,10 @@ class MarksPanel : public QWidget {
 
   private:
     std::uint64_t idOf(const QTreeWidgetItem* item) const;
+    QTreeWidgetItem* itemOf(std::uint64_t id) const;
 
-    QPushButton distance_, angle_, remove_;
+    QGridLayout* buttons_;
+    QToolButton remove_;
     QTreeWidget list_;
     std::vector<MarkRow> rows_;
 };

@@ -9,9 +9,17 @@
 
 namespace pdr::ui {
 
+/// What is drawn between the places of a mark.
+enum class MarkShape {
+    path,   ///< lines from each place to the next; nothing at a single one
+    lines,  ///< a line from every other place to the next
+    ball,   ///< a ball about the first place that reaches as far as the second
+};
+
 struct ShownMark {
     std::uint64_t id = 0;
-    std::vector<dvec3> placesMm;  ///< in the patient (LPS) [mm], joined by lines in their order
+    MarkShape shape = MarkShape::path;
+    std::vector<dvec3> placesMm;  ///< in the patient (LPS) [mm]
     QString text;                 ///< "42.3 ± 0.5 mm"; empty while it is being drawn
     bool selected = false;
     bool operator==(const ShownMark&) const = default;

@@ -10,10 +10,14 @@ constexpr QRgb kEdgeColour = qRgba(0, 0, 0, 170);
 }  // namespace
 
 void drawMarkLine(QPainter& painter, QPointF from, QPointF to, const QPen& pen) {
+    drawMarkLine(painter, QPolygonF({from, to}), pen);
+}
+
+void drawMarkLine(QPainter& painter, const QPolygonF& line, const QPen& pen) {
     painter.setPen(QPen(QColor::fromRgba(kEdgeColour), pen.widthF() + 2));
-    painter.drawLine(from, to);
+    painter.drawPolyline(line);
     painter.setPen(pen);
-    painter.drawLine(from, to);
+    painter.drawPolyline(line);
 }
 
 void drawMark(QPainter& painter, const QPolygonF& line, double width) {

@@ -12,6 +12,8 @@ inline constexpr QRgb kMarkColour = qRgb(255, 205, 110);
 
 /// Draws a straight line with `pen`, with a dark edge.
 void drawMarkLine(QPainter& painter, QPointF from, QPointF to, const QPen& pen);
+/// Draws lines from point to point with `pen`, with a dark edge.
+void drawMarkLine(QPainter& painter, const QPolygonF& line, const QPen& pen);
 /// Draws the closed polygon `line`, `width` pixels wide, with a dark edge.
 void drawMark(QPainter& painter, const QPolygonF& line, double width);
 

@@ -1,9 +1,11 @@
 /// Measuring in the window: two clicks on a slice, a value with its ±, one list, one step to undo each.
 
+#include <QLineEdit>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "app/plan/measured.h"
@@ -83,8 +85,121 @@ class MarksInWindowTest : public QObject {
         QVERIFY(value && std::abs(value->value - 90) < 6 && std::abs(value->value - 90) <= value->plusMinus.value());
     }
 
+    /// Lines are taken as they were drawn, each on its own.
+    void twoLinesTakeFourClicks() {
+        QTest::keyClick(&trial_->desktop.window(), Qt::Key_A, Qt::ShiftModifier);
+        for (const dvec3& place : {dvec3(0, 0, 0), dvec3(20, 0, 0), dvec3(0, 10, 0), dvec3(-10, 27.3, 0)})
+            click(centre_ + place, Qt::AltModifier);
+        QCOMPARE(measurements().back().kind, MeasureKind::lines);
+        const auto value = measured(measurements().back(), *document().seen());
+        QVERIFY2(value && std::abs(value->value - 120) < 6, qPrintable(QString::number(value->value)));
+        document().undo();
+    }
+
+    /// Its places stay where they were clicked, and its middle takes the ball along.
+    void aBallSaysTheMeanInIt() {
+        QTest::keyClick(&trial_->desktop.window(), Qt::Key_O);
+        click(centre_ + dvec3(0, -5, 0));
+        click(centre_ + dvec3(0, -11, 0));
+        QCOMPARE(measurements().back().kind, MeasureKind::ball);
+        const auto value = measured(measurements().back(), *document().seen());
+        QVERIFY(value && std::abs(value->value - 1000) < 2 && value->region->count > 300);
+        QVERIFY(shown(int(measurements().size()) - 1, 1).contains("HU"));
+        QVERIFY(!isAtEdge(measurements().back().places[0]) && !isAtEdge(measurements().back().places[1]));
+        drag(centre_ + dvec3(0, -5, 0), centre_ + dvec3(0, 1, 0));
+        const Measurement& moved = measurements().back();
+        QVERIFY(std::abs(glm::distance(moved.places[0].mm, moved.places[1].mm) - 6) < 0.5);
+        QVERIFY(glm::distance(moved.places[0].mm, centre_ + dvec3(0, 1, 0)) < 0.5);
+        document().undo();
+        document().undo();
+    }
+
+    /// What a label says is typed at once; its HU are in the list. Two steps: it was marked, and named.
+    void aLabelIsTypedWhereItWasClicked() {
+        const std::size_t before = measurements().size();
+        QTest::keyClick(&trial_->desktop.window(), Qt::Key_I);
+        click(centre_);
+        QCOMPARE(measurements().size(), before + 1);
+        QCOMPARE(document().undoText(), Text("Undo marking a place"));
+        QVERIFY2(shown(int(before), 1).endsWith(" HU"), qPrintable(shown(int(before), 1)));
+        auto* line = panel().findChild<QLineEdit*>();
+        QVERIFY(line && line->isVisible());
+        QTest::keyClicks(line, "nerve");
+        QTest::keyClick(line, Qt::Key_Return);
+        QTRY_COMPARE(measurements().back().name, std::string("nerve"));
+        QCOMPARE(marks().back().text, QString("nerve"));
+        QCOMPARE(document().undoText(), Text("Undo naming a measurement"));
+        document().undo();
+        QCOMPARE(document().undoText(), Text("Undo marking a place"));
+        document().undo();
+        QCOMPARE(measurements().size(), before);
+    }
+
+    /// A plan with a longer name could not be opened again.
+    void aNameIsNoLongerThanAFileHolds() {
+        emit panel().renamed(measurements()[0].id, QString::fromUtf8("ä").repeated(500));
+        QVERIFY(measurements()[0].name.size() <= kLongestName && measurements()[0].name.size() > kLongestName - 4);
+        document().undo();
+    }
+
+    /// Once from either side: each face of the plate is where the ray under the pointer meets its edge.
+    void twoClicksOnTheImageMeasureThePlate() {
+        const std::size_t before = measurements().size();
+        const auto& looks = document().looks().fitted();
+        document().chooseLook(int(std::ranges::find(looks, "Bone", &NamedLook::name) - looks.begin()));
+        QTest::keyClick(&trial_->desktop.window(), Qt::Key_M);
+        for (const StandardView side : {StandardView::left, StandardView::right}) {
+            document().setView(side);
+            trial_->waitForNewest();
+            const dvec3 crosshair = document().plan().navigation.crosshairMm;
+            QTest::mouseClick(&viewport(), Qt::LeftButton, {}, viewport().rect().center());
+            QTRY_VERIFY_WITH_TIMEOUT(document().plan().navigation.crosshairMm != crosshair, test::kPatience);
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(measurements().size(), before + 1, test::kPatience);
+        const Measurement& picked = measurements().back();
+        QVERIFY(picked.places[0].found == measure::Found::pickedEdge);
+        QVERIFY(picked.places[1].found == measure::Found::pickedEdge);
+        const auto value = measured(picked, *document().seen());
+        QVERIFY2(value && std::abs(value->value - 20) < 0.5, qPrintable(QString::number(value->value)));
+        QVERIFY(std::abs(value->value - 20) <= value->plusMinus.value());
+    }
+
+    /// Seen from the right, the left face of the plate is behind the plate.
+    void whatLiesBehindIsKnownToBeHidden() {
+        const std::uint64_t id = measurements().back().id;
+        const auto& hidden = trial_->desktop.presenter<MarksPresenter>().inImage().hidden();
+        const auto places = [&] { return hidden.contains(id) ? hidden.at(id).places : std::vector<bool>(); };
+        QTRY_VERIFY_WITH_TIMEOUT((places() == std::vector<bool>{true, false}), test::kPatience);
+        QVERIFY(hidden.at(id).parts[0].front() && !hidden.at(id).parts[0].back());
+        document().setView(StandardView::left);
+        QTRY_VERIFY_WITH_TIMEOUT((places() == std::vector<bool>{false, true}), test::kPatience);
+    }
+
+    /// Only a press and a release at one place is a click: a drag turns the image, also while something is drawn.
+    void whileDrawingTheImageStillTurns() {
+        const std::size_t before = measurements().size();
+        const dvec3 eye = document().setup().camera.eyeMm;
+        QTest::keyClick(&trial_->desktop.window(), Qt::Key_M);
+        const QPoint from = viewport().rect().center();
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, from);
+        QTest::mouseMove(&viewport(), from + QPoint(40, 5));
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, from + QPoint(40, 5));
+        QVERIFY(document().setup().camera.eyeMm != eye);
+        QTest::keyClick(&trial_->desktop.window(), Qt::Key_Escape);
+        const auto undoToMeasuring = [&] {
+            while (document().undoText() != Text("Undo measuring"))
+                document().undo();
+        };
+        undoToMeasuring();
+        document().undo();  // the one that was picked
+        QCOMPARE(measurements().size(), before - 1);
+        undoToMeasuring();
+    }
+
     void eachIsOneStepAndUndoBringsItBack() {
         QCOMPARE(measurements().size(), std::size_t(3));
+        QCOMPARE(list().topLevelItemCount(), 3);  // undo goes through the list, too
+        QCOMPARE(marks().size(), std::size_t(3));
         QCOMPARE(document().undoText(), Text("Undo measuring"));
         const std::vector<Measurement> all = measurements();
         emit panel().removed(all[0].id);
@@ -129,10 +244,23 @@ class MarksInWindowTest : public QObject {
     const std::vector<Measurement>& measurements() { return document().plan().measurements; }
     ui::MarksPanel& panel() { return trial_->desktop.presenter<MarksPresenter>().panel(); }
     ui::SliceView& axial() { return trial_->desktop.presenter<SlicesPresenter>().view(AnatomicalPlane::axial); }
+    ui::Viewport& viewport() { return trial_->desktop.window().viewport(); }
+    QTreeWidget& list() { return *panel().findChild<QTreeWidget*>(); }
+    QString shown(int row, int column) { return list().topLevelItem(row)->text(column); }
+    const std::vector<ui::ShownMark>& marks() { return trial_->desktop.presenter<MarksPresenter>().inImage().marks(); }
+    QPoint pointOf(dvec3 placeMm) {
+        const dvec2 pixel = (axial().slice()->plane.pixelAt(placeMm) + 0.5) / axial().devicePixelRatioF();
+        return QPointF(pixel.x, pixel.y).toPoint();
+    }
+    void drag(dvec3 fromMm, dvec3 toMm) {
+        QTest::mousePress(&axial(), Qt::LeftButton, {}, pointOf(fromMm));
+        for (const double share : {0.5, 1.0})
+            QTest::mouseMove(&axial(), pointOf(glm::mix(fromMm, toMm, share)));
+        QTest::mouseRelease(&axial(), Qt::LeftButton, {}, pointOf(toMm));
+    }
     /// Clicks on the axial slice where `placeMm` is seen.
     void click(dvec3 placeMm, Qt::KeyboardModifiers modifiers = {}) {
-        const dvec2 pixel = (axial().slice()->plane.pixelAt(placeMm) + 0.5) / axial().devicePixelRatioF();
-        QTest::mouseClick(&axial(), Qt::LeftButton, modifiers, QPointF(pixel.x, pixel.y).toPoint());
+        QTest::mouseClick(&axial(), Qt::LeftButton, modifiers, pointOf(placeMm));
     }
 
     QTemporaryDir folder_;

@@ -88,7 +88,7 @@ class MarksLayerTest : public QObject {
 
     void anEndIsDraggedByItsHandle() {
         Over over;
-        over.layer.setMarks({{7, {over.under({100, 100}), over.under({200, 150})}, "56 mm"}});
+        over.layer.setMarks({{7, MarkShape::path, {over.under({100, 100}), over.under({200, 150})}, "56 mm"}});
         QVERIFY(!over.layer.takes(over.at({150, 125})));  // the line itself is no handle
         QVERIFY(over.layer.takes(over.at({203, 148})));
         over.layer.press(over.at({203, 148}));
@@ -102,7 +102,7 @@ class MarksLayerTest : public QObject {
     void aClickOnAHandleSelectsAndMovesNothing() {
         Over over;
         QSignalSpy selected(&over.layer, &MarksLayer::selected);
-        over.layer.setMarks({{7, {over.under({100, 100}), over.under({200, 150})}, ""}});
+        over.layer.setMarks({{7, MarkShape::path, {over.under({100, 100}), over.under({200, 150})}, ""}});
         over.layer.press(over.at({203, 148}));
         over.layer.move(over.at({204, 149}));  // a hand trembles
         over.layer.release(over.at({204, 149}));
@@ -114,25 +114,97 @@ class MarksLayerTest : public QObject {
     void whatLiesOffTheSliceCannotBeDragged() {
         Over over;
         const dvec3 off(0, 0, 3);
-        over.layer.setMarks({{7, {over.under({100, 100}) + off, over.under({200, 150}) + off}, ""}});
+        over.layer.setMarks({{7, MarkShape::path, {over.under({100, 100}) + off, over.under({200, 150}) + off}, ""}});
         QVERIFY(!over.layer.takes(over.at({200, 150})));
     }
 
     void theImagesMarksCannotBeDragged() {
         Over over;
         MarksLayer image(false);
-        image.setMarks({{7, {over.under({100, 100}), over.under({200, 150})}, ""}});
+        image.setMarks({{7, MarkShape::path, {over.under({100, 100}), over.under({200, 150})}, ""}});
         image.setDrawing(true);
         QVERIFY(!image.takes(over.at({200, 150})));
+        QVERIFY(!image.hover(over.at({200, 150})));  // and the pointer sets nothing
         QSignalSpy cancelled(&image, &MarksLayer::drawingCancelled);
         QVERIFY(image.cancel() && cancelled.size() == 1);  // Esc reaches the image's tools first
+    }
+
+    /// Two lines are not joined: nothing is drawn from the end of the first to the beginning of the second.
+    void twoLinesAreNotJoined() {
+        Over over;
+        const std::vector<dvec3> places{over.under({20, 60}), over.under({380, 60}), over.under({20, 240}),
+                                        over.under({380, 240})};
+        const auto inkedHalfway = [&](MarkShape shape) {
+            over.layer.setMarks({{7, shape, places, ""}});
+            return inked(over.painted(), 150);
+        };
+        QVERIFY(inkedHalfway(MarkShape::path) > 0);
+        QCOMPARE(inkedHalfway(MarkShape::lines), 0);
+    }
+
+    /// A slice cuts a ball in a circle, which is smaller off its middle; what it does not cut is not shown.
+    void aBallIsWhereTheSliceCutsIt() {
+        Over over;
+        const auto halfWidth = [&](double offMm) {  // of the circle, along the row through its middle [px]
+            const dvec3 centre = over.under({200, 150}) + dvec3(0, 0, offMm);
+            over.layer.setMarks({{7, MarkShape::ball, {centre, centre + dvec3(0, 0, 25)}, ""}});
+            const QImage painted = over.painted();
+            for (int x = 100; x < 190; ++x)
+                if (painted.pixel(x, 150) != qRgb(0, 0, 0))
+                    return 200 - x;
+            return 0;
+        };
+        QVERIFY(std::abs(halfWidth(0) - 50) <= 2);
+        QVERIFY(std::abs(halfWidth(-15) - 40) <= 2);
+        QCOMPARE(halfWidth(26), 0);
+    }
+
+    /// In the image a ball is as large as it is.
+    void inTheImageABallHasItsOutline() {
+        Over over;
+        const ShownMark ball{.shape = MarkShape::ball, .placesMm = {{10, 20, 60}, {10, 45, 60}}};
+        const std::vector<MarkCurve> curves = curvesOf(ball, *over.image.camera, false);
+        QCOMPARE(curves.size(), std::size_t(1));
+        for (const dvec3& place : curves[0])
+            QVERIFY(std::abs(glm::distance(place, dvec3(10, 20, 60)) - 25) < 1e-9);
+        QVERIFY(near(curves[0].front(), curves[0].back()));
+    }
+
+    void whatIsHiddenInTheImageIsDotted() {
+        Over over;
+        MarksLayer layer(false);
+        layer.setMarks({{7, MarkShape::path, {over.under({100, 200}), over.under({299, 200})}, ""}});
+        const auto painted = [&] {
+            QImage painting(400, 300, QImage::Format_RGB32);
+            painting.fill(Qt::black);
+            QPainter painter(&painting);
+            layer.paint(painter, over.image);
+            return painting;
+        };
+        MarkHidden hidden{{true, true}, {std::vector<bool>(kCurveParts)}};
+        std::fill_n(hidden.parts[0].begin(), kCurveParts / 2, true);  // the left half
+        QSignalSpy changed(&layer, &MarksLayer::changed);
+        layer.setHidden({{7, hidden}});
+        QCOMPARE(changed.size(), 1);
+        const QImage dotted = painted();
+        const auto brightness = [&](int from) {  // of 80 pixels of the line
+            int sum = 0;
+            for (int x = from; x < from + 80; ++x)
+                sum += qGray(dotted.pixel(x, 199)) + qGray(dotted.pixel(x, 200));
+            return sum;
+        };
+        const double share = double(brightness(110)) / brightness(210);
+        QVERIFY2(share > 0.1 && share < 0.6, qPrintable(QString::number(share)));
     }
 
     void aMeasurementOffTheSliceIsDashedAndGoesAtLast() {
         Over over;
         const auto inkAt = [&](double offMm) {
             over.layer.setMarks(
-                {{7, {over.under({100, 200}) + dvec3(0, 0, offMm), over.under({299, 200}) + dvec3(0, 0, offMm)}, ""}});
+                {{7,
+                  MarkShape::path,
+                  {over.under({100, 200}) + dvec3(0, 0, offMm), over.under({299, 200}) + dvec3(0, 0, offMm)},
+                  ""}});
             return inked(over.painted(), 199) + inked(over.painted(), 200);
         };
         const int solid = inkAt(0), dashed = inkAt(2), gone = inkAt(21);
@@ -145,7 +217,8 @@ class MarksLayerTest : public QObject {
     void theDistanceFromTheSliceIsWritten() {
         Over over;
         const auto picture = [&](double offMm) {
-            over.layer.setMarks({{7, {over.under({50, 200}) + dvec3(0, 0, offMm), over.under({60, 200})}, "5 mm"}});
+            over.layer.setMarks(
+                {{7, MarkShape::path, {over.under({50, 200}) + dvec3(0, 0, offMm), over.under({60, 200})}, "5 mm"}});
             return over.painted();
         };
         QVERIFY(picture(0) == picture(0.1));  // within the slice

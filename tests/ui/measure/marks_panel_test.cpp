@@ -1,5 +1,7 @@
 /// The list of measurements.
 
+#include <QAction>
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -19,13 +21,40 @@ class MarksPanelTest : public QObject {
   private slots:
     void settersAreSilent() {
         MarksPanel panel;
-        QSignalSpy selected(&panel, &MarksPanel::selected), renamed(&panel, &MarksPanel::renamed),
-            distance(&panel, &MarksPanel::distanceChosen);
+        QSignalSpy selected(&panel, &MarksPanel::selected), renamed(&panel, &MarksPanel::renamed);
         panel.setRows(kRows);
         panel.setSelected(12);
-        panel.setDrawing(true, false);
         panel.setRows({kRows[1]});
-        QVERIFY(selected.isEmpty() && renamed.isEmpty() && distance.isEmpty());
+        QVERIFY(selected.isEmpty() && renamed.isEmpty());
+    }
+
+    void aToolsButtonIsItsAction() {
+        MarksPanel panel;
+        QAction action("&Distance");
+        action.setCheckable(true);
+        panel.addTool(&action);
+        auto* button = panel.findChildren<QToolButton*>().last();
+        QSignalSpy triggered(&action, &QAction::triggered);
+        button->click();
+        QVERIFY(triggered.size() == 1 && button->isChecked());
+        action.setEnabled(false);
+        QVERIFY(!button->isEnabled());
+    }
+
+    /// Whoever has marked a place types at once what it is.
+    void aNameIsOpenedForTyping() {
+        MarksPanel panel;
+        panel.setRows(kRows);
+        panel.show();
+        panel.editName(12);
+        auto* line = panel.findChild<QLineEdit*>();
+        QVERIFY(line && line->text() == "defect");
+        QSignalSpy renamed(&panel, &MarksPanel::renamed);
+        QTest::keyClicks(line, "nerve");
+        QTest::keyClick(line, Qt::Key_Return);
+        QTRY_COMPARE(renamed.size(), 1);
+        QCOMPARE(renamed[0][0].toULongLong(), 12u);
+        QCOMPARE(renamed[0][1].toString(), QString("nerve"));
     }
 
     void valuesAndTheirCausesAreShown() {

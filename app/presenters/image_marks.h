@@ -1,0 +1,36 @@
+#pragma once
+/// The measurements in the image, dotted where what lies in front of them hides them.
+
+#include <QTimer>
+
+#include "app/jobs/place_job.h"
+#include "app/presenters/workspace.h"
+#include "ui/measure/marks_layer.h"
+
+namespace pdr::app {
+
+class ImageMarks : public QObject {
+    Q_OBJECT
+
+  public:
+    /// `workspace` must outlive this object.
+    explicit ImageMarks(const Workspace& workspace);
+
+    ui::MarksLayer& layer() { return layer_; }
+    void setMarks(const std::vector<ui::ShownMark>& marks);
+    /// Finds again what hides the marks once edits rest, if `changes` may have changed that.
+    void showDocument(Changes changes);
+    void releaseVolume();
+
+  private:
+    void look();
+    void show(const std::vector<std::optional<HiddenBy>>& hidden);
+
+    Workspace workspace_;
+    ui::MarksLayer layer_{false};
+    PlaceJob job_;
+    QTimer atRest_;                      ///< runs out when nothing has changed for a while
+    std::vector<ui::ShownMark> looked_;  ///< the marks at which the job looks
+};
+
+}  // namespace pdr::app

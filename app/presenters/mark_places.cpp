@@ -1,0 +1,23 @@
+#include "app/presenters/mark_places.h"
+
+#include "render/measure/picked_edge.h"
+
+namespace pdr::app {
+
+measure::Place placeOnSlice(const Volume& volume, const SlicePlane& plane, dvec3 placeMm, bool toEdge) {
+    const measure::Place clicked =
+        measure::clickedPlace(volume.geometry(), placeMm, {plane.right, plane.down, plane.mmPerPixel, 0});
+    if (!toEdge)
+        return clicked;
+    const measure::EdgeSearch search = measure::edgeNear(volume, placeMm, plane.normal());
+    return search.edge ? measure::atEdge(clicked, *search.edge) : clicked;
+}
+
+measure::Place placeInImage(const Volume& volume, const PickedPlace& picked, bool toEdge) {
+    const SeenLayer& layer = picked.layer;
+    const measure::Place place = measure::pickedPlace(volume.geometry(), layer.placeMm, picked.direction,
+                                                      layer.sigmaAlongMm, layer.sigmaAcrossMm);
+    return toEdge ? measure::onEdge(volume, place, picked.direction) : place;
+}
+
+}  // namespace pdr::app

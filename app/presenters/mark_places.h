@@ -1,0 +1,17 @@
+#pragma once
+/// The places of measurements, from clicks on slices and on the image.
+
+#include "app/presenters/image_pick.h"
+#include "render/measure/place.h"
+#include "render/slice/slice_plane.h"
+
+namespace pdr::app {
+
+/// Returns the place of a click on a slice. `toEdge`: at the edge of a structure near it if there is one, in the slice.
+measure::Place placeOnSlice(const Volume& volume, const SlicePlane& plane, dvec3 placeMm, bool toEdge);
+
+/// Returns the place of a click on the image. `toEdge`: at the edge of a structure near it if there is one, where the
+/// ray under the pointer meets it.
+measure::Place placeInImage(const Volume& volume, const PickedPlace& picked, bool toEdge);
+
+}  // namespace pdr::app

@@ -1,0 +1,49 @@
+#include "ui/measure/mark_curves.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace pdr::ui {
+namespace {
+
+MarkCurve straight(dvec3 from, dvec3 to) {
+    MarkCurve curve;
+    for (int i = 0; i <= kCurveParts; ++i)
+        curve.push_back(glm::mix(from, to, double(i) / kCurveParts));
+    return curve;
+}
+
+MarkCurve circle(dvec3 centre, double radius, const Camera& camera) {
+    MarkCurve curve;
+    for (int i = 0; i <= kCurveParts; ++i) {
+        const double turn = 2 * std::numbers::pi * i / kCurveParts;
+        curve.push_back(centre + radius * (std::cos(turn) * camera.right() + std::sin(turn) * camera.imageUp()));
+    }
+    return curve;
+}
+
+std::vector<MarkCurve> ballCurves(dvec3 centre, double radius, const Camera& camera, bool slice) {
+    if (!slice)
+        return {circle(centre, radius, camera)};
+    const double depth = glm::dot(centre - camera.targetMm, camera.forward());
+    if (std::abs(depth) >= radius)
+        return {};
+    return {circle(centre - depth * camera.forward(), std::sqrt(radius * radius - depth * depth), camera)};
+}
+
+}  // namespace
+
+std::vector<MarkCurve> curvesOf(const ShownMark& mark, const Camera& camera, bool slice) {
+    const std::vector<dvec3>& places = mark.placesMm;
+    if (places.size() < 2)
+        return {};
+    if (mark.shape == MarkShape::ball)
+        return ballCurves(places[0], glm::distance(places[0], places[1]), camera, slice);
+    std::vector<MarkCurve> curves;
+    const std::size_t step = mark.shape == MarkShape::lines ? 2 : 1;
+    for (std::size_t i = 0; i + 1 < places.size(); i += step)
+        curves.push_back(straight(places[i], places[i + 1]));
+    return curves;
+}
+
+}  // namespace pdr::ui
