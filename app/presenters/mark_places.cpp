@@ -17,7 +17,7 @@ measure::Place placeInImage(const Volume& volume, const PickedPlace& picked, boo
     const SeenLayer& layer = picked.layer;
     const measure::Place place = measure::pickedPlace(volume.geometry(), layer.placeMm, picked.direction,
                                                       layer.sigmaAlongMm, layer.sigmaAcrossMm);
-    return toEdge ? measure::onEdge(volume, place, picked.direction) : place;
+    return toEdge ? measure::onEdge(volume, place, picked.direction) : measure::offEdge(place, picked.direction);
 }
 
 }  // namespace pdr::app

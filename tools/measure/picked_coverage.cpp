@@ -3,8 +3,8 @@
 ///   picked_coverage [--pairs N]
 /// Two lines of the surface are measured: diameters, one end seen from either side, and chords of at least 10 mm, both
 /// ends seen from one side. Views and places are random; each place lies up to 60 degrees from the side seen. Three
-/// ways to a place: as the light says, moved across the edge near it, and moved along the ray to that edge (onEdge),
-/// which is what the window does. Columns as in measurement_coverage, and the median ± [mm].
+/// ways to a place: as the light says (offEdge), moved across the edge near it, and moved along the ray to that edge
+/// (onEdge), which is what the window does. Columns as in measurement_coverage, and the median ± [mm].
 
 #include <algorithm>
 #include <array>
@@ -98,7 +98,7 @@ struct View {
         const Place picked =
             pickedPlace(volume.geometry(), layer.placeMm, under.direction, layer.sigmaAlongMm, layer.sigmaAcrossMm);
         const EdgeSearch search = edgeNear(volume, picked.mm);
-        return std::array{picked, search.edge ? atEdge(picked, *search.edge) : picked,
+        return std::array{offEdge(picked, under.direction), search.edge ? atEdge(picked, *search.edge) : picked,
                           onEdge(volume, picked, under.direction)};
     }
 };
