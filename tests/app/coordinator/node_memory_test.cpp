@@ -6,6 +6,7 @@
 #include <numeric>
 #include <string_view>
 
+#include "tests/support/network/process_memory.h"
 #include "tests/support/network/shared_image.h"
 
 using namespace pdr;
@@ -23,31 +24,6 @@ std::shared_ptr<const Volume> markedVolume() {
 std::string rowBytes() {
     const auto volume = markedVolume();
     return {reinterpret_cast<const char*>(volume->voxels().data()), kRow * sizeof(std::int16_t)};
-}
-
-/// How often `bytes` stand in the memory of a process that may be read.
-int countIn(qint64 process, std::string_view bytes) {
-    QFile maps(QString("/proc/%1/maps").arg(process)), memory(QString("/proc/%1/mem").arg(process));
-    if (!maps.open(QIODevice::ReadOnly) || !memory.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
-        return -1;
-    int found = 0;
-    for (const QByteArray& line : maps.readAll().split('\n')) {
-        const QList<QByteArray> range = line.split(' ').value(0).split('-');
-        if (range.size() != 2 || !line.contains(" rw") || line.contains("[v"))
-            continue;
-        const qint64 from = range[0].toLongLong(nullptr, 16), to = range[1].toLongLong(nullptr, 16);
-        constexpr qint64 kPiece = 16 << 20;
-        for (qint64 at = from; at < to; at += kPiece) {
-            if (!memory.seek(at))
-                break;
-            const QByteArray piece = memory.read(std::min(kPiece + qint64(bytes.size()), to - at));
-            for (auto place = std::string_view(piece.constData(), std::size_t(piece.size())).find(bytes);
-                 place != std::string_view::npos;
-                 place = std::string_view(piece.constData(), std::size_t(piece.size())).find(bytes, place + 1))
-                ++found;
-        }
-    }
-    return found;
 }
 
 /// Files on disk that a process has open.
@@ -73,12 +49,9 @@ class NodeMemoryTest : public QObject {
 
   private slots:
     void initTestCase() {
-#ifdef __SANITIZE_ADDRESS__
-        QSKIP("the address sanitizer keeps what was freed, and maps terabytes");
-#endif
         const NodeProcess process;
-        if (countIn(process.id(), "x") < 0)
-            QSKIP("memory of another program can be read by root only");
+        if (!timesInMemoryOf(process.id(), "x"))
+            QSKIP("the memory of another program cannot be read here");
     }
 
     void scanIsGoneAfterTheGoodbye() {
@@ -88,13 +61,13 @@ class NodeMemoryTest : public QObject {
             NodeTrial trial;
             trial.add(process);
             (void)trial.image(markedScene(), {64, 64}, 1);
-            QVERIFY(countIn(process.id(), rowBytes()) > 0);  // else nothing was looked for
-            QCOMPARE(countIn(process.id(), "ZZCANARY"), 0);
+            QVERIFY(*timesInMemoryOf(process.id(), rowBytes()) > 0);  // else nothing was looked for
+            QCOMPARE(*timesInMemoryOf(process.id(), "ZZCANARY"), 0);
             device = std::move(trial.device);
         }
         QTRY_VERIFY_WITH_TIMEOUT(process.log().contains("the connection has ended"), kPatience);
         // At once: after a minute it goes from a node whose coordinator was lost, too.
-        QTRY_COMPARE_WITH_TIMEOUT(countIn(process.id(), rowBytes()), 0, 30'000);
+        QTRY_COMPARE_WITH_TIMEOUT(*timesInMemoryOf(process.id(), rowBytes()), 0, 30'000);
     }
 
     void scanIsGoneWhenItIsClosed() {
@@ -102,9 +75,9 @@ class NodeMemoryTest : public QObject {
         NodeTrial trial;
         trial.add(process);
         (void)trial.image(markedScene(), {64}, 1);
-        QVERIFY(countIn(process.id(), rowBytes()) > 0);
+        QVERIFY(*timesInMemoryOf(process.id(), rowBytes()) > 0);
         QVERIFY(bool(trial.device->unload()));
-        QTRY_COMPARE_WITH_TIMEOUT(countIn(process.id(), rowBytes()), 0, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(*timesInMemoryOf(process.id(), rowBytes()), 0, kPatience);
     }
 
     void logSaysNothingOfTheImage() {

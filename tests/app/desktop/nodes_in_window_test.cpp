@@ -17,6 +17,7 @@
 #include "tests/support/desktop/the.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/network/node_process.h"
+#include "tests/support/network/process_memory.h"
 #include "tests/support/network/taken_port.h"
 #include "ui/nodes/nodes_panel.h"
 #include "ui/text/to_qt.h"
@@ -223,22 +224,6 @@ void TestNodesInWindow::theyAreWantedTheNextTime() {
         QString("Always samples"));
 }
 
-/// Whether `bytes` stand somewhere in what the process may write to; none: it cannot be looked at.
-static std::optional<bool> holds(qint64 process, const QByteArray& bytes) {
-    QFile maps(QString("/proc/%1/maps").arg(process)), memory(QString("/proc/%1/mem").arg(process));
-    if (!maps.open(QFile::ReadOnly) || !memory.open(QFile::ReadOnly | QFile::Unbuffered))
-        return std::nullopt;
-    for (const QByteArray& line : maps.readAll().split('\n')) {
-        const QList<QByteArray> ends = line.left(line.indexOf(' ')).split('-');
-        if (ends.size() != 2 || !line.contains(" rw"))
-            continue;
-        const qint64 begin = ends[0].toLongLong(nullptr, 16), end = ends[1].toLongLong(nullptr, 16);
-        if (memory.seek(begin) && memory.read(end - begin).contains(bytes))
-            return true;
-    }
-    return false;
-}
-
 /// Some of its voxels as they lie in memory: enough not to be there by chance.
 static QByteArray someVoxels(const Volume& volume) {
     const std::span<const std::int16_t> voxels = volume.voxels();
@@ -263,13 +248,14 @@ void TestNodesInWindow::nothingOfTheScanStaysWithThem() {
     const test::NodeProcess node(dialling(port));
     QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
     const QByteArray voxels = someVoxels(*trial.desktop.document().scene().volume);
-    const std::optional<bool> there = holds(node.id(), voxels);
+    const std::optional<int> there = test::timesInMemoryOf(node.id(), voxels.toStdString());
     if (!there)
-        QSKIP("another program's memory cannot be read here");
-    QVERIFY(*there);
-    QVERIFY(!*holds(node.id(), "ZZCANARY"));
+        QSKIP("the memory of another program cannot be read here");
+    QVERIFY(*there > 0);
+    QCOMPARE(test::timesInMemoryOf(node.id(), "ZZCANARY"), std::optional(0));
     trial.desktop.bridge().clear();
-    QTRY_VERIFY_WITH_TIMEOUT(!*holds(node.id(), voxels), test::kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(test::timesInMemoryOf(node.id(), voxels.toStdString()), std::optional(0),
+                              test::kPatience);
     QCOMPARE(trial.nodes().rows().size(), 1);  // it stays connected
 }
 
@@ -284,9 +270,10 @@ void TestNodesInWindow::theWindowClosesWithNodesConnected() {
         QTRY_COMPARE_WITH_TIMEOUT(trial.count(NodeState::rendering), 1, test::kPatience);
         voxels = someVoxels(*trial.desktop.document().scene().volume);
     }
-    if (!holds(node.id(), voxels))
-        QSKIP("another program's memory cannot be read here");
-    QTRY_VERIFY_WITH_TIMEOUT(!*holds(node.id(), voxels), test::kPatience);
+    if (!test::timesInMemoryOf(node.id(), voxels.toStdString()))
+        QSKIP("the memory of another program cannot be read here");
+    QTRY_COMPARE_WITH_TIMEOUT(test::timesInMemoryOf(node.id(), voxels.toStdString()), std::optional(0),
+                              test::kPatience);
 }
 
 }  // namespace pdr::app
