@@ -1,5 +1,6 @@
 #include "app/jobs/plan_job.h"
 
+#include "app/plan/marks_file.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {
@@ -10,6 +11,15 @@ void PlanJob::save(const Plan& plan, const std::shared_ptr<const Volume>& volume
         if (!written)
             return failure(written.error());
         return [this, plan, file] { emit saved(plan, file); };
+    });
+}
+
+void PlanJob::exportMarks(const Plan& plan, const std::shared_ptr<const Volume>& volume, const QString& file) {
+    start([this, plan, volume, file](const Progress&, const std::stop_token&) -> std::function<void()> {
+        const auto written = writeMarks(marksTable(plan, *volume), ui::fromQt(file));
+        if (!written)
+            return failure(written.error());
+        return [this, file] { emit exported(file); };
     });
 }
 

@@ -10,17 +10,22 @@ PlanPresenter::PlanPresenter(const Workspace& workspace) : Presenter(workspace) 
     const ui::WindowActions& actions = window().menuActions();
     connect(actions.savePlan, &QAction::triggered, this, &PlanPresenter::askAndSave);
     connect(actions.openPlan, &QAction::triggered, this, &PlanPresenter::askAndOpen);
+    connect(actions.exportMarks, &QAction::triggered, this, &PlanPresenter::askAndExport);
     showProgressOf(job_);
     connect(&job_, &PlanJob::failed, this, &PlanPresenter::showError);
     connect(&job_, &PlanJob::saved, this, [this](const Plan& plan, const QString& file) {
         safe_ = plan.measurements;
-        showRisk();
+        showMeasurements();
         window().status().showForAWhile(ui::MainWindow::tr("Plan saved as %1").arg(QFileInfo(file).fileName()));
+    });
+    connect(&job_, &PlanJob::exported, this, [this](const QString& file) {
+        const QString name = QFileInfo(file).fileName();
+        window().status().showForAWhile(ui::MainWindow::tr("Measurements exported as %1").arg(name));
     });
     connect(&job_, &PlanJob::opened, this, [this](const Plan& plan) {
         safe_ = plan.measurements;
         document().edit(plan);
-        showRisk();
+        showMeasurements();
     });
 }
 
@@ -34,6 +39,11 @@ void PlanPresenter::askAndOpen() {
         open(file);
 }
 
+void PlanPresenter::askAndExport() {
+    if (const QString file = ui::askWhereToExportMarks(&window()); !file.isEmpty())
+        exportMarks(file);
+}
+
 void PlanPresenter::save(const QString& file) {
     const QString name = QFileInfo(file).suffix().isEmpty() ? file + ".plan.json" : file;
     if (document().hasVolume())
@@ -45,6 +55,11 @@ void PlanPresenter::open(const QString& file) {
         job_.open(file, document().scan());
 }
 
+void PlanPresenter::exportMarks(const QString& file) {
+    if (document().hasVolume())
+        job_.exportMarks(document().plan(), document().seen(), file);
+}
+
 void PlanPresenter::showDocument(Changes changes) {
     if (has(changes, Changes::series)) {
         safe_.clear();
@@ -52,17 +67,19 @@ void PlanPresenter::showDocument(Changes changes) {
         window().menuActions().openPlan->setEnabled(document().hasVolume());
     }
     if (has(changes, Changes::series | Changes::measurements))
-        showRisk();
+        showMeasurements();
 }
 
 void PlanPresenter::releaseVolume() {
     job_.cancel();
 }
 
-/// Lets the window ask before measurements are lost that no file holds.
-void PlanPresenter::showRisk() {
+/// Offers measurements for export if there are any, and lets the window ask before those are lost that no file holds.
+void PlanPresenter::showMeasurements() {
     const std::vector<Measurement>& measurements = document().plan().measurements;
-    const bool lost = document().hasVolume() && !measurements.empty() && measurements != safe_;
+    const bool any = document().hasVolume() && !measurements.empty();
+    window().menuActions().exportMarks->setEnabled(any);
+    const bool lost = any && measurements != safe_;
     window().setUnsaved(lost ? ui::MainWindow::tr("Measurements are not saved. Discard them?") : QString());
 }
 

@@ -1582,6 +1582,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Fehle&amp;rkarte</translation>
     </message>
     <message>
+        <source>E&amp;xport measurements...</source>
+        <translation>Messungen e&amp;xportieren...</translation>
+    </message>
+    <message>
         <source>Edge</source>
         <translation>Kante</translation>
     </message>
@@ -1668,6 +1672,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Export the look</source>
         <translation>Darstellung exportieren</translation>
+    </message>
+    <message>
+        <source>Export the measurements</source>
+        <translation>Die Messungen exportieren</translation>
     </message>
     <message>
         <source>Exposure Render blurs every iteration over 3 x 3 pixels before it counts. That hides noise and never averages out: the image stays wrong. For comparison only.</source>
@@ -2254,6 +2262,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Schritte von 3 Voxeln (verzerrt)</translation>
     </message>
     <message>
+        <source>Markups of 3D Slicer (*.mrk.json)</source>
+        <translation>Markierungen für 3D Slicer (*.mrk.json)</translation>
+    </message>
+    <message>
         <source>Maximum intensity</source>
         <translation>Maximale Intensität</translation>
     </message>
@@ -2284,6 +2296,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Measurements are not saved. Discard them?</source>
         <translation>Messungen sind nicht gespeichert. Verwerfen?</translation>
+    </message>
+    <message>
+        <source>Measurements exported as %1</source>
+        <translation>Messungen exportiert als %1</translation>
     </message>
     <message>
         <source>Measuring %1 from time to time, in 1/20 of the time</source>
@@ -3370,6 +3386,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Tisch und Halterung ausgeblendet: %1 außerhalb des Körpers.</translation>
     </message>
     <message>
+        <source>Table for spreadsheets (*.csv)</source>
+        <translation>Tabelle für Tabellenkalkulationen (*.csv)</translation>
+    </message>
+    <message>
         <source>Take the model singleScattering, or the estimator unbiased.</source>
         <translation>Das Modell singleScattering nehmen oder den Schätzer unbiased.</translation>
     </message>
@@ -3910,6 +3930,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Write to another one.</source>
         <translation>In eine andere schreiben.</translation>
+    </message>
+    <message>
+        <source>Writes the measurements for spreadsheets (CSV) or 3D Slicer, without the patient's name.</source>
+        <translation>Schreibt die Messungen für Tabellenkalkulationen (CSV) oder 3D Slicer, ohne den Namen des Patienten.</translation>
     </message>
     <message>
         <source>X-ray</source>
@@ -4856,6 +4880,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Mittelwert in einfacher Genauigkeit geführt: %1</translation>
     </message>
     <message>
+        <source>measurements are exported to files that end in .csv or .mrk.json</source>
+        <translation>Messungen werden in Dateien exportiert, die auf .csv oder .mrk.json enden</translation>
+    </message>
+    <message>
         <source>meetings with tissue above its bound</source>
         <translation>Treffen auf Gewebe über seiner Schranke</translation>
     </message>
@@ -5114,6 +5142,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>not known</source>
         <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>not known without the scan</source>
+        <translation>ohne die Aufnahme nicht bekannt</translation>
     </message>
     <message>
         <source>not known yet</source>
@@ -5838,6 +5870,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>there is no light</source>
         <translation>es gibt kein Licht</translation>
+    </message>
+    <message>
+        <source>there is no measurement to export</source>
+        <translation>es gibt keine Messung, die exportiert werden kann</translation>
     </message>
     <message>
         <source>there is no scene on the device</source>

@@ -1582,6 +1582,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Mapa de e&amp;rror</translation>
     </message>
     <message>
+        <source>E&amp;xport measurements...</source>
+        <translation>E&amp;xportar mediciones...</translation>
+    </message>
+    <message>
         <source>Edge</source>
         <translation>Lado</translation>
     </message>
@@ -1668,6 +1672,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Export the look</source>
         <translation>Exportar el aspecto</translation>
+    </message>
+    <message>
+        <source>Export the measurements</source>
+        <translation>Exportar las mediciones</translation>
     </message>
     <message>
         <source>Exposure Render blurs every iteration over 3 x 3 pixels before it counts. That hides noise and never averages out: the image stays wrong. For comparison only.</source>
@@ -2254,6 +2262,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Pasos de 3 vóxeles (sesgado)</translation>
     </message>
     <message>
+        <source>Markups of 3D Slicer (*.mrk.json)</source>
+        <translation>Marcas de 3D Slicer (*.mrk.json)</translation>
+    </message>
+    <message>
         <source>Maximum intensity</source>
         <translation>Intensidad máxima</translation>
     </message>
@@ -2284,6 +2296,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Measurements are not saved. Discard them?</source>
         <translation>Las mediciones no están guardadas. ¿Descartarlas?</translation>
+    </message>
+    <message>
+        <source>Measurements exported as %1</source>
+        <translation>Mediciones exportadas como %1</translation>
     </message>
     <message>
         <source>Measuring %1 from time to time, in 1/20 of the time</source>
@@ -3370,6 +3386,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Mesa y soporte ocultos: %1 fuera del cuerpo.</translation>
     </message>
     <message>
+        <source>Table for spreadsheets (*.csv)</source>
+        <translation>Tabla para hojas de cálculo (*.csv)</translation>
+    </message>
+    <message>
         <source>Take the model singleScattering, or the estimator unbiased.</source>
         <translation>Elija el modelo singleScattering o el estimador unbiased.</translation>
     </message>
@@ -3910,6 +3930,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Write to another one.</source>
         <translation>Escriba en otro.</translation>
+    </message>
+    <message>
+        <source>Writes the measurements for spreadsheets (CSV) or 3D Slicer, without the patient's name.</source>
+        <translation>Escribe las mediciones para hojas de cálculo (CSV) o 3D Slicer, sin el nombre del paciente.</translation>
     </message>
     <message>
         <source>X-ray</source>
@@ -4856,6 +4880,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>media guardada en precisión simple: %1</translation>
     </message>
     <message>
+        <source>measurements are exported to files that end in .csv or .mrk.json</source>
+        <translation>las mediciones se exportan a archivos que terminan en .csv o .mrk.json</translation>
+    </message>
+    <message>
         <source>meetings with tissue above its bound</source>
         <translation>encuentros con tejido por encima de su cota</translation>
     </message>
@@ -5114,6 +5142,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>not known</source>
         <translation>desconocido</translation>
+    </message>
+    <message>
+        <source>not known without the scan</source>
+        <translation>no se conoce sin el estudio</translation>
     </message>
     <message>
         <source>not known yet</source>
@@ -5838,6 +5870,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>there is no light</source>
         <translation>no hay luz</translation>
+    </message>
+    <message>
+        <source>there is no measurement to export</source>
+        <translation>no hay ninguna medición que exportar</translation>
     </message>
     <message>
         <source>there is no scene on the device</source>

@@ -58,6 +58,17 @@ QString askWhereToSavePlan(QWidget* parent) {
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
+QString askWhereToExportMarks(QWidget* parent) {
+    const QString table = translated("Table for spreadsheets (*.csv)");
+    ForgetfulDialog dialog(parent, translated("Export the measurements"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilters({table, translated("Markups of 3D Slicer (*.mrk.json)")});
+    dialog.setDefaultSuffix("csv");
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
+                     [&](const QString& filter) { dialog.setDefaultSuffix(filter == table ? "csv" : "mrk.json"); });
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
 QString askWhereToShare(QWidget* parent, const QString& name) {
     const QString ours = translated("Look (*.json)");
     const QString slicer = translated("3D Slicer, curves only (*.vp.json)");

@@ -26,6 +26,10 @@ QString askForPlan(QWidget* parent);
 /// user cancelled.
 QString askWhereToSavePlan(QWidget* parent);
 
+/// Asks where to export measurements, for spreadsheets (.csv) or 3D Slicer (.mrk.json). No name is proposed either.
+/// Empty: the user cancelled.
+QString askWhereToExportMarks(QWidget* parent);
+
 /// Asks where to save a look called `name`, in one of these formats. Empty: the user cancelled.
 QString askWhereToShare(QWidget* parent, const QString& name);
 

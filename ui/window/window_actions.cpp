@@ -28,6 +28,7 @@ void fillFileMenu(QMenuBar& bar, WindowActions& actions) {
     menu->addSeparator();
     actions.openPlan = menu->addAction(Texts::tr("Open &plan..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O));
     actions.savePlan = menu->addAction(Texts::tr("Sa&ve plan..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
+    actions.exportMarks = menu->addAction(Texts::tr("E&xport measurements..."));
     menu->addSeparator();
     actions.quit = menu->addAction(Texts::tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q));
 }
@@ -128,6 +129,8 @@ void describe(const WindowActions& actions) {
              {actions.openPlan, "openPlan", Texts::tr("Opens what was set and measured on this scan before.")},
              {actions.savePlan, "savePlan",
               Texts::tr("Saves what is set and measured, without the patient's name, for this scan alone.")},
+             {actions.exportMarks, "exportMarks",
+              Texts::tr("Writes the measurements for spreadsheets (CSV) or 3D Slicer, without the patient's name.")},
              {actions.quit, "quit", Texts::tr("Closes the window. Unsaved images are lost.")},
              {actions.undo, "undo", {}},
              {actions.redo, "redo", {}},

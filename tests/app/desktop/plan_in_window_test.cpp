@@ -6,7 +6,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <QTreeWidget>
 
+#include "app/presenters/marks_presenter.h"
 #include "app/presenters/plan_presenter.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/dicom/phantom_series.h"
@@ -91,6 +93,49 @@ class PlanInWindowTest : public QObject {
         const QByteArray text = file.readAll();
         for (const char* canary : {"Phantom", "PHANTOM", "Head", "1.2.826", "series", "/tmp"})
             QVERIFY2(!text.contains(canary), canary);
+    }
+
+    /// The files say what the list says, and neither whose it is nor where it lies.
+    void measurementsAreExportedAsTheListHasThem() {
+        Trial trial;
+        trial.openAndWait(series_);
+        QAction* action = trial.desktop.window().menuActions().exportMarks;
+        QVERIFY(!action->isEnabled());
+        measureIn(trial.desktop.document());
+        QVERIFY(action->isEnabled());
+        const auto* list = trial.desktop.presenter<MarksPresenter>().panel().findChild<QTreeWidget*>();
+        const QByteArray value = list->topLevelItem(0)->text(1).section(' ', 0, 0).toUtf8();
+        QCOMPARE(value, QByteArray("5.0"));
+        auto& plans = trial.desktop.presenter<PlanPresenter>();
+        for (const char* ending : {".csv", ".mrk.json"}) {
+            QSignalSpy done(&plans.job(), &PlanJob::exported);
+            plans.exportMarks(file_ + ending);
+            QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, test::kPatience);
+            QFile file(file_ + ending);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QByteArray text = file.readAll();
+            QVERIFY(text.contains("defect"));
+            QVERIFY2(text.contains(value), value.constData());
+            for (const char* canary : {"Phantom", "PHANTOM", "Head", "1.2.826", "series", "/tmp"})
+                QVERIFY2(!text.contains(canary), canary);
+        }
+        Answer no(QMessageBox::No);
+        QVERIFY(!trial.desktop.window().confirmsLoss());  // no plan holds them yet
+        QCOMPARE(no.asked, 1);
+    }
+
+    void anExportThatFailsIsSaid() {
+        Trial trial;
+        trial.openAndWait(series_);
+        measureIn(trial.desktop.document());
+        auto& plans = trial.desktop.presenter<PlanPresenter>();
+        for (const char* file : {"/no/such/folder/a.csv", "a.txt"}) {
+            QSignalSpy failed(&plans.job(), &PlanJob::failed);
+            plans.exportMarks(folder_.filePath(file));
+            QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, test::kPatience);
+            QVERIFY(!trial.desktop.window().message().text().isEmpty());
+        }
+        QVERIFY(!QFile::exists(folder_.filePath("a.txt")));
     }
 
     void anotherScanIsRefusedAndNothingChanges() {

@@ -1,0 +1,97 @@
+#include "app/plan/marks_csv.h"
+
+#include <charconv>
+#include <cmath>
+#include <iterator>
+
+namespace pdr::app {
+namespace {
+
+/// Returns a number with four decimals, more than any value has reasons for, whatever the locale.
+std::string cell(double number) {
+    constexpr int kDecimals = 4;
+    char text[400];                                                // the largest double has 309 digits
+    const double shown = std::abs(number) < 0.00005 ? 0 : number;  // no "-0.0000"
+    return {text, std::to_chars(text, std::end(text), shown, std::chars_format::fixed, kDecimals).ptr};
+}
+
+/// Returns a text with quotes around it where it needs them.
+std::string cell(std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos)
+        return std::string(text);
+    std::string quoted = "\"";
+    for (const char letter : text)
+        quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+    return quoted + '"';
+}
+
+/// Returns a text, such as a name that the user typed or "-50 HU", so that no spreadsheet computes it. An apostrophe of
+/// its own gets one in front as well, so that whoever removes the first one has the text.
+std::string withoutFormula(const std::string& text) {
+    constexpr std::string_view kStarts = "=+-@'\t\r\n";
+    return text.empty() || kStarts.find(text.front()) == std::string_view::npos ? text : "'" + text;
+}
+
+void add(std::string& line, const std::string& cell) {
+    (line += ',') += cell;
+}
+
+std::string headOf() {
+    std::string line =
+        "id,kind,name,value,plus_minus_95,bound,unit,text,details,sd_hu,lowest_hu,highest_hu,voxels,volume_ml";
+    for (std::size_t n = 1; n <= kMostPlaces; ++n)
+        for (const char* column : {"found", "x_mm_lps", "y_mm_lps", "z_mm_lps"})
+            add(line, std::string(column) + '_' + std::to_string(n));
+    return line;
+}
+
+void addValue(std::string& line, const MarkRow& row) {
+    const Measured value = row.value ? *row.value : Measured();
+    add(line, row.value ? cell(value.value) : "");
+    add(line, value.plusMinus ? cell(*value.plusMinus) : "");
+    add(line, cell(boundWord(value.bound)));
+    add(line, row.value ? cell(unitWord(value.unit)) : "");
+    add(line, cell(withoutFormula(readable(row))));
+    add(line, cell(value.details));
+}
+
+void addRegion(std::string& line, const MarkRow& row) {
+    if (!row.value || !row.value->region) {
+        line += ",,,,,";
+        return;
+    }
+    const measure::RegionStatistics& region = *row.value->region;
+    for (const double hu : {region.sdHu, region.lowestHu, region.highestHu})
+        add(line, cell(hu));
+    add(line, std::to_string(region.count));
+    add(line, cell(region.millilitres));
+}
+
+std::string lineOf(const MarkRow& row) {
+    std::string line = std::to_string(row.id);
+    add(line, cell(kindWord(row.kind)));
+    add(line, cell(withoutFormula(row.name)));
+    addValue(line, row);
+    addRegion(line, row);
+    for (std::size_t n = 0; n < kMostPlaces; ++n) {
+        if (n >= row.places.size()) {
+            line += ",,,,";
+            continue;
+        }
+        add(line, cell(foundWord(row.places[n].found)));
+        for (int axis = 0; axis < 3; ++axis)
+            add(line, cell(row.places[n].mm[axis]));
+    }
+    return line;
+}
+
+}  // namespace
+
+std::string marksCsv(const std::vector<MarkRow>& rows) {
+    std::string text = headOf() + "\r\n";
+    for (const MarkRow& row : rows)
+        text += lineOf(row) + "\r\n";
+    return text;
+}
+
+}  // namespace pdr::app

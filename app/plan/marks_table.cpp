@@ -1,0 +1,101 @@
+#include "app/plan/marks_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "app/plan/plan_fields.h"
+
+namespace pdr::app {
+namespace {
+
+/// Returns what a measurement without a name is called, in front of its number.
+const char* titleOf(MeasureKind kind) {
+    switch (kind) {
+        case MeasureKind::distance:
+            return "Distance";
+        case MeasureKind::angle:
+            return "Angle";
+        case MeasureKind::lines:
+            return "Two lines";
+        case MeasureKind::point:
+            return "Place";
+        case MeasureKind::ball:
+            break;
+    }
+    return "Ball";
+}
+
+template <class T, std::size_t N>
+std::string_view wordFor(T value, const Words<T, N>& words) {
+    return std::ranges::find(words, value, &std::pair<std::string_view, T>::second)->first;
+}
+
+bool readsVoxels(MeasureKind kind) {
+    return kind == MeasureKind::point || kind == MeasureKind::ball;
+}
+
+/// Returns the value if it is the same however the grid lies. The step of the grid along a line tells only whether two
+/// edges are told apart, so that two values with one bound are one value. Rows and columns are at right angles, and a
+/// tilted gantry may bring the third axis near either of them: the step is between 0 and the root of both squares.
+Result<Measured> valueWithoutScan(const Measurement& measurement, dvec3 spacingMm) {
+    const Error unknown{phrase("not known without the scan"), "", "", ErrorKind::refused};
+    if (readsVoxels(measurement.kind))
+        return unknown;
+    const auto valueOn = [&](double stepMm) {
+        return measured(measurement, Volume(VolumeGeometry::aligned(ivec3(1), dvec3(stepMm), dvec3(0)), Voxels(1)));
+    };
+    const double largest = std::hypot(std::max(spacingMm.x, spacingMm.y), spacingMm.z);
+    const auto finest = valueOn(kLowestSpacingMm), coarsest = valueOn(largest);
+    if (finest && coarsest && finest->bound != coarsest->bound)
+        return unknown;
+    return finest;
+}
+
+using ValueOf = std::function<Result<Measured>(const Measurement&)>;
+
+std::vector<MarkRow> tableOf(const Plan& plan, const ValueOf& value) {
+    std::vector<MarkRow> rows;
+    for (const Measurement& one : plan.measurements) {
+        const auto number = 1 + std::ranges::count(rows, one.kind, &MarkRow::kind);
+        const std::string title =
+            one.name.empty() ? std::string(titleOf(one.kind)) + " " + std::to_string(number) : one.name;
+        rows.push_back({one.id, one.kind, one.name, title, value(one), one.places});
+    }
+    return rows;
+}
+
+}  // namespace
+
+std::vector<MarkRow> marksTable(const Plan& plan, const Volume& volume) {
+    return tableOf(plan, [&](const Measurement& one) { return measured(one, volume); });
+}
+
+std::vector<MarkRow> marksTableWithoutScan(const SavedPlan& saved) {
+    return tableOf(saved.plan, [&](const Measurement& one) { return valueWithoutScan(one, saved.scan.spacingMm); });
+}
+
+std::string readable(const MarkRow& row) {
+    return row.value ? row.value->text : row.value.error().what;
+}
+
+std::string_view kindWord(MeasureKind kind) {
+    return wordFor(kind, kMeasureWords);
+}
+
+std::string_view foundWord(measure::Found found) {
+    return wordFor(found, kFoundWords);
+}
+
+std::string_view boundWord(measure::Bound bound) {
+    constexpr std::array<std::string_view, 3> kWords{"", "atMost", "atLeast"};
+    return kWords[std::size_t(bound)];
+}
+
+std::string_view unitWord(measure::Unit unit) {
+    constexpr std::array<std::string_view, 4> kWords{"mm", "deg", "mm2", "HU"};
+    return kWords[std::size_t(unit)];
+}
+
+}  // namespace pdr::app
