@@ -10,7 +10,7 @@ namespace pdr::app {
 namespace {
 
 /// Returns the source of the voxels as they are. Error: those of scene files; a file that is none.
-Result<VolumeSource> sourceOf(const std::filesystem::path& path, const std::string& seriesUid) {
+Result<VolumeSource> sourceOf(const std::filesystem::path& path, const std::string& seriesUid, Table table) {
     VolumeSource source;
     source.dicomFolder = path;
     std::error_code ignored;
@@ -29,21 +29,22 @@ Result<VolumeSource> sourceOf(const std::filesystem::path& path, const std::stri
     if (!seriesUid.empty())
         source.seriesUid = seriesUid;
     source.clampHu.reset();
-    source.table = Table::shown;
+    source.table = table;
     source.reconstruction = Reconstruction::linear;
     return source;
 }
 
 }  // namespace
 
-Result<ScannedVolume> scannedVolume(const std::filesystem::path& path, const std::string& seriesUid) {
-    const auto source = sourceOf(path, seriesUid);
+Result<ScannedVolume> scannedVolume(const std::filesystem::path& path, const std::string& seriesUid, Table table,
+                                    const std::stop_token& stop) {
+    const auto source = sourceOf(path, seriesUid, table);
     if (!source)
         return source.error();
     ProgressLine line;
-    const auto volume = fetchVolume(*source, [&line](double fraction, std::string_view step) {
+    const auto volume = fetchVolume(*source, [&](double fraction, std::string_view step) {
         line.show(fraction, step);
-        return true;
+        return !stop.stop_requested();
     });
     line.finish();
     if (!volume)
@@ -55,7 +56,8 @@ Result<ScannedVolume> scannedVolume(const std::filesystem::path& path, const std
                      volume->loadableSeries);
     for (const dicom::Note& note : volume->notes)
         std::fprintf(stderr, "note: %s\n", note.text.c_str());
-    return ScannedVolume{volume->wanted.scan, volume->series, {path, source->raw.path}};
+    const WantedVolume& wanted = volume->wanted;
+    return ScannedVolume{wanted.scan, wanted.volume, wanted.framed.box, volume->series, {path, source->raw.path}};
 }
 
 }  // namespace pdr::app

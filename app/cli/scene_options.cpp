@@ -21,18 +21,6 @@ constexpr ViewName kViews[] = {
     {"left", "L", "left", StandardView::left},          {"right", "R", "right", StandardView::right},
     {"superior", "H", "head", StandardView::superior},  {"inferior", "F", "feet", StandardView::inferior}};
 
-std::optional<ivec2> readSize(const Reader& reader) {
-    const auto text = reader.text("size");
-    if (!text)
-        return std::nullopt;
-    const auto match = QRegularExpression("^(\\d{1,5})x(\\d{1,5})$").match(*text);
-    const ivec2 size(match.captured(1).toInt(), match.captured(2).toInt());
-    const Range range{1, kLongestSide};
-    if (!match.hasMatch() || !range.holds(size.x) || !range.holds(size.y))
-        usageError("--size", "must look like 800x600, each number " + range.text());
-    return size;
-}
-
 std::optional<Model> readModel(const Reader& reader) {
     const auto text = reader.text("model");
     if (!text)
@@ -171,6 +159,18 @@ void describeSceneOptions(QCommandLineParser& parser) {
     });
 }
 
+std::optional<ivec2> readSize(const QCommandLineParser& parser) {
+    const auto text = Reader(parser).text("size");
+    if (!text)
+        return std::nullopt;
+    const auto match = QRegularExpression("^(\\d{1,5})x(\\d{1,5})$").match(*text);
+    const ivec2 size(match.captured(1).toInt(), match.captured(2).toInt());
+    const Range range{1, kLongestSide};
+    if (!match.hasMatch() || !range.holds(size.x) || !range.holds(size.y))
+        usageError("--size", "must look like 800x600, each number " + range.text());
+    return size;
+}
+
 std::optional<ivec2> readPixel(const QCommandLineParser& parser, const QString& name) {
     const auto text = Reader(parser).text(name);
     if (!text)
@@ -188,7 +188,7 @@ SceneInput readSceneOptions(const QCommandLineParser& parser, const QString& com
     SceneInput scene;
     scene.path = parser.positionalArguments().front().toStdString();
     scene.seriesUid = reader.text("series").value_or("").toStdString();
-    scene.size = readSize(reader);
+    scene.size = readSize(parser);
     scene.view = readView(reader);
     scene.table = readTable(reader);
     scene.parts = readParts(reader);

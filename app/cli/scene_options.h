@@ -15,6 +15,9 @@ void describeSceneOptions(QCommandLineParser& parser);
 /// first wrong option.
 SceneInput readSceneOptions(const QCommandLineParser& parser, const QString& command);
 
+/// Reads `--size`, such as 800x600; null if it was not given. Throws an Error if it is no size of an image.
+std::optional<ivec2> readSize(const QCommandLineParser& parser);
+
 /// Reads the pixel of the option `name`, such as 400,300; null if the option was not given. Throws an Error if it is
 /// not a pixel.
 std::optional<ivec2> readPixel(const QCommandLineParser& parser, const QString& name);
