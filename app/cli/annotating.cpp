@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <QPainter>
+#include <algorithm>
 #include <string_view>
 
 #include "ui/annotation/annotation_text.h"
@@ -27,7 +28,11 @@ QImage picture(const QString& letter) {
 }  // namespace
 
 bool mayWriteLetters(int argc, const char* const* argv) {
-    if (argc < 2 || (argv[1] != std::string_view("render") && argv[1] != std::string_view("slice")))
+    const std::string_view command(argc < 2 ? "" : argv[1]);
+    const bool images =
+        command == "render" || command == "slice" ||
+        (command == "plan" && std::find(argv + 2, argv + argc, std::string_view("--render")) != argv + argc);
+    if (!images)
         return false;
     for (int i = 2; i < argc; ++i) {
         const std::string_view argument(argv[i]);

@@ -1,4 +1,4 @@
-/// Entry point of pdrender-cli with its commands info, looks, render, slice, accuracy, effects, replay, cluster,
+/// Entry point of pdrender-cli with its commands info, looks, render, slice, plan, accuracy, effects, replay, cluster,
 /// example. Exit codes: 0 on success, 1 on an error, 2 on wrong usage.
 
 #include <QGuiApplication>
@@ -17,6 +17,7 @@
 #include "app/cli/failed.h"
 #include "app/cli/info_command.h"
 #include "app/cli/looks_command.h"
+#include "app/cli/plan_command.h"
 #include "app/cli/render_command.h"
 #include "app/cli/replay_command.h"
 #include "app/cli/slice_command.h"
@@ -34,6 +35,7 @@ constexpr const char* kHelp =
     "  pdrender-cli looks                                     list how a scan can look\n"
     "  pdrender-cli render FOLDER|SCENE.json -o FILE ...      render an image (.png, .exr)\n"
     "  pdrender-cli slice FOLDER|SCENE.json --plane PLANE -o FILE ...  write a slice as an image or as HU\n"
+    "  pdrender-cli plan FILE [--scan FOLDER] ...             list what a plan has measured, export it, render it\n"
     "  pdrender-cli accuracy FOLDER|SCENE.json -o DIR ...     measure what accuracy costs in time\n"
     "  pdrender-cli effects FOLDER|SCENE.json ...             list what the image needs, why, and at what cost\n"
     "  pdrender-cli replay FOLDER|SCENE.json --pixel X,Y ...  tell how one sample came about, event by event\n"
@@ -65,6 +67,8 @@ int run(QStringList arguments) {
         return runRender(arguments);
     if (command == "slice")
         return runSlice(arguments);
+    if (command == "plan")
+        return runPlan(arguments);
     if (command == "accuracy")
         return runAccuracy(arguments);
     if (command == "effects")

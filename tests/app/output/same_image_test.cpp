@@ -1,11 +1,12 @@
 /// Window and command line take the same road from a folder to an image: what the window saves of it, made anew, is
-/// what `pdrender-cli render` writes, bit for bit.
+/// what `pdrender-cli render` writes, bit for bit, and what `pdrender-cli plan` renders of the window's plan.
 
 #include <QImage>
 #include <QSignalSpy>
 #include <QTest>
 
 #include "app/presenters/looks_presenter.h"
+#include "app/presenters/plan_presenter.h"
 #include "app/presenters/saving_presenter.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/dicom/phantom_series.h"
@@ -14,6 +15,15 @@
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {
+
+/// Compares images and what their files say of them.
+static void compare(const QImage& ofWindow, const QImage& ofLine) {
+    for (const QString& key : ofLine.textKeys())
+        if (key != "pdrender/seconds" && key != "pdrender/bias")  // both hang on the clock
+            QVERIFY2(ofWindow.text(key) == ofLine.text(key),
+                     qPrintable(key + ": " + ofWindow.text(key) + " / " + ofLine.text(key)));
+    QCOMPARE(ofWindow, ofLine);
+}
 
 class TestSameImage : public QObject {
     Q_OBJECT
@@ -79,12 +89,19 @@ void TestSameImage::theWindowsImageIsThatOfTheCommandLine() {
                                     "cpu", "--exposure", "auto", "--annotations", "none"} +
                             options);
     QVERIFY2(made.code == 0, made.err.constData());
-    const QImage ofWindow(window), ofLine(line);
-    for (const QString& key : ofLine.textKeys())
-        if (key != "pdrender/seconds" && key != "pdrender/bias")  // both hang on the clock
-            QVERIFY2(ofWindow.text(key) == ofLine.text(key),
-                     qPrintable(key + ": " + ofWindow.text(key) + " / " + ofLine.text(key)));
-    QCOMPARE(ofWindow, ofLine);
+    compare(QImage(window), QImage(line));
+
+    const QString plan = folder_.filePath("look.plan.json"), planned = folder_.filePath("planned.png");
+    auto& plans = trial.desktop.presenter<PlanPresenter>();
+    QSignalSpy kept(&plans.job(), &PlanJob::saved);
+    plans.save(plan);
+    QTRY_COMPARE_WITH_TIMEOUT(kept.count(), 1, test::kPatience);
+    const test::ProgramRun ofPlan = test::runProgram(
+        "pdrender-cli", QStringList{"plan", plan, "--scan", series_, "--render", "-o", planned, "--size", "150x120",
+                                    "--samples", "32", "--device", "cpu", "--annotations", "none"} +
+                            (denoised ? QStringList{"--denoised"} : QStringList()));
+    QVERIFY2(ofPlan.code == 0, ofPlan.err.constData());
+    compare(QImage(window), QImage(planned));
 }
 
 }  // namespace pdr::app

@@ -1,0 +1,17 @@
+#pragma once
+/// The scene of a plan, for `pdrender-cli plan --render`: what the window shows of it.
+
+#include "app/cli/scanned_volume.h"
+#include "app/cli/scene_input.h"
+#include "app/plan/plan.h"
+
+namespace pdr::app {
+
+/// Returns the scene of `plan`, which was made on the scan `scanned`, on a film of that size [pixels]. Errors: the scan
+/// lacks the part that the plan shows; cancelled().
+Result<LoadedScene> sceneOfPlan(const Plan& plan, const ScannedVolume& scanned, ivec2 film, const Progress& progress);
+
+/// Returns the voxels that the plan shows: with the table or without it.
+const std::shared_ptr<const Volume>& volumeOf(const Plan& plan, const ScannedVolume& scanned);
+
+}  // namespace pdr::app
