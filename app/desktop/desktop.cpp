@@ -63,7 +63,7 @@ void holdOnScreen(QWidget& window) {
 void place(ui::MainWindow& window, const Settings& settings) {
     window.resize(QSize(1480, 920).boundedTo(window.screen()->availableSize() * 0.95));
     window.restoreGeometry(settings.windowGeometry());
-    window.restoreState(settings.windowState());
+    window.restorePanels(settings.windowState());
     holdOnScreen(window);
 }
 

@@ -6,7 +6,7 @@
 namespace pdr::app {
 
 CameraPresenter::CameraPresenter(const Workspace& workspace) : Presenter(workspace), panel_(new ui::CameraPanel) {
-    window().addPanel(panel_, {"Camera", ui::WindowDocks::tr("Camera"), Qt::Key_F7, ui::PanelPlace::editor});
+    window().addPanel(panel_, {"Camera", ui::WindowDocks::tr("Camera"), Qt::Key_F7});
     connect(panel_, &ui::CameraPanel::viewChosen, &document(), &Document::setView);
     connect(panel_, &ui::CameraPanel::cameraEdited, &document(),
             [this](const Camera& camera) { document().setCamera(camera, false); });

@@ -4,8 +4,7 @@ namespace pdr::app {
 
 CutPresenter::CutPresenter(const Workspace& workspace)
     : Presenter(workspace), tools_(new ui::CutTools(&window().viewport())), edits_(document()) {
-    const QAction* toggle =
-        window().addPanel(&tools_->panel(), {"Cut", ui::WindowDocks::tr("Cut"), Qt::Key_F9, ui::PanelPlace::editor});
+    const QAction* toggle = window().addPanel(&tools_->panel(), {"Cut", ui::WindowDocks::tr("Cut"), Qt::Key_F9});
     window().addMenu(ui::MainWindow::tr("&Cut"), [this](QMenu& menu) { tools_->fillMenu(menu); });
     connect(&window(), &ui::MainWindow::cancelRequested, tools_, &ui::CutTools::hideHandles);
     connect(toggle, &QAction::triggered, tools_, [this](bool shown) {

@@ -4,7 +4,7 @@ namespace pdr::app {
 
 LightPresenter::LightPresenter(const Workspace& workspace)
     : Presenter(workspace), panel_(new ui::LightPanel), edits_(document()) {
-    window().addPanel(panel_, {"Light", ui::WindowDocks::tr("Light"), Qt::Key_F8, ui::PanelPlace::editor});
+    window().addPanel(panel_, {"Light", ui::WindowDocks::tr("Light"), Qt::Key_F8});
     connect(panel_, &ui::LightPanel::lightingEdited, &edits_, &LightEdits::setLighting);
     window().viewport().tools().bind(Qt::RightButton, Qt::ShiftModifier, drag_);
     connect(&drag_, &ui::DragTool::dragged, &edits_, [this](QPointF, QPointF step, bool moving) {

@@ -57,8 +57,7 @@ Result<void> checkFree(const Document& document, const std::string& name) {
 
 LooksPresenter::LooksPresenter(const Workspace& workspace, const QString& ownLooks)
     : Presenter(workspace), panel_(new ui::LookPanel), visible_(new ui::VisibleRow), own_(ownLooks) {
-    window().addPanel(stacked(panel_, visible_),
-                      {"Look", ui::WindowDocks::tr("Appearance"), Qt::Key_F3, ui::PanelPlace::looks});
+    window().addPanel(stacked(panel_, visible_), {"Look", ui::WindowDocks::tr("Appearance"), Qt::Key_F3});
     images_.setImageStands(false);
     connectPanel();
     connectMenu();

@@ -8,7 +8,7 @@
 namespace pdr::app {
 
 RenderingPresenter::RenderingPresenter(const Workspace& workspace) : Presenter(workspace), panel_(new ui::RenderPanel) {
-    window().addPanel(panel_, {"Rendering", ui::WindowDocks::tr("Rendering"), Qt::Key_F4, ui::PanelPlace::settings});
+    window().addPanel(panel_, {"Rendering", ui::WindowDocks::tr("Rendering"), Qt::Key_F4});
     offerDevices();
     panel_->setPace(settings().pace());
     bridge().setPace(panel_->pace());

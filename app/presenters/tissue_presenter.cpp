@@ -6,7 +6,7 @@ namespace pdr::app {
 
 TissuePresenter::TissuePresenter(const Workspace& workspace)
     : Presenter(workspace), panel_(new ui::TissuePanel), edits_(document()) {
-    window().addPanel(panel_, {"Tissue", ui::WindowDocks::tr("Tissue"), Qt::Key_F5, ui::PanelPlace::editor});
+    window().addPanel(panel_, {"Tissue", ui::WindowDocks::tr("Tissue"), Qt::Key_F5});
     connect(panel_, &ui::TissuePanel::transferFunctionEdited, &edits_, &TissueEdits::setTransferFunction);
     connect(&study_, &TissueStudy::histogramFound, panel_, &ui::TissuePanel::setHistogram);
     connectTools();

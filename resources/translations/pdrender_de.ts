@@ -1334,8 +1334,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Andere Programme schließen.</translation>
     </message>
     <message>
-        <source>Close panel (%1)</source>
-        <translation>Bereich schließen (%1)</translation>
+        <source>Close panel</source>
+        <translation>Bereich schließen</translation>
     </message>
     <message>
         <source>Close the message</source>
@@ -3238,6 +3238,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Zeigt die ganze Meldung</translation>
     </message>
     <message>
+        <source>Shows or closes the panels at the right of the image.</source>
+        <translation>Zeigt oder schließt die Bereiche rechts vom Bild.</translation>
+    </message>
+    <message>
         <source>Shows or closes this panel.</source>
         <translation>Zeigt oder schließt diesen Bereich.</translation>
     </message>
@@ -3264,6 +3268,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Si&amp;ze</source>
         <translation>Gr&amp;öße</translation>
+    </message>
+    <message>
+        <source>Side bar</source>
+        <translation>Seitenleiste</translation>
     </message>
     <message>
         <source>Sides</source>

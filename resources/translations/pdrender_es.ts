@@ -603,7 +603,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>&amp;Iterations per frame</source>
-        <translation>Iteraciones por ima&amp;gen</translation>
+        <translation>Iteraciones/ima&amp;gen</translation>
     </message>
     <message>
         <source>&amp;Keys</source>
@@ -1334,8 +1334,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Cierre otros programas.</translation>
     </message>
     <message>
-        <source>Close panel (%1)</source>
-        <translation>Cerrar panel (%1)</translation>
+        <source>Close panel</source>
+        <translation>Cerrar panel</translation>
     </message>
     <message>
         <source>Close the message</source>
@@ -1767,7 +1767,7 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     </message>
     <message>
         <source>Frames &amp;per second</source>
-        <translation>&amp;Imágenes por segundo</translation>
+        <translation>&amp;Imágenes/s</translation>
     </message>
     <message>
         <source>Free points</source>
@@ -3238,6 +3238,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Muestra todo el mensaje</translation>
     </message>
     <message>
+        <source>Shows or closes the panels at the right of the image.</source>
+        <translation>Muestra o cierra los paneles a la derecha de la imagen.</translation>
+    </message>
+    <message>
         <source>Shows or closes this panel.</source>
         <translation>Muestra o cierra este panel.</translation>
     </message>
@@ -3264,6 +3268,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Si&amp;ze</source>
         <translation>Tama&amp;ño</translation>
+    </message>
+    <message>
+        <source>Side bar</source>
+        <translation>Barra lateral</translation>
     </message>
     <message>
         <source>Sides</source>

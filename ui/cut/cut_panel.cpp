@@ -61,6 +61,7 @@ QLayout* CutPanel::boxRows() {
         side.setRange(0, kFarthestMm);
         side.setDecimals(1);
         side.setSuffix(tr(" mm"));
+        side.setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // beside the longest names of sides
         side.setKeyboardTracking(false);
         side.setAccessibleName(tr("Distance cut off, side: %1").arg(faceName(face)));
         side.setToolTip(tr("How much is cut off there; also by the handle in the image (C)"));

@@ -75,6 +75,7 @@ QWidget* LightPanel::rigButtons() {
     for (const NamedRig name : kNamedRigs) {
         auto* button = new QPushButton(rigName(name));
         button->setToolTip(rigTip(name));
+        button->setProperty("narrow", true);
         button->setCheckable(true);
         button->setFocusPolicy(Qt::TabFocus);
         rigs_.addButton(button, int(name));

@@ -20,6 +20,7 @@ ModelChoice::ModelChoice(QWidget* parent) : QWidget(parent) {
         models_.addItem(modelTitle(model));
     models_.setPlaceholderText(tr("Another"));
     models_.setAccessibleName(tr("What is shown"));
+    models_.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // long names must not widen the panel
     models_.setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard focus with the image
     for (int i = 0; i < int(kOffered.size()); ++i)
         models_.setItemData(i, modelText(kOffered[std::size_t(i)]), Qt::ToolTipRole);

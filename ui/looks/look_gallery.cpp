@@ -9,10 +9,11 @@ namespace pdr::ui {
 namespace {
 
 constexpr int kColumns = 2;
+constexpr int kCard = 136;  ///< width of a look with its name [px]
 
-/// Breaks a name that is wider than a thumbnail into two lines of similar length.
+/// Breaks a name that is wider than a card into two lines of similar length.
 QString inLines(const QString& name, const QFontMetrics& metrics) {
-    if (metrics.horizontalAdvance(name) <= LookGallery::kImage)
+    if (metrics.horizontalAdvance(name) <= kCard - 16)
         return name;
     int best = -1;
     for (int space = name.indexOf(' '); space >= 0; space = name.indexOf(' ', space + 1))
@@ -143,7 +144,7 @@ void LookGallery::addCard(int index) {
     button->setCheckable(true);
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::TabFocus);
-    button->setFixedWidth(kImage + 8);
+    button->setFixedWidth(kCard);
     buttons_.addButton(button, index);
     const int place = grid->count();
     grid->addWidget(button, place / kColumns, place % kColumns, Qt::AlignTop);

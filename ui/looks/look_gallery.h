@@ -27,7 +27,7 @@ class LookGallery : public QWidget {
 
   public:
     /// Edge length of a thumbnail [px].
-    static constexpr int kImage = 88;
+    static constexpr int kImage = 96;
 
     explicit LookGallery(QWidget* parent = nullptr);
 

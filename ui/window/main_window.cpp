@@ -52,6 +52,8 @@ MainWindow::MainWindow()
     for (const QAction* menu : menuBar()->actions())
         addActions(menu->menu()->actions());  // so that keys work while the menu bar is hidden
     viewport_->addAction(actions_.pause);     // its key counts there only
+    actions_.view->insertAction(actions_.endOfPanels, docks_->sideBarToggle());
+    addAction(docks_->sideBarToggle());
     connectActions();
     connectView();
     connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MainWindow::escape);

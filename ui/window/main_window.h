@@ -84,6 +84,8 @@ class MainWindow : public QMainWindow {
     bool confirmsLoss();
     /// Returns the window state to save. It counts panels that are hidden only for lack of room as shown.
     QByteArray wantedState() { return docks_->wantedState(); }
+    /// Restores what wantedState() returned at an earlier run. The state of another version changes nothing.
+    void restorePanels(const QByteArray& state) { docks_->restore(state); }
 
   signals:
     void folderChosen(const QString& folder);

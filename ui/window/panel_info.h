@@ -6,21 +6,19 @@
 
 namespace pdr::ui {
 
-/// Where a panel stands. Which panels give way where room is short, and which are open at first, follows from it.
+/// Where a panel stands.
 enum class PanelPlace {
-    browser,   ///< left of the image, open at first: what there is to open
-    looks,     ///< right of the image, open at first, above the editors
-    editor,    ///< right of the image, below the looks; one editor is open at a time
-    settings,  ///< right of the image; gives way to the editors
+    sideBar,   ///< right of the image, one panel at a time; open at first
+    browser,   ///< left of the image, open at first: what there is to open; gives way in small windows
     below,     ///< below the image
     floating,  ///< over the lower part of the image
 };
 
 struct PanelInfo {
-    QString name;      ///< object name, under which the window's state and the panel's key are saved
+    QString name;      ///< object name, under which the panel's key is saved and its icon is found
     QString title;     ///< heading, and text of the menu entry, in the window's language
     QKeySequence key;  ///< default key, which opens and closes the panel
-    PanelPlace place = PanelPlace::editor;
+    PanelPlace place = PanelPlace::sideBar;
     bool fixedHeight = false;  ///< below the image: the panel's preferred height is kept, not a part of the window's
 };
 

@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "ui/window/key_tip.h"
+
 namespace pdr::ui {
 namespace {
 
@@ -22,7 +24,7 @@ QWidget* panelTitle(const QString& title, QAction& toggle) {
     fold->setAutoRaise(true);
     fold->setFocusPolicy(Qt::TabFocus);
     fold->setAccessibleName(Texts::tr("Close %1").arg(title));
-    fold->setToolTip(Texts::tr("Close panel (%1)").arg(toggle.shortcut().toString()));
+    fold->setToolTip(keyTip(Texts::tr("Close panel"), toggle));
     QObject::connect(fold, &QToolButton::clicked, &toggle, &QAction::trigger);
 
     auto* bar = new QWidget;

@@ -1,6 +1,6 @@
 #pragma once
-/// The panels around the image: where they stand, and which of them give way to others when room is short, so that the
-/// image keeps most of the window.
+/// The panels around the image: where they stand, and what gives way in a window that is too small for all, so that the
+/// image keeps most of it.
 
 #include <QDockWidget>
 #include <QList>
@@ -9,6 +9,7 @@
 
 #include "ui/window/floating_panel.h"
 #include "ui/window/panel_info.h"
+#include "ui/window/side_bar.h"
 
 namespace pdr::ui {
 
@@ -23,10 +24,14 @@ class WindowDocks : public QObject {
     QAction* add(QWidget* panel, const PanelInfo& info);
     /// Returns the action that opens and closes the panel `name`; null if there is none.
     QAction* toggle(const QString& name) const { return toggles_.value(name); }
-    /// Returns the window state to save for the next start. Panels that are hidden only for lack of room count as
+    /// Returns the action that opens and closes the side bar.
+    QAction* sideBarToggle() const { return sideBar_->toggleViewAction(); }
+    /// Returns the window state to save for the next start. A browser that is hidden only for lack of room counts as
     /// shown.
     QByteArray wantedState();
-    /// Hides panels where the window has become too small for them, and shows them again in a larger one.
+    /// Restores what wantedState() returned. A state of another version of the program changes nothing.
+    void restore(const QByteArray& state);
+    /// Hides the browser where the window has become too small for it, and shows it again in a larger one.
     void makeRoom();
     /// Sets whether the user still has to choose what to open. While true, the browser is shown and does not give way;
     /// then it returns to its previous state.
@@ -35,40 +40,23 @@ class WindowDocks : public QObject {
     void setAway(bool away);
 
   private:
-    /// What a dock holds, and where it stands.
-    struct Content {
-        QWidget* panel = nullptr;
-        PanelPlace place = PanelPlace::editor;
-        bool fixedHeight = false;
-    };
-
-    QAction* addDock(QWidget* panel, const PanelInfo& info);
     QAction* addFloating(QWidget* panel, const PanelInfo& info);
-    void keep(QDockWidget* dock, PanelPlace place);
-    QList<QDockWidget*> docksAt(std::initializer_list<PanelPlace> places) const;
-    bool isEditor(QDockWidget* dock) const { return contents_[dock].place == PanelPlace::editor; }
-    void opened(QDockWidget* dock, bool shown);
-    void openedEditor(QDockWidget* dock, bool shown);
-    QList<QDockWidget*> inTheWayOf(QList<QDockWidget*> wanted) const;
-    int middleHeight() const;
-    int widthOf(const QDockWidget& dock) const;
-    double imageShare(const QList<QDockWidget*>& panels) const;
-    void openedBelow(QDockWidget* dock, bool shown);
+    QAction* addDock(QWidget* panel, const PanelInfo& info);
+    void openedBelow(QDockWidget* dock, const PanelInfo& info);
+    bool isTooSmall() const;
+    int middleWidth() const;
 
     QMainWindow& window_;
     QWidget& image_;
-    QList<QDockWidget*> docks_;  ///< in the order in which they were added
-    QMap<QDockWidget*, Content> contents_;
+    SideBar* sideBar_;
+    QDockWidget* browser_ = nullptr;  ///< null until it is added
+    QList<QDockWidget*> below_;       ///< docks below the image, the one opened last first
     QList<FloatingPanel*> floating_;
     QMap<QString, QAction*> toggles_;  ///< by the panels' names
-    QDockWidget* browser_ = nullptr;   ///< null until it is added
-    QDockWidget* looks_ = nullptr;     ///< null until it is added
-    QList<QDockWidget*> below_;        ///< docks below the image, the one opened last first
-    QList<QDockWidget*> gaveWay_;      ///< docks hidden for lack of room; shown again when there is room
+    bool gaveWay_ = false;             ///< the browser is hidden for lack of room, and comes back when there is room
+    bool insisted_ = false;            ///< the user opened the browser where it would have given way
     bool choosing_ = false;            ///< the user still has to choose what to open
     bool browserWasAway_ = false;      ///< the user had hidden the browser before that
-    QDockWidget* insisted_ = nullptr;  ///< dock opened last, which does not give way; null: none
-    int column_ = 0;                   ///< width of the looks before an editor opened [px]; 0: the current one
     QByteArray stateBefore_;           ///< window state before setAway(true); empty: not away
 };
 

@@ -46,6 +46,8 @@ static std::vector<WindowAction> windowActions() {
         panel("camera", "CameraPanel"),
         panel("cut", "CutPanel"),
         panel("cut closes", "CutPanel"),
+        panel("the side bar closes", "sideBarPanel"),
+        panel("the side bar opens", "sideBarPanel"),
         panel("effects", "EffectsPanel"),
         panel("nodes", "NodesPanel"),
         panel("nodes close", "NodesPanel"),
@@ -54,10 +56,14 @@ static std::vector<WindowAction> windowActions() {
         {"wider", [](Window& window) { window.resize(1300, 700); }},
         {"narrower", [](Window& window) { window.resize(860, 640); }},
         {"as before", [](Window& window) { window.resize(900, 500); }},
-        {"a panel at the other side",
-         [](Window& window) { window.addDockWidget(Qt::LeftDockWidgetArea, window.findChild<QDockWidget*>("Look")); }},
+        {"the side bar at the other side",
+         [](Window& window) {
+             window.addDockWidget(Qt::LeftDockWidgetArea, window.findChild<QDockWidget*>("sideBar"));
+         }},
         {"and back",
-         [](Window& window) { window.addDockWidget(Qt::RightDockWidgetArea, window.findChild<QDockWidget*>("Look")); }},
+         [](Window& window) {
+             window.addDockWidget(Qt::RightDockWidgetArea, window.findChild<QDockWidget*>("sideBar"));
+         }},
         {"groups of looks fold",
          [](Window& window) {
              for (QToolButton* heading : test::the<ui::LookPanel>(window).findChildren<QToolButton*>())
@@ -76,6 +82,7 @@ class TestKeptImage : public QObject {
     void initTestCase();
     void noWindowActionCostsASample_data();
     void noWindowActionCostsASample();
+    void panelsNeverStretchTheImage();
     void theNextEditFillsTheView();
     void theImageIsFittedToTheViewWhenThatIsAskedFor();
 
@@ -131,6 +138,28 @@ void TestKeptImage::noWindowActionCostsASample() {
     }
     QVERIFY2(lost.isEmpty(), qPrintable(lost.join("; ")));
     QCOMPARE(bridge.paused(), held);
+}
+
+/// The view keeps its size, so that image and screen agree pixel by pixel, and no sample is lost.
+void TestKeptImage::panelsNeverStretchTheImage() {
+    Trial trial;
+    ui::MainWindow& window = trial.desktop.window();
+    window.resize(1366, 768);
+    trial.openAndWait(series_);
+    const Document& document = trial.desktop.document();
+    const QSize view = window.viewport().sizeInPixels();
+    QCOMPARE(view, QSize(document.scene().film.x, document.scene().film.y));
+    std::uint64_t samples = last(trial).status.samplesPerPixel;
+    const std::uint64_t revision = last(trial).revision;
+    const char* const names[] = {"TissuePanel", "LightPanel", "CameraPanel", "RenderingPanel", "LookPanel"};
+    for (int i = 0; i < 20; ++i) {
+        toggle(window, names[i % std::size(names)]);
+        QTest::qWait(50);
+        QCOMPARE(window.viewport().sizeInPixels(), view);
+        QCOMPARE(last(trial).revision, revision);
+        QVERIFY(last(trial).status.samplesPerPixel >= samples);
+        samples = last(trial).status.samplesPerPixel;
+    }
 }
 
 /// An image that begins anew has the view's own pixels.

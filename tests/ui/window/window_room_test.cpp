@@ -1,9 +1,12 @@
 /// The division of the window: the image gets most of it, panels what is left.
 
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTest>
 #include <QToolButton>
 
+#include "tests/support/desktop/named_widget.h"
 #include "tests/support/desktop/the.h"
 #include "tests/support/desktop/whole_window.h"
 #include "ui/accuracy/accuracy_panel.h"
@@ -12,6 +15,9 @@
 #include "ui/nodes/nodes_panel.h"
 #include "ui/rendering/render_panel.h"
 #include "ui/series/series_panel.h"
+#include "ui/text/language.h"
+#include "ui/widgets/elided_label.h"
+#include "ui/widgets/line_icon.h"
 #include "ui/window/main_window.h"
 
 namespace pdr::ui {
@@ -24,14 +30,25 @@ class TestWindowRoom : public QObject {
     void theAccuracyFloatsOverTheImage();
     void noPanelIsSqueezed_data();
     void noPanelIsSqueezed();
+    void noPanelResizesTheImage();
+    void theSideBarClosesWithOneKey();
+    void tabsSayWhatTheyOpen();
     void anEditorLeavesTheImageMostOfTheWindow_data();
     void anEditorLeavesTheImageMostOfTheWindow();
-    void editorsGiveWayToEachOther();
+    void onePanelIsShownAtATime();
     void theImageIsTheLargestThing_data();
     void theImageIsTheLargestThing();
     void whatGaveWayComesBackWithTheRoom();
     void whatIsOpenedByHandStays();
 };
+
+/// The keys of the panels in the side bar.
+static constexpr QKeyCombination kSideBarKeys[] = {Qt::Key_F4, Qt::Key_F5, Qt::Key_F7,          Qt::Key_F8,
+                                                   Qt::Key_F9, Qt::Key_F3, Qt::CTRL | Qt::Key_M};
+
+static void press(MainWindow& window, QKeyCombination key) {
+    QTest::keyClick(&window, key.key(), key.keyboardModifiers());
+}
 
 static void activate(MainWindow& window) {
     window.show();
@@ -78,27 +95,103 @@ void TestWindowRoom::theAccuracyFloatsOverTheImage() {
 }
 
 void TestWindowRoom::noPanelIsSqueezed_data() {
+    QTest::addColumn<QString>("language");
     QTest::addColumn<QSize>("size");
-    QTest::newRow("1480 x 920") << QSize(1480, 920);
-    QTest::newRow("1366 x 768") << QSize(1366, 768);
+    for (const QString& code : languages())
+        for (const QSize size : {QSize(1480, 920), QSize(1366, 768)})
+            QTest::addRow("%s, %d x %d", qPrintable(code), size.width(), size.height()) << code << size;
 }
 
-/// Buttons keep the height that their words need, whatever else is open, and the looks stay.
+/// Returns the texts of a label or a button that have not the room that they need.
+static QStringList cutTexts(const QWidget& within) {
+    QStringList cut;
+    for (const QWidget* widget : within.findChildren<QWidget*>()) {
+        const auto* label = qobject_cast<const QLabel*>(widget);
+        const auto* button = qobject_cast<const QAbstractButton*>(widget);
+        const QString text = label ? label->text() : button ? button->text() : QString();
+        const bool mayBe = text.isEmpty() || qobject_cast<const ElidedLabel*>(widget) || (label && label->wordWrap());
+        if (!widget->isVisible() || mayBe)
+            continue;
+        const QSize needed = widget->minimumSizeHint();
+        if (widget->width() < needed.width() || widget->height() < needed.height())
+            cut << text;
+    }
+    return cut;
+}
+
+/// Labels and buttons have the room that their words need in each language, and nothing scrolls sideways.
 void TestWindowRoom::noPanelIsSqueezed() {
+    QFETCH(QString, language);
     QFETCH(QSize, size);
+    speak(*qApp, language);
+    const auto english = qScopeGuard([] { speak(*qApp, "en"); });
     const test::WholeWindow whole;
     MainWindow& window = whole.window;
     activate(window);
     window.accuracyStatus().setRemarks({"a remark"});
     window.resize(size);
-    for (const int key : {int(Qt::Key_F8), int(Qt::Key_F12), int(Qt::Key_F5), int(Qt::Key_F7), int(Qt::Key_F9)}) {
-        QTest::keyClick(&window, Qt::Key(key));
+    QTest::keyClick(&window, Qt::Key_F12);
+    for (const QKeyCombination key : kSideBarKeys) {
+        press(window, key);
         QCoreApplication::processEvents();
-        QVERIFY(test::the<LookPanel>(window).isVisible());
-        for (const QPushButton* button : test::the<LookPanel>(window).findChildren<QPushButton*>())
-            QVERIFY2(button->height() >= button->minimumSizeHint().height(), qPrintable(button->text()));
-        QVERIFY(test::the<LookPanel>(window).gallery().parentWidget()->height() >= LookGallery::kImage);
+        const auto& sideBar = test::the<SideBar>(window);
+        QCOMPARE(sideBar.width(), SideBar::kWidth);
+        QCOMPARE(cutTexts(sideBar).join("; "), QString());
+        for (const QScrollArea* area : sideBar.findChildren<QScrollArea*>())
+            QVERIFY2(!area->isVisible() || area->horizontalScrollBar()->maximum() == 0,
+                     qPrintable(QString::number(key.toCombined())));
     }
+}
+
+void TestWindowRoom::noPanelResizesTheImage() {
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
+    window.resize(1366, 768);
+    activate(window);
+    QCoreApplication::processEvents();
+    const QSize before = window.viewport().size();
+    for (int i = 0; i < 3; ++i)
+        for (const QKeyCombination key : kSideBarKeys) {
+            press(window, key);
+            QCoreApplication::processEvents();
+            QCOMPARE(window.viewport().size(), before);
+        }
+}
+
+void TestWindowRoom::theSideBarClosesWithOneKey() {
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
+    activate(window);
+    const auto& sideBar = test::the<SideBar>(window);
+    QTest::keyClick(&window, Qt::Key_F5);
+    QTest::keyClick(&window, Qt::Key_F10);
+    QVERIFY(!sideBar.isVisible() && !window.panelToggle("Tissue")->isChecked());
+    QTest::keyClick(&window, Qt::Key_F10);
+    QVERIFY(sideBar.isVisible() && window.panelToggle("Tissue")->isChecked());
+    QTest::keyClick(&window, Qt::Key_F10);
+    QTest::keyClick(&window, Qt::Key_F8);  // the key of a panel opens the side bar, too
+    QVERIFY(sideBar.isVisible() && window.panelToggle("Light")->isChecked());
+    QTest::keyClick(&window, Qt::Key_F3);
+    QTest::keyClick(&window, Qt::Key_F3);  // of the first panel: there is none to go back to
+    QVERIFY(!sideBar.isVisible());
+}
+
+void TestWindowRoom::tabsSayWhatTheyOpen() {
+    const test::WholeWindow whole;
+    MainWindow& window = whole.window;
+    activate(window);
+    for (const char* name : {"Look", "Tissue", "Light", "Camera", "Cut", "Measurements", "Rendering"}) {
+        QAction* toggle = window.panelToggle(name);
+        auto& tab = test::named<QToolButton>(window, toggle->text());
+        QVERIFY2(hasLineIcon(name), name);
+        QCOMPARE(tab.toolTip(), QString("%1 (%2)").arg(toggle->text(), toggle->shortcut().toString()));
+        tab.click();
+        QVERIFY(toggle->isChecked() && tab.isChecked());
+        tab.click();
+        QVERIFY(toggle->isChecked() && tab.isChecked());
+    }
+    window.panelToggle("Light")->setShortcut(Qt::Key_J);
+    QCOMPARE(test::named<QToolButton>(window, "Light").toolTip(), QString("Light (J)"));
 }
 
 void TestWindowRoom::anEditorLeavesTheImageMostOfTheWindow_data() {
@@ -128,12 +221,12 @@ void TestWindowRoom::anEditorLeavesTheImageMostOfTheWindow() {
     };
     const auto before = shown();
     const auto image = [&] { return double(window.viewport().width()) * window.viewport().height(); };
-    const auto editor = [&] { return window.findChild<QDockWidget*>(name)->isVisible(); };
+    const auto editor = [&] { return window.panelToggle(name)->isChecked(); };
     QTest::keyClick(&window, Qt::Key(key));
     QTRY_VERIFY(editor());
     QTRY_VERIFY2(image() >= 0.6 * size.width() * size.height(),
                  qPrintable(QString::number(image() / (size.width() * size.height()))));
-    QVERIFY(test::the<LookPanel>(window).isVisible() || size.height() < 900);  // there is no room for both
+    QVERIFY(!test::the<LookPanel>(window).isVisible());
     for (QToolButton* fold : window.findChildren<QToolButton*>())
         if (fold->accessibleName() == QString("Close %1").arg(name))
             fold->click();
@@ -141,28 +234,26 @@ void TestWindowRoom::anEditorLeavesTheImageMostOfTheWindow() {
     QCOMPARE(shown(), before);
 }
 
-/// The right-hand column has one editor at a time.
-void TestWindowRoom::editorsGiveWayToEachOther() {
+/// A panel's own key goes back to the looks.
+void TestWindowRoom::onePanelIsShownAtATime() {
     const test::WholeWindow whole;
     MainWindow& window = whole.window;
     activate(window);
     const auto shown = [&] {
-        QString names;
-        for (const char* name : {"Tissue", "Light", "Camera"})
-            if (window.findChild<QDockWidget*>(name)->isVisible())
-                names += name;
+        QStringList names;
+        for (const char* name : {"Look", "Tissue", "Light", "Camera", "Cut", "Measurements", "Rendering"})
+            if (window.panelToggle(name)->isChecked())
+                names << name;
         return names;
     };
-    QCOMPARE(shown(), QString());
+    QCOMPARE(shown(), QStringList{"Look"});
     window.resize(1600, 1000);
-    QTest::keyClick(&window, Qt::Key_F4);
-    QVERIFY(test::the<RenderPanel>(window).isVisible());
-    for (const auto& [key, name] : {std::pair(Qt::Key_F5, "Tissue"), std::pair(Qt::Key_F7, "Camera"),
-                                    std::pair(Qt::Key_F8, "Light"), std::pair(Qt::Key_F8, "")}) {
+    for (const auto& [key, name] : {std::pair(Qt::Key_F4, "Rendering"), std::pair(Qt::Key_F5, "Tissue"),
+                                    std::pair(Qt::Key_F8, "Light"), std::pair(Qt::Key_F8, "Look")}) {
         QTest::keyClick(&window, key);
-        QTRY_COMPARE(shown(), QString(name));
+        QCOMPARE(shown(), QStringList{name});
+        QCOMPARE(test::the<RenderPanel>(window).isVisible(), name == QString("Rendering"));
     }
-    QVERIFY(test::the<RenderPanel>(window).isVisible());  // what gave way to the first
 }
 
 void TestWindowRoom::theImageIsTheLargestThing_data() {
@@ -207,17 +298,23 @@ void TestWindowRoom::whatGaveWayComesBackWithTheRoom() {
         QCoreApplication::processEvents();
         return test::the<SeriesPanel>(window).isVisible();
     };
-    QVERIFY(shown({1600, 1000}));
+    QVERIFY(shown({1920, 1080}));
     QVERIFY(!shown({800, 600}));
     const QByteArray kept = window.wantedState();
     QVERIFY(!test::the<SeriesPanel>(window).isVisible());
-    QVERIFY(shown({1600, 1000}));
+    QVERIFY(shown({1920, 1080}));
     const test::WholeWindow another;
     MainWindow& other = another.window;
     activate(other);
-    other.resize(1600, 1000);
-    other.restoreState(kept);
+    other.resize(1920, 1080);
+    other.restorePanels(kept);
     QVERIFY(test::the<SeriesPanel>(other).isVisible());
+    QTest::keyClick(&other, Qt::Key_F2);
+    const QByteArray closed = other.wantedState();
+    for (const QByteArray& state : {other.saveState(), QByteArray("nonsense"), QByteArray(), kept.left(40)})
+        other.restorePanels(state);  // from another version, or damaged
+    QVERIFY(test::the<LookPanel>(other).isVisible());
+    QCOMPARE(other.wantedState(), closed);
 }
 
 /// A panel opened by the user stays while the window is resized; one that the user closed stays closed.
@@ -234,7 +331,7 @@ void TestWindowRoom::whatIsOpenedByHandStays() {
     QCoreApplication::processEvents();
     QVERIFY(test::the<SeriesPanel>(window).isVisible());
     QTest::keyClick(&window, Qt::Key_F2);
-    window.resize(1600, 1000);
+    window.resize(1920, 1080);
     QCoreApplication::processEvents();
     QVERIFY(!test::the<SeriesPanel>(window).isVisible());
 }
