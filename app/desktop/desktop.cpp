@@ -18,6 +18,7 @@
 #include "app/presenters/looks_presenter.h"
 #include "app/presenters/marks_presenter.h"
 #include "app/presenters/nodes_presenter.h"
+#include "app/presenters/place_menu_presenter.h"
 #include "app/presenters/plan_presenter.h"
 #include "app/presenters/preferences_presenter.h"
 #include "app/presenters/recovery_presenter.h"
@@ -26,6 +27,7 @@
 #include "app/presenters/saving_presenter.h"
 #include "app/presenters/series_presenter.h"
 #include "app/presenters/slices_presenter.h"
+#include "app/presenters/start_presenter.h"
 #include "app/presenters/tissue_presenter.h"
 #include "app/presenters/view_presenter.h"
 #include "app/presenters/visible_presenter.h"
@@ -88,19 +90,20 @@ Desktop::~Desktop() {
 /// a frame; those that cancel a job on request are asked in it. `beside`: the folder of the user's looks and of plans
 /// that were not saved; empty: where each usually is.
 void Desktop::addPresenters(const QString& beside, std::filesystem::path powerSupplies) {
-    add<SeriesPresenter>();
+    auto& series = add<SeriesPresenter>();
     add<ImagePresenter>();
     add<ViewPresenter>();
     auto& looks = add<LooksPresenter>(beside.isEmpty() ? OwnLooks::usualFolder() : beside + "/looks");
     add<VisiblePresenter>(looks.visibleRow());
-    add<TissuePresenter>();
+    auto& tissue = add<TissuePresenter>();
     add<LightPresenter>();
-    add<CameraPresenter>();
+    auto& camera = add<CameraPresenter>();
     add<CutPresenter>();
     add<RegionPresenter>();
     auto& slices = add<SlicesPresenter>();
-    auto& crosshair = add<CrosshairPresenter>();
+    auto& crosshair = add<CrosshairPresenter>(slices);
     add<MarksPresenter>(slices, crosshair);
+    add<PlaceMenuPresenter>(PlaceFeatures{crosshair, camera, tissue});
     add<RenderingPresenter>();
     auto& accuracy = add<AccuracyPresenter>(std::move(powerSupplies));
     add<EffectsPresenter>();
@@ -108,8 +111,10 @@ void Desktop::addPresenters(const QString& beside, std::filesystem::path powerSu
     add<SavingPresenter>();
     auto& plans = add<PlanPresenter>();
     add<RecoveryPresenter>(plans, beside.isEmpty() ? RecoveryPresenter::usualFolder() : ui::fromQt(beside) / "plans");
+    add<StartPresenter>(series, plans);
     add<HelpPresenter>();
     add<PreferencesPresenter>();
+    window_.fillToolBar();
     QObject::connect(&nodes, &NodesPresenter::eventsChanged, &accuracy, &AccuracyPresenter::setEvents);
 }
 

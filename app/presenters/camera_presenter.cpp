@@ -18,14 +18,16 @@ void CameraPresenter::connectFocus() {
     window().viewport().tools().add(pick_);
     connect(panel_, &ui::CameraPanel::pickingChosen, &pick_, &ui::PickTool::setActive);
     connect(&pick_, &ui::PickTool::activeChanged, panel_, &ui::CameraPanel::setPicking);
-    connect(&pick_, &ui::PickTool::picked, this, [this](QPointF place) {
-        if (document().hasVolume())
-            study_.measureDepth(document().scene(), place);
-    });
+    connect(&pick_, &ui::PickTool::picked, this, &CameraPresenter::focusAt);
     connect(&study_, &TissueStudy::depthFound, &document(), &Document::setFocus);
     for (const auto remark : {&TissueStudy::layerTaken, &TissueStudy::nothingFound})
         connect(&study_, remark, this,
                 [this](const Text& text) { window().status().showForAWhile(ui::sentence(text)); });
+}
+
+void CameraPresenter::focusAt(QPointF place) {
+    if (document().hasVolume())
+        study_.measureDepth(document().scene(), place);
 }
 
 void CameraPresenter::setBackground(const std::optional<QColor>& colour) {

@@ -16,6 +16,8 @@ class CameraPresenter : public Presenter {
 
     void showDocument(Changes changes) override;
     void releaseVolume() override { study_.setVolume(nullptr); }
+    /// Focuses on what is seen at `place`, in fractions of the image's width and height.
+    void focusAt(QPointF place);
     TissueStudy& study() { return study_; }
 
   private:

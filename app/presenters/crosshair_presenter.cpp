@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "app/presenters/slices_presenter.h"
 #include "ui/text/language.h"
 
 namespace pdr::app {
@@ -16,7 +17,9 @@ struct Texts {
 
 }  // namespace
 
-CrosshairPresenter::CrosshairPresenter(const Workspace& workspace) : Presenter(workspace), picks_(workspace) {
+CrosshairPresenter::CrosshairPresenter(const Workspace& workspace, SlicesPresenter& slices)
+    : Presenter(workspace), slices_(slices), picks_(workspace) {
+    addAction();
     window().viewport().tools().add(layer_);
     atRest_.setSingleShot(true);
     atRest_.setInterval(kAtRest);
@@ -28,7 +31,30 @@ CrosshairPresenter::CrosshairPresenter(const Workspace& workspace) : Presenter(w
     connect(&looks_, &PlaceJob::seen, this, &CrosshairPresenter::showHidden);
 }
 
+void CrosshairPresenter::addAction() {
+    action_ = slices_.menu().addAction(Texts::tr("Set the &crosshair"), QKeySequence(Qt::Key_K));
+    action_->setObjectName("crosshair");
+    action_->setToolTip(Texts::tr("The next click on the image moves the slices to what is seen there."));
+    action_->setCheckable(true);
+    window().addAction(action_);  // so that its key works while the menu bar is hidden
+    window().viewport().tools().add(click_);
+    connect(action_, &QAction::triggered, &click_, &ui::PickTool::setActive);
+    connect(&click_, &ui::PickTool::activeChanged, action_, &QAction::setChecked);
+    connect(&click_, &ui::PickTool::picked, this, &CrosshairPresenter::moveTo);
+}
+
+void CrosshairPresenter::moveTo(QPointF place) {
+    if (!document().hasVolume())
+        return;
+    slices_.showSlices();
+    picks_.pick(place);
+}
+
 void CrosshairPresenter::showDocument(Changes changes) {
+    if (has(changes, Changes::series)) {
+        action_->setEnabled(document().hasVolume());
+        click_.setActive(false);
+    }
     const bool shown = document().hasVolume() && window().views().layout() != ui::ViewLayout::image;
     layer_.setPlace(shown ? std::optional(document().plan().navigation.crosshairMm) : std::nullopt);
     if (shown && has(changes, kHides | Changes::crosshair))

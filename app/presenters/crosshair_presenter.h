@@ -6,26 +6,37 @@
 #include "app/presenters/image_pick.h"
 #include "app/presenters/presenter.h"
 #include "ui/slices/crosshair_layer.h"
+#include "ui/view/pick_tool.h"
 
 namespace pdr::app {
+
+class SlicesPresenter;
 
 class CrosshairPresenter : public Presenter {
     Q_OBJECT
 
   public:
-    explicit CrosshairPresenter(const Workspace& workspace);
+    /// `slices` are shown once the crosshair is set.
+    CrosshairPresenter(const Workspace& workspace, SlicesPresenter& slices);
 
     void showDocument(Changes changes) override;
     void releaseVolume() override;
     ui::CrosshairLayer& layer() { return layer_; }
     /// The clicks on the image that find a place, while slices are shown.
     const ImagePick& picks() const { return picks_; }
+    /// Shows the slices, and moves the crosshair to what is seen at `place`, in fractions of the image's width and
+    /// height.
+    void moveTo(QPointF place);
 
   private:
+    void addAction();
     void pick(QPointF place);
     void lookAgain();
     void showHidden(const std::vector<dvec3>& placesMm, const std::vector<std::optional<HiddenBy>>& hidden);
 
+    SlicesPresenter& slices_;
+    QAction* action_ = nullptr;  ///< makes the next click on the image set the crosshair
+    ui::PickTool click_;
     ui::CrosshairLayer layer_;
     ImagePick picks_;
     PlaceJob looks_;

@@ -25,6 +25,7 @@ constexpr auto kTheme = "theme";
 constexpr std::array kThemes{"dark", "light", "system"};  ///< in the order of ThemeChoice
 constexpr auto kRemembers = "recent/remember";
 constexpr auto kFolders = "recent/folders";
+constexpr auto kPlans = "recent/plans";
 constexpr qsizetype kMostFolders = 8;
 constexpr auto kLanguage = "language";
 constexpr auto kKeys = "keys";
@@ -149,8 +150,33 @@ void Settings::keepFolder(const QString& folder) {
     store_.setValue(kFolders, folders.mid(0, kMostFolders));
 }
 
+/// Reads a list in which the file of each plan is followed by its folder.
+QList<RecentPlan> Settings::recentPlans() const {
+    const QStringList paths = store_.value(kPlans).toStringList();
+    QList<RecentPlan> plans;
+    for (qsizetype i = 0; i + 1 < paths.size() && plans.size() < kMostFolders; i += 2)
+        if (QDir::isAbsolutePath(paths[i]) && QDir::isAbsolutePath(paths[i + 1]))
+            plans << RecentPlan{paths[i], paths[i + 1]};
+    return plans;
+}
+
+void Settings::keepPlan(const RecentPlan& plan) {
+    const bool mayBeKept = remembersFolders() && !plan.folder.isEmpty();
+    if (!mayBeKept)
+        return;
+    const RecentPlan newest{absolute(plan.file), absolute(plan.folder)};
+    QList<RecentPlan> plans = recentPlans();
+    plans.removeIf([&](const RecentPlan& one) { return one.file == newest.file; });
+    plans.prepend(newest);
+    QStringList paths;
+    for (const RecentPlan& one : plans.mid(0, kMostFolders))
+        paths << one.file << one.folder;
+    store_.setValue(kPlans, paths);
+}
+
 void Settings::forgetFolders() {
     store_.remove(kFolders);
+    store_.remove(kPlans);
 }
 
 QString Settings::language() const {

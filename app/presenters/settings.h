@@ -16,6 +16,12 @@
 
 namespace pdr::app {
 
+/// A plan that was saved or opened, and the folder of its scan: absolute paths.
+struct RecentPlan {
+    QString file, folder;
+    bool operator==(const RecentPlan&) const = default;
+};
+
 class Settings {
   public:
     /// Opens the settings in the user's configuration, or in `file` if given. Only the owner may read the file.
@@ -42,6 +48,11 @@ class Settings {
     /// Saves the newest folder, if folders are remembered, as an absolute path that does not depend on the working
     /// directory.
     void keepFolder(const QString& folder);
+    /// Returns the plans of remembered folders, the newest first, at most 8.
+    QList<RecentPlan> recentPlans() const;
+    /// Saves the newest plan, if folders are remembered.
+    void keepPlan(const RecentPlan& plan);
+    /// Forgets the remembered folders, and the plans with them.
     void forgetFolders();
     QString language() const;  ///< code of the language; empty: the system's
     void keepLanguage(const QString& code);

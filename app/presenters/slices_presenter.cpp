@@ -1,9 +1,14 @@
 #include "app/presenters/slices_presenter.h"
 
 #include <QActionGroup>
+#include <QClipboard>
+#include <QCursor>
+#include <QGuiApplication>
 #include <QMenu>
 #include <cmath>
 
+#include "app/presenters/place_text.h"
+#include "app/presenters/window_menu.h"
 #include "render/slice/window_presets.h"
 #include "ui/text/language.h"
 
@@ -24,11 +29,6 @@ QString nameOf(AnatomicalPlane plane, int index, int count) {
             break;
     }
     return Texts::tr("Sagittal %1 of %2").arg(index).arg(count);
-}
-
-/// Returns a coordinate with the letter of the side on which it lies: "L 12.5".
-QString sideText(double mm, const char* positive, const char* negative) {
-    return QString("%1 %2").arg(mm < 0 ? negative : positive, ui::number(std::abs(mm), 1));
 }
 
 /// Returns the preset of the digit `key` that follows `window`; none: no preset has that key.
@@ -66,12 +66,35 @@ void SlicesPresenter::fillMenu(QMenu& menu) {
         action->setChecked(layout == window().views().layout());
         connect(action, &QAction::triggered, this, [this, layout] { setLayout(layout); });
     }
+    addWindowMenu(menu);
     QAction* next = menu.addAction(Texts::tr("&Next layout"), QKeySequence(Qt::Key_L));
     next->setObjectName("nextLayout");
     next->setToolTip(Texts::tr("Shows the image alone, with slices beside it, or as one of four views."));
     connect(next, &QAction::triggered, this, [this] {
         setLayout(ui::ViewLayout((int(window().views().layout()) + 1) % int(std::size(ui::kViewLayouts))));
     });
+}
+
+/// Adds the windows, which one key offers where the pointer is.
+void SlicesPresenter::addWindowMenu(QMenu& menu) {
+    windows_ = new QMenu(Texts::tr("&Window of the slices"), &menu);
+    fillWindowMenu(
+        *windows_, [this](const GreyWindow& window) { setWindow(window); },
+        [this](char key) {
+            chooseWindow(key);
+            showSlices();
+        });
+    offerWindows_ = menu.addAction(Texts::tr("&Window..."), QKeySequence(Qt::Key_W));
+    offerWindows_->setObjectName("greyWindow");
+    offerWindows_->setToolTip(Texts::tr("Offers the windows in which slices are shown: bone, lung, brain and others."));
+    connect(offerWindows_, &QAction::triggered, this, [this] { windows_->popup(QCursor::pos()); });
+}
+
+void SlicesPresenter::setWindow(const GreyWindow& shown) {
+    Navigation navigation = document().plan().navigation;
+    navigation.window = shown;
+    document().navigate(navigation);
+    showSlices();
 }
 
 void SlicesPresenter::connectSlice(Slice& slice) {
@@ -107,7 +130,38 @@ void SlicesPresenter::connectSlice(Slice& slice) {
     connect(view, &ui::SliceView::windowDragged, this, &SlicesPresenter::dragWindow);
     connect(view, &ui::SliceView::hovered, this,
             [this, &slice](const std::optional<dvec3>& placeMm) { showPointed(slice, placeMm); });
+    connect(view, &ui::SliceView::menuRequested, this, [this, &slice](QPoint place) { openMenu(slice, place); });
     connect(view, &ui::SliceView::aloneRequested, this, [this, view] { window().views().toggleAlone(view); });
+}
+
+/// Opens the context menu of a slice: its window, what can be measured on it, and its view.
+void SlicesPresenter::openMenu(Slice& slice, QPoint place) {
+    if (!volume_)
+        return;
+    auto* menu = new QMenu(slice.view);
+    menu->setObjectName("sliceMenu");
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addMenu(windows_);
+    menu->addSeparator();
+    for (const char* tool : {"distance", "angle"})
+        menu->addAction(window().findChild<QAction*>(tool));
+    menu->addSeparator();
+    connect(menu->addAction(Texts::tr("&Fit the slice to its view")), &QAction::triggered, this,
+            [this, &slice] { fit(slice); });
+    connect(menu->addAction(Texts::tr("Slice &alone, or all views")), &QAction::triggered, this,
+            [this, &slice] { window().views().toggleAlone(slice.view); });
+    connect(menu->addAction(Texts::tr("&Copy slice")), &QAction::triggered, this, [this, &slice] {
+        QGuiApplication::clipboard()->setPixmap(slice.view->grab());
+        window().status().showForAWhile(ui::MainWindow::tr("Copied"));
+    });
+    menu->popup(slice.view->mapToGlobal(place));
+}
+
+/// Shows the whole slice.
+void SlicesPresenter::fit(const Slice& slice) {
+    Navigation navigation = document().plan().navigation;
+    framingOf(navigation, slice) = {};
+    document().navigate(navigation);
 }
 
 SliceFraming& SlicesPresenter::framingOf(Navigation& navigation, const Slice& slice) const {
@@ -128,6 +182,7 @@ void SlicesPresenter::showSlices() {
 
 void SlicesPresenter::showDocument(Changes changes) {
     if (has(changes, Changes::series)) {
+        offerWindows_->setEnabled(document().hasVolume());
         statedWindow_ = document().plan().navigation.window;
         for (Slice& slice : slices_)
             slice.view->clear();
@@ -185,12 +240,9 @@ void SlicesPresenter::showPointed(Slice& slice, const std::optional<dvec3>& plac
     const auto plane = planeOf(slice);
     if (!placeMm || !plane || !volume_)
         return slice.view->setPointed({});
-    const auto one = reslice(*volume_, SlicePlane::around(*placeMm, plane->right, plane->down, 1, ivec2(1)));
-    const float hu = one->hu.front();
-    const QString place = sideText(placeMm->x, "L", "R") + "  " + sideText(placeMm->y, "P", "A") + "  " +
-                          sideText(placeMm->z, "H", "F") + " mm";
+    const double hu = huAt(*volume_, *placeMm);
     slice.view->setPointed(std::isnan(hu) ? Texts::tr("outside the scan")
-                                          : Texts::tr("%1 HU at %2").arg(ui::number(double(hu), 0), place));
+                                          : Texts::tr("%1 HU at %2").arg(ui::number(hu, 0), placeText(*placeMm)));
 }
 
 /// Chooses the window of a digit: a preset, the window of the files (9), or the whole range (0).

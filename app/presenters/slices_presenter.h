@@ -34,6 +34,10 @@ class SlicesPresenter : public Presenter {
     };
 
     void fillMenu(QMenu& menu);
+    void addWindowMenu(QMenu& menu);
+    void setWindow(const GreyWindow& shown);
+    void openMenu(Slice& slice, QPoint place);
+    void fit(const Slice& slice);
     void connectSlice(Slice& slice);
     void setLayout(ui::ViewLayout layout);
     void request(Slice& slice);
@@ -46,6 +50,8 @@ class SlicesPresenter : public Presenter {
     std::optional<SlicePlane> planeOf(const Slice& slice) const;
 
     QMenu* menu_ = nullptr;              ///< owned by the window
+    QMenu* windows_ = nullptr;           ///< the menu of windows
+    QAction* offerWindows_ = nullptr;    ///< opens the menu of windows
     std::array<Slice, 3> slices_;        ///< in the order of kAnatomicalPlanes
     std::array<QAction*, 3> layouts_{};  ///< in the order of kViewLayouts
     std::shared_ptr<const Volume> volume_;

@@ -18,13 +18,14 @@ class TissuePresenter : public Presenter {
 
     void showDocument(Changes changes) override;
     void releaseVolume() override;
+    /// Shows the tissue that is seen at `place`, in fractions of the image's width and height.
+    void pick(QPointF place);
     TissueStudy& study() { return study_; }
     ui::DragTool& dragTool() { return drag_; }
     ui::PickTool& pickTool() { return pick_; }
 
   private:
     void connectTools();
-    void pick(QPointF place);
 
     ui::TissuePanel* panel_;
     ui::DragTool drag_{ui::kTremble};  ///< with Ctrl: a drag edits the curves, a click picks a tissue

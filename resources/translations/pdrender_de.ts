@@ -538,6 +538,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Bild &amp;kopieren</translation>
     </message>
     <message>
+        <source>&amp;Copy slice</source>
+        <translation>Schicht &amp;kopieren</translation>
+    </message>
+    <message>
         <source>&amp;Cut</source>
         <translation>&amp;Schnitt</translation>
     </message>
@@ -580,6 +584,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the slice to its view</source>
+        <translation>Schicht &amp;einpassen</translation>
+    </message>
+    <message>
+        <source>&amp;Focus here</source>
+        <translation>Hier scharf&amp;stellen</translation>
     </message>
     <message>
         <source>&amp;Forget these folders</source>
@@ -692,6 +704,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>&amp;View</source>
         <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Window of the slices</source>
+        <translation>&amp;Fenster der Schichten</translation>
+    </message>
+    <message>
+        <source>&amp;Window...</source>
+        <translation>&amp;Fenster...</translation>
     </message>
     <message>
         <source>, %1 left</source>
@@ -982,6 +1002,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Wie das &amp;System</translation>
     </message>
     <message>
+        <source>As the scan states</source>
+        <translation>Wie in der Aufnahme angegeben</translation>
+    </message>
+    <message>
         <source>Ask its owner for permission to read.</source>
         <translation>Den Eigentümer um Leserechte bitten.</translation>
     </message>
@@ -1080,6 +1104,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Both programs should be of the same release.</source>
         <translation>Beide Programme sollten dieselbe Version haben.</translation>
+    </message>
+    <message>
+        <source>Brain</source>
+        <translation>Gehirn</translation>
     </message>
     <message>
         <source>Brightens shadows; none at the left end</source>
@@ -1730,6 +1758,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Füllt den Bildschirm mit dem Bild, dem Namen des Patienten und der Genauigkeit.</translation>
     </message>
     <message>
+        <source>Finding what is here...</source>
+        <translation>Es wird gesucht, was hier liegt...</translation>
+    </message>
+    <message>
         <source>Fluoroscopy</source>
         <translation>Durchleuchtung</translation>
     </message>
@@ -1888,6 +1920,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>HU</source>
         <translation>HU</translation>
+    </message>
+    <message>
+        <source>Hard bone</source>
+        <translation>Harter Knochen</translation>
     </message>
     <message>
         <source>Head</source>
@@ -2206,6 +2242,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Verloren</translation>
     </message>
     <message>
+        <source>Lung</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
         <source>Lung vessels</source>
         <translation>Lungengefäße</translation>
     </message>
@@ -2308,6 +2348,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Measuring begins when the image is at rest</source>
         <translation>Es wird gemessen, sobald das Bild ruht</translation>
+    </message>
+    <message>
+        <source>Mediastinum</source>
+        <translation>Mediastinum</translation>
     </message>
     <message>
         <source>Message</source>
@@ -2466,6 +2510,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Aus, und nichts geht verloren: %1</translation>
     </message>
     <message>
+        <source>Offers the windows in which slices are shown: bone, lung, brain and others.</source>
+        <translation>Bietet die Fenster an, in denen Schichten gezeigt werden: Knochen, Lunge, Gehirn und andere.</translation>
+    </message>
+    <message>
         <source>On their other side %1.</source>
         <translation>Auf ihrer anderen Seite %1.</translation>
     </message>
@@ -2556,6 +2604,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Den Ordner neu öffnen: Er kann jetzt Bilder eines anderen Patienten enthalten.</translation>
     </message>
     <message>
+        <source>Open the folder of the scan first, then drop the plan again.</source>
+        <translation>Öffnen Sie zuerst den Ordner der Aufnahme und legen Sie den Plan dann noch einmal ab.</translation>
+    </message>
+    <message>
         <source>Open the series again, or restart the program.</source>
         <translation>Die Serie noch einmal öffnen oder das Programm neu starten.</translation>
     </message>
@@ -2586,10 +2638,6 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>Operating lamp</source>
         <translation>Operationsleuchte</translation>
-    </message>
-    <message>
-        <source>Or drop a DICOM folder, or one of its files, here: its CT series are listed.</source>
-        <translation>Oder einen DICOM-Ordner oder eine seiner Dateien hierher ziehen: seine CT-Serien werden aufgelistet.</translation>
     </message>
     <message>
         <source>Organs</source>
@@ -2784,6 +2832,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Received</source>
         <translation>Empfangen</translation>
+    </message>
+    <message>
+        <source>Recent plans</source>
+        <translation>Letzte Pläne</translation>
     </message>
     <message>
         <source>Recently opened</source>
@@ -3178,8 +3230,20 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Serie %1</translation>
     </message>
     <message>
+        <source>Set the &amp;crosshair</source>
+        <translation>Faden&amp;kreuz setzen</translation>
+    </message>
+    <message>
+        <source>Set the &amp;crosshair here</source>
+        <translation>Faden&amp;kreuz hierher setzen</translation>
+    </message>
+    <message>
         <source>Seven small lamps in a ring above: their shadows overlap softly</source>
         <translation>Sieben kleine Lampen im Ring darüber: Ihre Schatten überlappen sich weich</translation>
+    </message>
+    <message>
+        <source>Several layers shine through each other here</source>
+        <translation>Hier scheinen mehrere Lagen durcheinander</translation>
     </message>
     <message>
         <source>Shape of the curve</source>
@@ -3218,6 +3282,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Zeigen</translation>
     </message>
     <message>
+        <source>Show &amp;this tissue</source>
+        <translation>Dieses &amp;Gewebe zeigen</translation>
+    </message>
+    <message>
         <source>Show everything, or another part.</source>
         <translation>Alles zeigen oder einen anderen Teil.</translation>
     </message>
@@ -3244,6 +3312,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Shows or closes this panel.</source>
         <translation>Zeigt oder schließt diesen Bereich.</translation>
+    </message>
+    <message>
+        <source>Shows or hides the buttons at the left of the image.</source>
+        <translation>Zeigt oder verbirgt die Knöpfe links vom Bild.</translation>
     </message>
     <message>
         <source>Shows or hides what is solid, outside the body and thinner than 20 mm.</source>
@@ -3326,6 +3398,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Himmel</translation>
     </message>
     <message>
+        <source>Slice &amp;alone, or all views</source>
+        <translation>Schicht &amp;allein oder alle Ansichten</translation>
+    </message>
+    <message>
         <source>Slices</source>
         <translation>Schichten</translation>
     </message>
@@ -3336,6 +3412,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
         <translation>Kleine Lampen werfen harte Schatten, große weiche; das Licht bleibt gleich stark</translation>
+    </message>
+    <message>
+        <source>Soft tissue</source>
+        <translation>Weichteile</translation>
     </message>
     <message>
         <source>Soft tissue is not shown, and bone below 230 HU is faint.</source>
@@ -3406,6 +3486,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Zielgenauigkeit des Bildes</translation>
     </message>
     <message>
+        <source>Temporal bone</source>
+        <translation>Felsenbein</translation>
+    </message>
+    <message>
         <source>The CPU renders, since the GPU cannot be used: %1.</source>
         <translation>Die CPU rechnet, da die Grafikkarte nicht verwendet werden kann: %1.</translation>
     </message>
@@ -3460,6 +3544,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>The lungs are not shown; %1 mm at the pleura remain.</source>
         <translation>Die Lungen werden nicht gezeigt; %1 mm an der Pleura bleiben stehen.</translation>
+    </message>
+    <message>
+        <source>The next click on the image moves the slices to what is seen there.</source>
+        <translation>Der nächste Klick ins Bild führt die Schichten zu dem, was dort zu sehen ist.</translation>
     </message>
     <message>
         <source>The outermost 5 mm and fat are not shown. The brain lies behind the skull.</source>
@@ -3586,6 +3674,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Tissue in its own colours, without light or shadow.</source>
         <translation>Gewebe in seinen eigenen Farben, ohne Licht und Schatten.</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Werkzeugleiste</translation>
     </message>
     <message>
         <source>Total attenuation along the line of sight, as in a radiograph. Lamps have no effect.</source>
@@ -3828,6 +3920,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Was getan werden kann</translation>
     </message>
     <message>
+        <source>What can be dropped on the window:</source>
+        <translation>Was auf das Fenster gezogen werden kann:</translation>
+    </message>
+    <message>
         <source>What could not be done</source>
         <translation>Was nicht ging</translation>
     </message>
@@ -3908,6 +4004,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Weiß</translation>
     </message>
     <message>
+        <source>Whole range</source>
+        <translation>Ganzer Bereich</translation>
+    </message>
+    <message>
         <source>Why this key cannot be used</source>
         <translation>Warum diese Taste nicht geht</translation>
     </message>
@@ -3984,6 +4084,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>eine Datei dieses Namens ist im Weg</translation>
     </message>
     <message>
+        <source>a folder of DICOM files, or one of the files: its CT series are listed</source>
+        <translation>ein Ordner mit DICOM-Dateien oder eine der Dateien: seine CT-Serien werden aufgelistet</translation>
+    </message>
+    <message>
         <source>a frame took no time</source>
         <translation>ein Durchgang hat keine Zeit gebraucht</translation>
     </message>
@@ -4040,8 +4144,16 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>ein Stück eines Scans, um das nicht gebeten war</translation>
     </message>
     <message>
+        <source>a plan (.plan.json), once its scan is open</source>
+        <translation>ein Plan (.plan.json), sobald seine Aufnahme offen ist</translation>
+    </message>
+    <message>
         <source>a plan holds %1 measurements at most</source>
         <translation>ein Plan enthält höchstens %1 Messungen</translation>
+    </message>
+    <message>
+        <source>a plan needs its scan</source>
+        <translation>ein Plan braucht seine Aufnahme</translation>
     </message>
     <message>
         <source>a point of the curve emits light</source>
@@ -4146,6 +4258,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>all lights are hidden from the camera</source>
         <translation>alle Lichter sind vor der Kamera verborgen</translation>
+    </message>
+    <message>
+        <source>an OpenEXR environment image, which then lights the scan</source>
+        <translation>ein OpenEXR-Umgebungsbild, das dann die Aufnahme beleuchtet</translation>
     </message>
     <message>
         <source>an area has at least three corners</source>

@@ -538,6 +538,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Copiar imagen</translation>
     </message>
     <message>
+        <source>&amp;Copy slice</source>
+        <translation>&amp;Copiar corte</translation>
+    </message>
+    <message>
         <source>&amp;Cut</source>
         <translation>&amp;Corte</translation>
     </message>
@@ -580,6 +584,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>&amp;File</source>
         <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the slice to its view</source>
+        <translation>A&amp;justar el corte a su vista</translation>
+    </message>
+    <message>
+        <source>&amp;Focus here</source>
+        <translation>&amp;Enfocar aquí</translation>
     </message>
     <message>
         <source>&amp;Forget these folders</source>
@@ -692,6 +704,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>&amp;View</source>
         <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>&amp;Window of the slices</source>
+        <translation>&amp;Ventana de los cortes</translation>
+    </message>
+    <message>
+        <source>&amp;Window...</source>
+        <translation>&amp;Ventana...</translation>
     </message>
     <message>
         <source>, %1 left</source>
@@ -982,6 +1002,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Como el &amp;sistema</translation>
     </message>
     <message>
+        <source>As the scan states</source>
+        <translation>Como indica el estudio</translation>
+    </message>
+    <message>
         <source>Ask its owner for permission to read.</source>
         <translation>Pida permiso de lectura a su propietario.</translation>
     </message>
@@ -1080,6 +1104,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Both programs should be of the same release.</source>
         <translation>Ambos programas deben ser de la misma versión.</translation>
+    </message>
+    <message>
+        <source>Brain</source>
+        <translation>Cerebro</translation>
     </message>
     <message>
         <source>Brightens shadows; none at the left end</source>
@@ -1730,6 +1758,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Llena la pantalla con la imagen, el nombre del paciente y su exactitud.</translation>
     </message>
     <message>
+        <source>Finding what is here...</source>
+        <translation>Buscando qué hay aquí...</translation>
+    </message>
+    <message>
         <source>Fluoroscopy</source>
         <translation>Fluoroscopia</translation>
     </message>
@@ -1888,6 +1920,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>HU</source>
         <translation>UH</translation>
+    </message>
+    <message>
+        <source>Hard bone</source>
+        <translation>Hueso duro</translation>
     </message>
     <message>
         <source>Head</source>
@@ -2206,6 +2242,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Perdido</translation>
     </message>
     <message>
+        <source>Lung</source>
+        <translation>Pulmón</translation>
+    </message>
+    <message>
         <source>Lung vessels</source>
         <translation>Vasos pulmonares</translation>
     </message>
@@ -2308,6 +2348,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Measuring begins when the image is at rest</source>
         <translation>Se medirá en cuanto la imagen esté en reposo</translation>
+    </message>
+    <message>
+        <source>Mediastinum</source>
+        <translation>Mediastino</translation>
     </message>
     <message>
         <source>Message</source>
@@ -2466,6 +2510,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Desactivado, y no se pierde nada: %1</translation>
     </message>
     <message>
+        <source>Offers the windows in which slices are shown: bone, lung, brain and others.</source>
+        <translation>Ofrece las ventanas en que se muestran los cortes: hueso, pulmón, cerebro y otras.</translation>
+    </message>
+    <message>
         <source>On their other side %1.</source>
         <translation>Por el otro lado %1.</translation>
     </message>
@@ -2556,6 +2604,10 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Abra la carpeta de nuevo: puede contener ahora imágenes de otro paciente.</translation>
     </message>
     <message>
+        <source>Open the folder of the scan first, then drop the plan again.</source>
+        <translation>Abra primero la carpeta del estudio y vuelva a soltar el plan.</translation>
+    </message>
+    <message>
         <source>Open the series again, or restart the program.</source>
         <translation>Abra de nuevo la serie o reinicie el programa.</translation>
     </message>
@@ -2586,10 +2638,6 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>Operating lamp</source>
         <translation>Lámpara de quirófano</translation>
-    </message>
-    <message>
-        <source>Or drop a DICOM folder, or one of its files, here: its CT series are listed.</source>
-        <translation>O suelte aquí una carpeta DICOM o uno de sus archivos: se listan sus series de TC.</translation>
     </message>
     <message>
         <source>Organs</source>
@@ -2784,6 +2832,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Received</source>
         <translation>Recibido</translation>
+    </message>
+    <message>
+        <source>Recent plans</source>
+        <translation>Planes recientes</translation>
     </message>
     <message>
         <source>Recently opened</source>
@@ -3178,8 +3230,20 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Serie %1</translation>
     </message>
     <message>
+        <source>Set the &amp;crosshair</source>
+        <translation>Colocar la &amp;cruz</translation>
+    </message>
+    <message>
+        <source>Set the &amp;crosshair here</source>
+        <translation>Colocar la &amp;cruz aquí</translation>
+    </message>
+    <message>
         <source>Seven small lamps in a ring above: their shadows overlap softly</source>
         <translation>Siete lámparas pequeñas en un anillo arriba: sus sombras se superponen suavemente</translation>
+    </message>
+    <message>
+        <source>Several layers shine through each other here</source>
+        <translation>Aquí se transparentan varias capas</translation>
     </message>
     <message>
         <source>Shape of the curve</source>
@@ -3218,6 +3282,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Mostrar</translation>
     </message>
     <message>
+        <source>Show &amp;this tissue</source>
+        <translation>Mostrar este &amp;tejido</translation>
+    </message>
+    <message>
         <source>Show everything, or another part.</source>
         <translation>Muestre todo u otra parte.</translation>
     </message>
@@ -3244,6 +3312,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Shows or closes this panel.</source>
         <translation>Muestra o cierra este panel.</translation>
+    </message>
+    <message>
+        <source>Shows or hides the buttons at the left of the image.</source>
+        <translation>Muestra u oculta los botones a la izquierda de la imagen.</translation>
     </message>
     <message>
         <source>Shows or hides what is solid, outside the body and thinner than 20 mm.</source>
@@ -3326,6 +3398,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Cielo</translation>
     </message>
     <message>
+        <source>Slice &amp;alone, or all views</source>
+        <translation>Corte &amp;solo, o todas las vistas</translation>
+    </message>
+    <message>
         <source>Slices</source>
         <translation>Cortes</translation>
     </message>
@@ -3336,6 +3412,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Small lamps throw hard shadows, large ones soft ones; the light stays as strong</source>
         <translation>Las lámparas pequeñas dan sombras duras, las grandes suaves; la luz conserva su intensidad</translation>
+    </message>
+    <message>
+        <source>Soft tissue</source>
+        <translation>Tejidos blandos</translation>
     </message>
     <message>
         <source>Soft tissue is not shown, and bone below 230 HU is faint.</source>
@@ -3406,6 +3486,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Exactitud deseada de la imagen</translation>
     </message>
     <message>
+        <source>Temporal bone</source>
+        <translation>Hueso temporal</translation>
+    </message>
+    <message>
         <source>The CPU renders, since the GPU cannot be used: %1.</source>
         <translation>Calcula la CPU, pues la tarjeta gráfica no se puede usar: %1.</translation>
     </message>
@@ -3460,6 +3544,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>The lungs are not shown; %1 mm at the pleura remain.</source>
         <translation>No se muestran los pulmones; quedan %1 mm junto a la pleura.</translation>
+    </message>
+    <message>
+        <source>The next click on the image moves the slices to what is seen there.</source>
+        <translation>El próximo clic en la imagen lleva los cortes a lo que se ve allí.</translation>
     </message>
     <message>
         <source>The outermost 5 mm and fat are not shown. The brain lies behind the skull.</source>
@@ -3586,6 +3674,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Tissue in its own colours, without light or shadow.</source>
         <translation>Tejido con sus propios colores, sin luz ni sombra.</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Barra de herramientas</translation>
     </message>
     <message>
         <source>Total attenuation along the line of sight, as in a radiograph. Lamps have no effect.</source>
@@ -3828,6 +3920,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Qué se puede hacer</translation>
     </message>
     <message>
+        <source>What can be dropped on the window:</source>
+        <translation>Qué se puede soltar en la ventana:</translation>
+    </message>
+    <message>
         <source>What could not be done</source>
         <translation>Lo que no se pudo hacer</translation>
     </message>
@@ -3908,6 +4004,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Blanco</translation>
     </message>
     <message>
+        <source>Whole range</source>
+        <translation>Intervalo completo</translation>
+    </message>
+    <message>
         <source>Why this key cannot be used</source>
         <translation>Por qué no se puede usar esta tecla</translation>
     </message>
@@ -3984,6 +4084,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>un archivo con este nombre estorba</translation>
     </message>
     <message>
+        <source>a folder of DICOM files, or one of the files: its CT series are listed</source>
+        <translation>una carpeta de archivos DICOM, o uno de ellos: se listan sus series de TC</translation>
+    </message>
+    <message>
         <source>a frame took no time</source>
         <translation>una iteración no tardó nada</translation>
     </message>
@@ -4040,8 +4144,16 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>un trozo de un estudio que no se pidió</translation>
     </message>
     <message>
+        <source>a plan (.plan.json), once its scan is open</source>
+        <translation>un plan (.plan.json), una vez abierto su estudio</translation>
+    </message>
+    <message>
         <source>a plan holds %1 measurements at most</source>
         <translation>un plan contiene como máximo %1 mediciones</translation>
+    </message>
+    <message>
+        <source>a plan needs its scan</source>
+        <translation>un plan necesita su estudio</translation>
     </message>
     <message>
         <source>a point of the curve emits light</source>
@@ -4146,6 +4258,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>all lights are hidden from the camera</source>
         <translation>todas las luces están ocultas a la cámara</translation>
+    </message>
+    <message>
+        <source>an OpenEXR environment image, which then lights the scan</source>
+        <translation>una imagen de entorno OpenEXR, que ilumina entonces el estudio</translation>
     </message>
     <message>
         <source>an area has at least three corners</source>

@@ -1,5 +1,6 @@
 #include "ui/slices/slice_view.h"
 
+#include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -11,7 +12,7 @@
 namespace pdr::ui {
 namespace {
 
-/// Every movement counts: a click edits nothing here.
+/// Every movement counts: a click of these tools does nothing.
 constexpr double kNoTremble = 0;
 
 QString nameOf(AnatomicalPlane plane) {
@@ -29,7 +30,7 @@ QString nameOf(AnatomicalPlane plane) {
 }  // namespace
 
 SliceView::SliceView(AnatomicalPlane plane, QWidget* parent)
-    : QWidget(parent), plane_(plane), window_(kNoTremble), pan_(kNoTremble), zoom_(kNoTremble) {
+    : QWidget(parent), plane_(plane), window_(kTremble), pan_(kNoTremble), zoom_(kNoTremble) {
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(true);
@@ -62,6 +63,9 @@ void SliceView::bindTools() {
     });
     connect(&window_, &DragTool::dragged, this,
             [this](QPointF, QPointF step) { emit windowDragged(step.x(), -step.y()); });
+    connect(&window_, &DragTool::clicked, this, [this](QPointF at) {
+        emit menuRequested(place().inPixels({at, at}).topLeft().toPoint());
+    });
     connect(&pan_, &DragTool::dragged, this, [this](QPointF, QPointF step) {
         if (slice_)
             emit panned(dvec2(step.x(), step.y()) * slice_->plane.mmPerPixel * double(slice_->plane.size.y));
@@ -170,6 +174,12 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
         emit aloneRequested();
     else
         tools_.press(pointerOf(*event, place()));
+}
+
+/// Opens the menu by its key only. The mouse's context menu event comes with the press, which may begin a drag.
+void SliceView::contextMenuEvent(QContextMenuEvent* event) {
+    if (event->reason() != QContextMenuEvent::Mouse)
+        emit menuRequested(rect().center());
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {

@@ -56,6 +56,8 @@ class SliceView : public QWidget {
     void windowChosen(char key);
     /// Requests to show this view alone, or all views again.
     void aloneRequested();
+    /// Requests the context menu at `place` [px], on a right click or the menu key.
+    void menuRequested(QPoint place);
 
   protected:
     bool event(QEvent* event) override;
@@ -66,6 +68,7 @@ class SliceView : public QWidget {
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 

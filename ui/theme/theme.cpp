@@ -14,6 +14,11 @@ QPushButton:checked { background: @accent; border-color: @accentEdge; font-weigh
 QPushButton:focus { border: 2px solid @focus; padding: 5px 11px; }
 QPushButton[narrow="true"] { padding: 6px; }
 QPushButton[narrow="true"]:focus { padding: 5px; }
+QToolBar { border: none; padding: 2px; spacing: 2px; }
+QToolBar QToolButton, QToolButton[tab="true"] { padding: 5px; border: 1px solid transparent; border-radius: 4px; }
+QToolBar QToolButton:hover, QToolButton[tab="true"]:hover { background: @hovered; }
+QToolBar QToolButton:checked, QToolButton[tab="true"]:checked { background: @accent; border-color: @accentEdge; }
+QToolButton[tab="true"]:focus { border: 2px solid @focus; padding: 4px; }
 QToolTip { background: @base; color: @text; border: 1px solid @border; }
 QMainWindow::separator { width: 1px; height: 1px; background: @faint; }
 QStatusBar::item { border: none; }

@@ -13,10 +13,16 @@ Camera zoomedByDrag(const Camera& camera, dvec2 drag) {
 }
 
 void CameraDrag::press(const ViewPointer& pointer) {
+    dragging_ = false;
     pressed_ = last_ = pointer.at;
 }
 
+/// Leaves the camera alone until the pointer has moved further than a hand trembles: a click must not begin the image
+/// anew.
 void CameraDrag::move(const ViewPointer& pointer) {
+    dragging_ = dragging_ || QLineF(pressed_, pointer.at).length() > kTremble;
+    if (!dragging_)
+        return;
     const dvec2 drag = pointer.image.inHeights(pointer.at - last_);
     last_ = pointer.at;
     if (camera_.get())
@@ -24,7 +30,7 @@ void CameraDrag::move(const ViewPointer& pointer) {
 }
 
 void CameraDrag::release(const ViewPointer& pointer) {
-    if (QLineF(pressed_, pointer.at).length() <= kTremble)
+    if (!dragging_)
         emit clicked(pointer.at);
 }
 

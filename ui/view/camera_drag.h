@@ -29,8 +29,9 @@ class CameraDrag : public ViewTool {
   private:
     EditedCamera& camera_;
     Edit edit_;
-    QPointF pressed_;  ///< [px]
-    QPointF last_;     ///< place of the last event [px]
+    bool dragging_ = false;  ///< the pointer has moved further than a tremble
+    QPointF pressed_;        ///< [px]
+    QPointF last_;           ///< place of the last edit [px]
 };
 
 }  // namespace pdr::ui

@@ -95,6 +95,12 @@ void Viewport::showTip(QPointF place, const QString& text) {
         QToolTip::showText(restingAt_, text, this, QRect(mapFromGlobal(restingAt_), QSize(1, 1)));
 }
 
+std::optional<QPointF> Viewport::fractionsAt(QPoint at) const {
+    const QPointF fractions = place().fractionsAt(at);
+    const bool inside = image_ && QRectF(0, 0, 1, 1).contains(fractions);
+    return inside ? std::optional(fractions) : std::nullopt;
+}
+
 ImagePlace Viewport::place() const {
     if (!image_ || image_->image.isNull())
         return {size(), rect(), std::nullopt};

@@ -45,6 +45,8 @@ class Viewport : public QWidget {
 
     /// Returns the view's size in screen pixels.
     QSize sizeInPixels() const;
+    /// Returns `at` [px] in fractions of the image's width and height; none outside of an image.
+    std::optional<QPointF> fractionsAt(QPoint at) const;
 
     QSize sizeHint() const override { return {900, 700}; }
     QSize minimumSizeHint() const override { return {200, 150}; }

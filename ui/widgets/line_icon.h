@@ -7,7 +7,7 @@ namespace pdr::ui {
 
 /// Returns whether there is an icon called `name`.
 bool hasLineIcon(const QString& name);
-/// Returns the icon called `name`: the object name of the action or the panel that it stands for. Names without an icon
+/// Returns the icon called `name`: the object name of the action that it stands for. Names without an icon
 /// get that of a panel. The icon follows a change of the theme.
 QIcon lineIcon(const QString& name);
 

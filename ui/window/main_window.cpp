@@ -52,8 +52,10 @@ MainWindow::MainWindow()
     for (const QAction* menu : menuBar()->actions())
         addActions(menu->menu()->actions());  // so that keys work while the menu bar is hidden
     viewport_->addAction(actions_.pause);     // its key counts there only
-    actions_.view->insertAction(actions_.endOfPanels, docks_->sideBarToggle());
-    addAction(docks_->sideBarToggle());
+    for (QAction* toggle : {docks_->toolBar().toggleViewAction(), docks_->sideBarToggle()}) {
+        actions_.view->insertAction(actions_.endOfPanels, toggle);
+        addAction(toggle);
+    }
     connectActions();
     connectView();
     connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MainWindow::escape);
@@ -109,6 +111,10 @@ void MainWindow::addMenu(const QString& title, const std::function<void(QMenu&)>
     fill(*menu);
     addActions(menu->actions());
     menu->setToolTipsVisible(true);
+}
+
+void MainWindow::fillToolBar() {
+    docks_->toolBar().fill(namedActions(*menuBar()));
 }
 
 /// Returns the keys of all actions. Their defaults are those that they have when this is first called, at the latest
@@ -177,6 +183,8 @@ void MainWindow::showMenu(QPoint place) {
     menu->addActions({actions_.undo, actions_.redo, actions_.copy, actions_.save});
     menu->addSeparator();
     menu->addActions({actions_.hideName, actions_.alone, actions_.keys});
+    if (const auto fractions = viewport_->fractionsAt(place))
+        emit imageMenuOpens(menu, *fractions);
     menu->popup(viewport_->mapToGlobal(place));
 }
 

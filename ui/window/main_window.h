@@ -49,6 +49,8 @@ class MainWindow : public QMainWindow {
     QAction* addPanel(QWidget* panel, const PanelInfo& info);
     /// Returns the action that opens and closes the panel `name`; null if there is none.
     QAction* panelToggle(const QString& name) const { return docks_->toggle(name); }
+    /// Fills the tool bar with actions of the menus; called when all are there.
+    void fillToolBar();
     /// Adds a menu to the left of Help; `fill` fills it.
     void addMenu(const QString& title, const std::function<void(QMenu&)>& fill);
 
@@ -91,8 +93,13 @@ class MainWindow : public QMainWindow {
     void folderChosen(const QString& folder);
     /// Emitted if other folders than the opened one were dropped as well; they are not opened.
     void othersLeftOut();
+    /// Emitted when the context menu of the image is about to open, so that features can add entries about `place`, in
+    /// fractions of the image's width and height. Only emitted for a place of an image.
+    void imageMenuOpens(QMenu* menu, QPointF place);
     /// Emitted when an OpenEXR file is dropped: an environment image that is to light the volume.
     void skyDropped(const QString& file);
+    /// Emitted when a plan file is dropped.
+    void planDropped(const QString& file);
     void keysChosen(const QMap<QString, QString>& choices);
     void languageChosen(const QString& code);
     void themeChosen(pdr::ui::ThemeChoice choice);

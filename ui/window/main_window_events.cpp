@@ -46,8 +46,8 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
         event->acceptProposedAction();
 }
 
-/// Opens what was dropped. A file stands for the folder that contains it, except an OpenEXR environment image. Several
-/// files of one folder count once.
+/// Opens what was dropped. A file stands for the folder that contains it, except an OpenEXR environment image or a
+/// plan. Several files of one folder count once.
 void MainWindow::dropEvent(QDropEvent* event) {
     QStringList folders;
     for (const QUrl& url : event->mimeData()->urls())
@@ -57,6 +57,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
     if (dropped.isFile() && dropped.suffix().compare("exr", Qt::CaseInsensitive) == 0)
         emit skyDropped(dropped.absoluteFilePath());
+    else if (dropped.isFile() && dropped.suffix().compare("json", Qt::CaseInsensitive) == 0)
+        emit planDropped(dropped.absoluteFilePath());
     else
         emit folderChosen(folders.first());
     if (folders.size() > 1)

@@ -67,10 +67,11 @@ QAction* SideBar::add(QWidget* panel, const PanelInfo& info) {
 QToolButton* SideBar::tabOf(const PanelInfo& info, const QAction& toggle) {
     constexpr int kIcon = 20;
     auto* tab = new QToolButton;
-    tab->setIcon(lineIcon(info.name));
+    tab->setIcon(lineIcon(info.name + "Panel"));
     tab->setIconSize({kIcon, kIcon});
     tab->setCheckable(true);
     tab->setAutoRaise(true);
+    tab->setProperty("tab", true);  // by which the style sheet draws it
     tab->setFocusPolicy(Qt::TabFocus);
     tab->setAccessibleName(info.title);
     const auto tip = [tab, &toggle] { tab->setToolTip(keyTip(toggle.text(), toggle)); };

@@ -1,24 +1,32 @@
 #include "ui/window/start_panel.h"
 
 #include <QDir>
-#include <QLabel>
+#include <algorithm>
 
 namespace pdr::ui {
 namespace {
 
+constexpr qsizetype kMostShown = 4;  ///< recent folders and plans on the panel, each; the menu has all
+
 /// Returns the last two parts of a path, e.g. "study/series 3": usually enough to tell folders apart.
-QString shortName(const QString& folder) {
-    const QStringList parts = QDir::cleanPath(folder).split('/', Qt::SkipEmptyParts);
+QString shortName(const QString& path) {
+    const QStringList parts = QDir::cleanPath(path).split('/', Qt::SkipEmptyParts);
     return parts.mid(std::max<qsizetype>(parts.size() - 2, 0)).join('/').replace('&', "&&");
+}
+
+QLabel* quiet(const QString& text) {
+    auto* label = new QLabel(text);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    label->setWordWrap(true);
+    return label;
 }
 
 }  // namespace
 
-StartPanel::StartPanel(QWidget* parent) : QFrame(parent), recentColumn_(new QVBoxLayout(&recent_)) {
-    constexpr int kWidth = 380, kMargin = 24;
+StartPanel::StartPanel(QWidget* parent) : QFrame(parent) {
+    constexpr int kWidth = 420, kMargin = 24;
     setObjectName("start");  // by which the style sheet draws it
     setFixedWidth(kWidth);
-    // Add the ways to open a folder
     open_.setText(tr("&Open a folder..."));
     open_.setAccessibleName(tr("Open a folder"));
     connect(&open_, &QPushButton::clicked, this, &StartPanel::openRequested);
@@ -27,35 +35,53 @@ StartPanel::StartPanel(QWidget* parent) : QFrame(parent), recentColumn_(new QVBo
     example_.setToolTip(tr("Sample CT (included)"));
     example_.hide();
     connect(&example_, &QPushButton::clicked, this, [this] { emit folderChosen(exampleFolder_); });
-    auto* hint = new QLabel(tr("Or drop a DICOM folder, or one of its files, here: its CT series are listed."));
-    hint->setWordWrap(true);
-    auto* heading = new QLabel(tr("Recently opened"));
-    heading->setForegroundRole(QPalette::PlaceholderText);
-    recentColumn_->setContentsMargins(0, 8, 0, 0);
-    recentColumn_->addWidget(heading);
-    recent_.hide();
+    head(plans_, tr("Recent plans"));
+    head(folders_, tr("Recently opened"));
 
-    // Lay them out in a column
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
     column->setSpacing(10);
-    column->addWidget(&open_);
-    column->addWidget(&example_);
-    column->addWidget(hint);
-    column->addWidget(&recent_);
+    auto* ways = new QHBoxLayout;
+    ways->addWidget(&open_, 1);
+    ways->addWidget(&example_, 1);
+    column->addLayout(ways);
+    column->addWidget(&plans_.box);
+    column->addWidget(&folders_.box);
+    column->addWidget(quiet(tr("What can be dropped on the window:")));
+    for (const QString& what : {tr("a folder of DICOM files, or one of the files: its CT series are listed"),
+                                tr("a plan (.plan.json), once its scan is open"),
+                                tr("an OpenEXR environment image, which then lights the scan")})
+        column->addWidget(quiet(QString(QChar(0x2022)) + ' ' + what));
+}
+
+void StartPanel::head(Recent& recent, const QString& heading) {
+    recent.column = new QVBoxLayout(&recent.box);
+    recent.column->setContentsMargins(0, 8, 0, 0);
+    recent.column->setSpacing(4);
+    recent.column->addWidget(quiet(heading));
+    recent.box.hide();
+}
+
+void StartPanel::fill(Recent& recent, const QStringList& paths, void (StartPanel::*chosen)(const QString&)) {
+    qDeleteAll(recent.box.findChildren<QPushButton*>());
+    for (const QString& path : paths.mid(0, kMostShown)) {
+        auto* button = new QPushButton(shortName(path));
+        button->setAccessibleName(tr("Open %1").arg(path));
+        button->setToolTip(path);
+        button->setProperty("narrow", true);
+        connect(button, &QPushButton::clicked, this, [this, path, chosen] { emit(this->*chosen)(path); });
+        recent.column->addWidget(button);
+    }
+    recent.box.setVisible(!paths.isEmpty());
+    adjustSize();
 }
 
 void StartPanel::setRecent(const QStringList& folders) {
-    qDeleteAll(recent_.findChildren<QPushButton*>());
-    for (const QString& folder : folders) {
-        auto* button = new QPushButton(shortName(folder));
-        button->setAccessibleName(tr("Open %1").arg(folder));
-        button->setToolTip(folder);
-        connect(button, &QPushButton::clicked, this, [this, folder] { emit folderChosen(folder); });
-        recentColumn_->addWidget(button);
-    }
-    recent_.setVisible(!folders.isEmpty());
-    adjustSize();
+    fill(folders_, folders, &StartPanel::folderChosen);
+}
+
+void StartPanel::setRecentPlans(const QStringList& files) {
+    fill(plans_, files, &StartPanel::planChosen);
 }
 
 void StartPanel::setExample(const QString& folder) {

@@ -2,7 +2,6 @@
 
 #include <QMenuBar>
 #include <QStatusBar>
-#include <QToolBar>
 #include <algorithm>
 #include <utility>
 
@@ -17,10 +16,13 @@ constexpr int kVersion = 1;     ///< version of the window state; earlier ones h
 }  // namespace
 
 WindowDocks::WindowDocks(QMainWindow& window, QWidget& image)
-    : QObject(&window), window_(window), image_(image), sideBar_(new SideBar(&window)) {
+    : QObject(&window), window_(window), image_(image), sideBar_(new SideBar(&window)), toolBar_(new ToolBar(&window)) {
     window.addDockWidget(Qt::RightDockWidgetArea, sideBar_);
-    window.setCorner(Qt::BottomRightCorner,
-                     Qt::RightDockWidgetArea);  // so that no panel takes height from the side bar
+    window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);  // the side bar keeps its height
+    window.addToolBar(Qt::LeftToolBarArea, toolBar_);
+    toolBar_->show();
+    yieldingBar_.widget = toolBar_;
+    follow(yieldingBar_, *toolBar_->toggleViewAction());
     connect(sideBar_, &SideBar::opened, this, &WindowDocks::makeRoom);
 }
 
@@ -49,10 +51,8 @@ QAction* WindowDocks::addDock(QWidget* panel, const PanelInfo& info) {
     dock->setTitleBarWidget(panelTitle(info.title, *toggle));
     if (info.place == PanelPlace::browser) {
         window_.addDockWidget(Qt::LeftDockWidgetArea, browser_ = dock);
-        connect(toggle, &QAction::triggered, this, [this](bool shown) {
-            gaveWay_ = false;
-            insisted_ = shown;
-        });
+        yieldingBrowser_.widget = dock;
+        follow(yieldingBrowser_, *toggle);
         return toggle;
     }
     window_.addDockWidget(Qt::BottomDockWidgetArea, dock);
@@ -88,7 +88,7 @@ void WindowDocks::setChoosing(bool choosing) {
     if (!browser_)
         return;
     if (choosing)
-        browserWasAway_ = browser_->isHidden() && !gaveWay_;
+        browserWasAway_ = !yieldingBrowser_.wanted();
     browser_->setVisible(choosing || !browserWasAway_);
     makeRoom();
     window_.resizeDocks({browser_}, {choosing ? kChoosing : browser_->widget()->sizeHint().width()}, Qt::Horizontal);
@@ -104,25 +104,48 @@ void WindowDocks::setAway(bool away) {
     stateBefore_ = window_.saveState(kVersion);
     for (QDockWidget* dock : window_.findChildren<QDockWidget*>())
         dock->hide();
+    toolBar_->hide();
+}
+
+/// Lets the user have the last word on whether something is shown.
+void WindowDocks::follow(Yielding& yielding, const QAction& toggle) {
+    connect(&toggle, &QAction::triggered, this, [&yielding](bool shown) {
+        yielding.gaveWay = false;
+        yielding.insisted = shown;
+    });
 }
 
 void WindowDocks::makeRoom() {
+    constexpr int kNarrow = 1100;  // [px]; there the browser is always in the way
     if (!browser_ || !stateBefore_.isEmpty())
         return;
-    const bool wanted = gaveWay_ || !browser_->isHidden();
-    gaveWay_ = wanted && !insisted_ && !choosing_ && isTooSmall();
-    browser_->setVisible(wanted && !gaveWay_);
+    int room = roomAtTheSides();
+    fit(yieldingBar_, room);
+    if (window_.width() < kNarrow)
+        room = 0;
+    if (choosing_)
+        room = window_.width();
+    fit(yieldingBrowser_, room);
 }
 
-/// Returns whether the image would get too small a part of the window with the browser beside it.
-bool WindowDocks::isTooSmall() const {
-    constexpr int kNarrow = 1100;
-    constexpr double kImage = 0.61;  // least share of the window, of which frames take some
-    const int browser = browser_->isHidden() ? browser_->sizeHint().width() : browser_->width();
+/// Shows what is wanted if it fits into `room` [px], from which it takes its width.
+void WindowDocks::fit(Yielding& yielding, int& room) {
+    QWidget& widget = *yielding.widget;
+    const bool wanted = yielding.wanted();
+    const int width = widget.isHidden() ? widget.sizeHint().width() : widget.width();
+    yielding.gaveWay = wanted && !yielding.insisted && width > room;
+    widget.setVisible(wanted && !yielding.gaveWay);
+    if (!widget.isHidden())
+        room -= width;
+}
+
+/// Returns the width that browser and tool bar may take, so that the image keeps most of the window [px].
+int WindowDocks::roomAtTheSides() const {
+    constexpr double kImage = 0.61;  // least share of the window's area, of which frames take some
+    const QSize window = window_.size();
     const int height =
-        window_.height() - window_.menuBar()->sizeHint().height() - window_.statusBar()->sizeHint().height();
-    const double share = double(middleWidth() - browser) * height / (double(window_.width()) * window_.height());
-    return window_.width() < kNarrow || share < kImage;
+        window.height() - window_.menuBar()->sizeHint().height() - window_.statusBar()->sizeHint().height();
+    return middleWidth() - int(kImage * window.width() * window.height() / std::max(height, 1));
 }
 
 /// Returns the width that the side bar leaves to image and browser [px].
@@ -131,11 +154,13 @@ int WindowDocks::middleWidth() const {
 }
 
 QByteArray WindowDocks::wantedState() {
-    if (gaveWay_)
-        browser_->show();
+    for (const Yielding* yielding : {&yieldingBar_, &yieldingBrowser_})
+        if (yielding->gaveWay)
+            yielding->widget->show();
     QByteArray state = window_.saveState(kVersion);
-    if (gaveWay_)
-        browser_->hide();
+    for (const Yielding* yielding : {&yieldingBar_, &yieldingBrowser_})
+        if (yielding->gaveWay)
+            yielding->widget->hide();
     return state;
 }
 

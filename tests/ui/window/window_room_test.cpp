@@ -183,7 +183,7 @@ void TestWindowRoom::tabsSayWhatTheyOpen() {
     for (const char* name : {"Look", "Tissue", "Light", "Camera", "Cut", "Measurements", "Rendering"}) {
         QAction* toggle = window.panelToggle(name);
         auto& tab = test::named<QToolButton>(window, toggle->text());
-        QVERIFY2(hasLineIcon(name), name);
+        QVERIFY2(hasLineIcon(toggle->objectName()), name);
         QCOMPARE(tab.toolTip(), QString("%1 (%2)").arg(toggle->text(), toggle->shortcut().toString()));
         tab.click();
         QVERIFY(toggle->isChecked() && tab.isChecked());

@@ -1,0 +1,16 @@
+#pragma once
+/// Places of the patient in words, and the Hounsfield units there.
+
+#include <QString>
+
+#include "render/volume/volume.h"
+
+namespace pdr::app {
+
+/// Returns a place in the patient (LPS) [mm] by the letters of its sides, "L 12.5  P 30.0  H 4.0 mm".
+QString placeText(dvec3 placeMm);
+
+/// Returns the HU at a place, as the renderer meets it; NaN outside of the volume.
+double huAt(const Volume& volume, dvec3 placeMm);
+
+}  // namespace pdr::app
