@@ -6,7 +6,8 @@
 namespace pdr::ui {
 namespace {
 
-constexpr qsizetype kMostShown = 4;  ///< recent folders and plans on the panel, each; the menu has all
+constexpr int kWidth = 420, kMargin = 24;  ///< width of the panel, and what its frame leaves free on each side [px]
+constexpr qsizetype kMostShown = 4;        ///< recent folders and plans shown on the panel, each
 
 /// Returns the last two parts of a path, e.g. "study/series 3": usually enough to tell folders apart.
 QString shortName(const QString& path) {
@@ -24,7 +25,6 @@ QLabel* quiet(const QString& text) {
 }  // namespace
 
 StartPanel::StartPanel(QWidget* parent) : QFrame(parent) {
-    constexpr int kWidth = 420, kMargin = 24;
     setObjectName("start");  // by which the style sheet draws it
     setFixedWidth(kWidth);
     open_.setText(tr("&Open a folder..."));
@@ -65,7 +65,8 @@ void StartPanel::head(Recent& recent, const QString& heading) {
 void StartPanel::fill(Recent& recent, const QStringList& paths, void (StartPanel::*chosen)(const QString&)) {
     qDeleteAll(recent.box.findChildren<QPushButton*>());
     for (const QString& path : paths.mid(0, kMostShown)) {
-        auto* button = new QPushButton(shortName(path));
+        constexpr int kText = kWidth - 2 * kMargin - 20;
+        auto* button = new QPushButton(fontMetrics().elidedText(shortName(path), Qt::ElideMiddle, kText));
         button->setAccessibleName(tr("Open %1").arg(path));
         button->setToolTip(path);
         button->setProperty("narrow", true);

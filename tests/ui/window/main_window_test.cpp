@@ -185,6 +185,10 @@ void TestMainWindow::recentFoldersAreOffered() {
     QCOMPARE(chosen.count(), 2);
     QCOMPARE(chosen[0][0].toString(), QString("/a/older"));
     QCOMPARE(chosen[1][0].toString(), QString("/a/newest"));
+    window.setRecentFolders({"/" + QString("long").repeated(40), "/b", "/c", "/d", "/e"}, true);
+    const auto buttons = window.start().findChildren<QPushButton*>();
+    for (const QPushButton* button : buttons)
+        QVERIFY2(button->minimumSizeHint().width() < window.start().width() - 40, qPrintable(button->text()));
     actionCalled(window, "Forget these folders")->trigger();
     actionCalled(window, "Remember folders")->trigger();
     QCOMPARE(forget.count(), 1);
