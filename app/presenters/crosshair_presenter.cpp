@@ -32,7 +32,7 @@ CrosshairPresenter::CrosshairPresenter(const Workspace& workspace, SlicesPresent
 }
 
 void CrosshairPresenter::addAction() {
-    action_ = slices_.menu().addAction(Texts::tr("Set the &crosshair"), QKeySequence(Qt::Key_K));
+    action_ = slices_.menu().addAction(Texts::tr("Set the &crosshair"), QKeySequence(Qt::Key_J));
     action_->setObjectName("crosshair");
     action_->setToolTip(Texts::tr("The next click on the image moves the slices to what is seen there."));
     action_->setCheckable(true);

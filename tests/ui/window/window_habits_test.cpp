@@ -251,7 +251,7 @@ void TestWindowHabits::moreThanOneFolderIsSaid() {
     drop({first.filePath("a"), first.filePath("b")});  // of one folder
     QCOMPARE(others.count(), 1);
     window.message().showNotice("a table is hidden");
-    window.message().offer("Show");
+    window.message().offer("Show", [] {});
     window.message().add("only one is opened");
     QCOMPARE(window.message().text(), "a table is hidden\nonly one is opened");
     QVERIFY(!window.message().findChild<QPushButton*>()->isHidden());

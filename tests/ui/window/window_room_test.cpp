@@ -190,8 +190,8 @@ void TestWindowRoom::tabsSayWhatTheyOpen() {
         tab.click();
         QVERIFY(toggle->isChecked() && tab.isChecked());
     }
-    window.panelToggle("Light")->setShortcut(Qt::Key_J);
-    QCOMPARE(test::named<QToolButton>(window, "Light").toolTip(), QString("Light (J)"));
+    window.panelToggle("Light")->setShortcut(Qt::Key_Z);
+    QCOMPARE(test::named<QToolButton>(window, "Light").toolTip(), QString("Light (Z)"));
 }
 
 void TestWindowRoom::anEditorLeavesTheImageMostOfTheWindow_data() {
