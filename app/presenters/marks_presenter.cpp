@@ -78,8 +78,10 @@ void MarksPresenter::connectPanel() {
 void MarksPresenter::draw(std::optional<MeasureKind> kind) {
     drawing_ = document().hasVolume() ? kind : std::nullopt;
     drawn_.clear();
-    if (drawing_)
+    if (drawing_) {
         slices_.showSlices();
+        slices_.focusOne();  // where Enter sets a place
+    }
     tools_->setDrawing(drawing_);
     for (ui::MarksLayer& layer : layers_)
         layer.setDrawing(drawing_.has_value());

@@ -5,6 +5,7 @@
 #include <QCursor>
 #include <QGuiApplication>
 #include <QMenu>
+#include <algorithm>
 #include <cmath>
 
 #include "app/presenters/place_text.h"
@@ -178,6 +179,11 @@ void SlicesPresenter::setLayout(ui::ViewLayout layout) {
 void SlicesPresenter::showSlices() {
     if (!window().views().showsSlices())
         setLayout(ui::ViewLayout::beside);
+}
+
+void SlicesPresenter::focusOne() {
+    if (std::ranges::none_of(slices_, [](const Slice& slice) { return slice.view->hasFocus(); }))
+        view(AnatomicalPlane::axial).setFocus(Qt::ShortcutFocusReason);
 }
 
 void SlicesPresenter::showDocument(Changes changes) {

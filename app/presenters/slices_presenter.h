@@ -21,6 +21,8 @@ class SlicesPresenter : public Presenter {
     void releaseVolume() override;
     /// Shows the slices beside the image, unless they are shown already.
     void showSlices();
+    /// Gives a slice the keyboard, unless one has it already.
+    void focusOne();
     /// The menu of the slices.
     QMenu& menu() { return *menu_; }
     ui::SliceView& view(AnatomicalPlane plane) { return *slices_[std::size_t(plane)].view; }

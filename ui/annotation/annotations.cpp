@@ -30,6 +30,7 @@ struct Painting {
     void paintLetters() const;
     void paintLetter(Qt::Alignment where, const std::string& text) const;
     void paintScaleBar() const;
+    QRectF roomForLines(Qt::Alignment where) const;
     void paintLines(Qt::Alignment where, const QStringList& lines) const;
 };
 
@@ -93,12 +94,24 @@ void Painting::paintScaleBar() const {
     painter.drawText(words, Qt::AlignCenter, bar->text);
 }
 
-/// Paints lines into a corner, beside the letter in the middle of the edge; long lines are wrapped.
+/// Returns the room for lines in a corner: beside the letter in the middle of the edge or, in a slice so narrow that
+/// lines would be wrapped there, before the letter's row, as far as the scale bar's words may reach.
+QRectF Painting::roomForLines(Qt::Alignment where) const {
+    const QRectF all = withinMargins();
+    QRectF room = all;
+    room.setWidth(all.width() / 2 - 2.5 * em);
+    if (annotations.cube || room.width() >= 14 * em)
+        return room;
+    room.setWidth(std::max(room.width(), all.width() - 6 * em));
+    const double letter = 1.7 * em;
+    return where & Qt::AlignTop ? room.adjusted(0, letter, 0, 0) : room.adjusted(0, 0, 0, -letter);
+}
+
+/// Paints lines into a corner; long lines are wrapped.
 void Painting::paintLines(Qt::Alignment where, const QStringList& lines) const {
     if (lines.isEmpty())
         return;
-    QRectF room = withinMargins();
-    room.setWidth(room.width() / 2 - 2.5 * em);
+    const QRectF room = roomForLines(where);
     const int flags = int(where) | Qt::TextWordWrap;
     const QString text = lines.join('\n');
     const QRectF words = painter.boundingRect(room, flags, text);
