@@ -76,6 +76,27 @@ class MarksInWindowTest : public QObject {
         QVERIFY(!isAtEdge(measurement.places[0]));
     }
 
+    /// The key gives a slice the keyboard; there the crosshair is the pointer.
+    void keysAloneMeasure() {
+        const std::size_t before = measurements().size();
+        trial_->desktop.window().viewport().setFocus();
+        document().moveCrosshair(centre_);
+        const double voxelMm = document().scan()->geometry().spacingMm().x;
+        QTest::keyClick(&trial_->desktop.window(), Qt::Key_M);
+        ui::SliceView& axial = trial_->desktop.presenter<SlicesPresenter>().view(AnatomicalPlane::axial);
+        QCOMPARE(trial_->desktop.window().focusWidget(), &axial);
+        QTRY_VERIFY_WITH_TIMEOUT(axial.slice(), test::kPatience);
+        QTest::keyClick(&axial, Qt::Key_Return, Qt::AltModifier);
+        for (int i = 0; i < 3; ++i)
+            QTest::keyClick(&axial, Qt::Key_Right, Qt::ShiftModifier);
+        QTest::keyClick(&axial, Qt::Key_Return, Qt::AltModifier);
+        QCOMPARE(measurements().size(), before + 1);
+        const std::vector<measure::Place>& places = measurements().back().places;
+        QVERIFY(glm::distance(places[0].mm, centre_) < 1e-6);
+        QVERIFY(glm::distance(places[1].mm, centre_ + dvec3(3 * voxelMm, 0, 0)) < 1e-6);
+        document().undo();
+    }
+
     void anAngleTakesThreeClicks() {
         QTest::keyClick(&trial_->desktop.window(), Qt::Key_A);
         click(centre_ + dvec3(20, 0, 0), Qt::AltModifier);
