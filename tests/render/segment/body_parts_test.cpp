@@ -199,15 +199,18 @@ class BodyPartsTest : public QObject {
                    noLungs = parts.lungs(segment::Use::hidden, own, noProgress);
         const auto both = visibleMask(parts, {{"bones", "lungs"}}, own, noProgress),
                    neither = visibleMask(parts, {{}, {"bones", "lungs"}}, own, noProgress),
-                   onlyBones = visibleMask(parts, {{"bones"}, {"lungs"}}, own, noProgress);
-        QVERIFY(both && neither && onlyBones);
+                   onlyBones = visibleMask(parts, {{"bones"}, {"lungs"}}, own, noProgress),
+                   onlyLungs = visibleMask(parts, {{"bones", "lungs"}, {"bones"}}, own, noProgress);
+        QVERIFY(both && neither && onlyBones && onlyLungs);
         const auto near = [](double a, double b) { return std::abs(a - b) <= 2.0 / kSeen; };
-        for (int i = 0; i < 2000; ++i) {
-            const dvec3 node = (*both)->grid().place(ivec3(i, 3 * i, 7 * i) % (*both)->grid().size());
-            QCOMPARE((*lungs)->at(node) + (*noLungs)->at(node), 1.0);
+        const ivec3 size = (*both)->grid().size();
+        for (int i = 0; i < size.x * size.y * size.z; i += 7) {
+            const dvec3 node = (*both)->grid().place({i % size.x, i / size.x % size.y, i / (size.x * size.y)});
+            QVERIFY(near((*lungs)->at(node) + (*noLungs)->at(node), 1));
             QVERIFY(near((*both)->at(node), std::max((*bones)->at(node), (*lungs)->at(node))));
             QVERIFY(near((*neither)->at(node), (*noBones)->at(node) * (*noLungs)->at(node)));
             QVERIFY(near((*onlyBones)->at(node), (*bones)->at(node) * (*noLungs)->at(node)));
+            QVERIFY(near((*onlyLungs)->at(node), (*both)->at(node) * (*noBones)->at(node)));
         }
         QCOMPARE((*both)->hidden(), Text("Only bones and the lungs are shown."));
     }
