@@ -30,7 +30,7 @@ std::vector<Line> linesOf(const std::vector<MarkRow>& rows) {
                   QString::fromStdString(readable(row))};
         for (const measure::Place& place : row.places) {
             for (int axis = 0; axis < 3; ++axis)
-                line[std::size_t(3 + axis)] = QString::fromStdString(fixedNumber(place.mm[axis], 2));
+                line[3 + std::size_t(axis)] = QString::fromStdString(fixedNumber(place.mm[axis], 2));
             line[6] = QString::fromUtf8(foundWord(place.found).data());
             lines.push_back(std::exchange(line, {}));
         }

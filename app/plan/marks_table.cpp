@@ -47,7 +47,8 @@ Result<Measured> valueWithoutScan(const Measurement& measurement, dvec3 spacingM
         return measured(measurement, Volume(VolumeGeometry::aligned(ivec3(1), dvec3(stepMm), dvec3(0)), Voxels(1)));
     };
     const double largest = std::hypot(std::max(spacingMm.x, spacingMm.y), spacingMm.z);
-    const auto finest = valueOn(kLowestSpacingMm), coarsest = valueOn(largest);
+    auto finest = valueOn(kLowestSpacingMm);
+    const auto coarsest = valueOn(largest);
     if (finest && coarsest && finest->bound != coarsest->bound)
         return unknown;
     return finest;
