@@ -1,16 +1,18 @@
 /// What `pdrender-cli plan` says of a plan, what it writes, and what it refuses.
 
+#include <sys/resource.h>
 #include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTest>
 
+#include <csignal>
+
 #include "app/plan/marks_csv.h"
 #include "app/plan/marks_slicer.h"
 #include "app/scan/scene_volume.h"
 #include "tests/support/dicom/phantom_series.h"
-#include "tests/support/file_size_limit.h"
 #include "tests/support/program_run.h"
 #include "tests/support/some_marks.h"
 
@@ -193,7 +195,11 @@ class PlanCommandTest : public QObject {
     void aFullDiskLeavesWhatWasThere() {
         const QByteArray before = contents(at("a.csv"));
         const ProgramRun run = runPlan({plan(), "-o", at("a.csv")}, [](QProcess& process) {
-            process.setChildProcessModifier([] { new test::FileSizeLimit(100); });
+            process.setChildProcessModifier([] {
+                const rlimit tiny{100, 100};  // files of at most so many bytes, for the child alone
+                ::setrlimit(RLIMIT_FSIZE, &tiny);
+                std::signal(SIGXFSZ, SIG_IGN);
+            });
         });
         QCOMPARE(run.code, 1);
         QVERIFY2(run.err.contains("a.csv"), run.err.constData());
