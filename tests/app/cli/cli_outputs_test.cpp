@@ -204,7 +204,7 @@ class CliOutputsTest : public QObject {
         for (const QString& words : {"info " + folder, "render scene.json --samples 1 -o " + folder + ".png"}) {
             process_.setWorkingDirectory(folder_->path());
             process_.setChildProcessModifier({});
-            process_.start("/bin/sh", {"-c", "exec " PDR_BINARY_DIR "/bin/pdrender-cli " + words});
+            process_.start("/bin/sh", {"-c", "exec '" PDR_BINARY_DIR "/bin/pdrender-cli' " + words});
             QCOMPARE(exitCode(), 2);
             const QByteArray said = process_.readAllStandardError();
             QVERIFY2(said.contains("no UTF-8") && said.contains("Rename it"), said.constData());
