@@ -37,14 +37,6 @@ Result<void> makeFolder(const fs::path& folder) {
     return {};
 }
 
-Result<void> writeText(const std::string& text, const fs::path& path) {
-    auto file = ReplacingFile::open(path, FileAccess::owner);
-    if (!file)
-        return file.error();
-    file->write(text.data(), text.size());
-    return file->commit();
-}
-
 /// Arguments that all measurements share.
 struct Work {
     const AccuracyOptions& options;
@@ -147,7 +139,7 @@ Result<bool> report(const AccuracyOptions& options, const Interrupt& interrupt) 
          {std::pair(csvText(*found), "accuracy.csv"), std::pair(jsonText(*found), "accuracy.json"),
           std::pair(pageText(*found, options.folder), "accuracy.html"),
           std::pair(plotText(found->scene), "accuracy.svg")})
-        if (auto written = writeText(text, options.folder / name); !written)
+        if (auto written = writeWhole(text, options.folder / name, FileAccess::owner); !written)
             return written.error();
     for (const AccuracyCurve& curve : found->scene.curves)
         std::printf("%s: %s\n", curve.name.c_str(), ladderText(curve).c_str());

@@ -28,12 +28,7 @@ Result<void> writeMarks(const std::vector<MarkRow>& rows, const std::filesystem:
                      ErrorKind::refused};
     if (rows.empty())
         return Error{phrase("there is no measurement to export"), "", "", ErrorKind::refused};
-    const std::string text = isCsv(file) ? marksCsv(rows) : marksForSlicer(rows);
-    auto replacing = ReplacingFile::open(file, FileAccess::owner);
-    if (!replacing)
-        return replacing.error();
-    replacing->write(text.data(), text.size());
-    return replacing->commit();
+    return writeWhole(isCsv(file) ? marksCsv(rows) : marksForSlicer(rows), file, FileAccess::owner);
 }
 
 }  // namespace pdr::app

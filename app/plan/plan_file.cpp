@@ -100,12 +100,7 @@ Result<SavedPlan> readPlan(const std::filesystem::path& file) {
 }
 
 Result<void> writePlan(const SavedPlan& saved, const std::filesystem::path& file) {
-    const std::string text = planText(saved);
-    auto replacing = ReplacingFile::open(file, FileAccess::owner);
-    if (!replacing)
-        return replacing.error();
-    replacing->write(text.data(), text.size());
-    return replacing->commit();
+    return writeWhole(planText(saved), file, FileAccess::owner);
 }
 
 }  // namespace pdr::app

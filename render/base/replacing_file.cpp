@@ -156,4 +156,12 @@ Result<void> ReplacingFile::commit() {
     return state();
 }
 
+Result<void> writeWhole(std::string_view text, const fs::path& path, FileAccess access) {
+    auto file = ReplacingFile::open(path, access);
+    if (!file)
+        return file.error();
+    file->write(text.data(), text.size());
+    return file->commit();
+}
+
 }  // namespace pdr

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "render/base/result.h"
 
@@ -61,5 +62,8 @@ class ReplacingFile {
     std::unique_ptr<std::FILE, Closer> stream_;
     int failure_ = 0;  ///< errno of the first failure
 };
+
+/// Writes `text` as the whole content of `path`. Errors: those of ReplacingFile.
+Result<void> writeWhole(std::string_view text, const std::filesystem::path& path, FileAccess access);
 
 }  // namespace pdr
