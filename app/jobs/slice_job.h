@@ -26,7 +26,7 @@ class SliceJob : public BackgroundJob {
 
     SliceJob();
     /// Computes the slice, after the one in progress; ends with made() unless a newer request comes before it begins.
-    /// The same request again does nothing.
+    /// A request that equals the newest one does nothing.
     void make(Request request);
     /// Drops all requests and releases their volumes, once the work in progress has ended.
     void drop();

@@ -10,23 +10,6 @@
 namespace pdr::app {
 namespace {
 
-/// Returns what a measurement without a name is called, in front of its number.
-const char* titleOf(MeasureKind kind) {
-    switch (kind) {
-        case MeasureKind::distance:
-            return "Distance";
-        case MeasureKind::angle:
-            return "Angle";
-        case MeasureKind::lines:
-            return "Two lines";
-        case MeasureKind::point:
-            return "Place";
-        case MeasureKind::ball:
-            break;
-    }
-    return "Ball";
-}
-
 template <class T, std::size_t N>
 std::string_view wordFor(T value, const Words<T, N>& words) {
     return std::ranges::find(words, value, &std::pair<std::string_view, T>::second)->first;
@@ -60,8 +43,7 @@ std::vector<MarkRow> tableOf(const Plan& plan, const ValueOf& value) {
     std::vector<MarkRow> rows;
     for (const Measurement& one : plan.measurements) {
         const auto number = 1 + std::ranges::count(rows, one.kind, &MarkRow::kind);
-        const std::string title =
-            one.name.empty() ? std::string(titleOf(one.kind)) + " " + std::to_string(number) : one.name;
+        const std::string title = one.name.empty() ? std::string(ordinalName(one.kind, int(number))) : one.name;
         rows.push_back({one.id, one.kind, one.name, title, value(one), one.places});
     }
     return rows;

@@ -89,6 +89,22 @@ Result<Measured> ballOf(const std::vector<Place>& places, const Volume& volume) 
 
 }  // namespace
 
+Text ordinalName(MeasureKind kind, int number) {
+    switch (kind) {
+        case MeasureKind::distance:
+            return phrase("Distance %1", number);
+        case MeasureKind::angle:
+            return phrase("Angle %1", number);
+        case MeasureKind::lines:
+            return phrase("Two lines %1", number);
+        case MeasureKind::point:
+            return phrase("Place %1", number);
+        case MeasureKind::ball:
+            break;
+    }
+    return phrase("Ball %1", number);
+}
+
 Result<Measured> measured(const Measurement& measurement, const Volume& volume) {
     const std::vector<Place>& places = measurement.places;
     switch (measurement.kind) {

@@ -25,6 +25,9 @@ struct Measured {
 /// a ball holds no voxel, or more than kMostBallVoxels.
 Result<Measured> measured(const Measurement& measurement, const Volume& volume);
 
+/// Returns what a measurement without a name is called: "Distance 2". `number` counts those of its kind from 1.
+Text ordinalName(MeasureKind kind, int number);
+
 /// Most voxels whose statistics are computed, which takes 0.1 to 0.3 s: a ball of 9 cm across on 0.9 x 0.9 x 2.5 mm.
 inline constexpr double kMostBallVoxels = 200'000;
 

@@ -1,6 +1,5 @@
 #include "app/presenters/mark_rows.h"
 
-#include <QCoreApplication>
 #include <array>
 #include <utility>
 
@@ -8,31 +7,6 @@
 #include "ui/text/room_text.h"
 
 namespace pdr::app {
-namespace {
-
-struct Texts {
-    Q_DECLARE_TR_FUNCTIONS(Marks)
-};
-
-/// Returns what a measurement without a name is called; `number` counts those of its kind from 1.
-QString ordinalName(MeasureKind kind, int number) {
-    switch (kind) {
-        case MeasureKind::distance:
-            return Texts::tr("Distance %1").arg(number);
-        case MeasureKind::angle:
-            return Texts::tr("Angle %1").arg(number);
-        case MeasureKind::lines:
-            return Texts::tr("Two lines %1").arg(number);
-        case MeasureKind::point:
-            return Texts::tr("Place %1").arg(number);
-        case MeasureKind::ball:
-            break;
-    }
-    return Texts::tr("Ball %1").arg(number);
-}
-
-}  // namespace
-
 ui::MarkShape shapeOf(MeasureKind kind) {
     switch (kind) {
         case MeasureKind::lines:
@@ -72,8 +46,8 @@ void MarkRows::make(const std::vector<Measurement>& measurements, const Volume& 
         const int number = ++numbers[std::size_t(measurement.kind)];
         const bool waits = measurement.id == moving && measurement.kind == MeasureKind::ball;
         const Known known = waits ? Known{measurement, QString::fromUtf8("…"), {}} : knownOf(measurement, volume);
-        const QString name =
-            measurement.name.empty() ? ordinalName(measurement.kind, number) : QString::fromStdString(measurement.name);
+        const QString name = measurement.name.empty() ? ui::inWords(ordinalName(measurement.kind, number))
+                                                      : QString::fromStdString(measurement.name);
         rows_.push_back({measurement.id, name, known.value, known.details});
         ui::ShownMark mark{.id = measurement.id,
                            .shape = shapeOf(measurement.kind),

@@ -18,7 +18,7 @@ std::uint64_t newId() {
     return std::uint64_t(random()) << 32 | random();
 }
 
-auto find(std::vector<Measurement>& measurements, std::uint64_t id) {
+auto find(auto& measurements, std::uint64_t id) {
     return std::ranges::find(measurements, id, &Measurement::id);
 }
 
@@ -166,7 +166,7 @@ void MarksPresenter::remove(std::uint64_t id) {
 void MarksPresenter::select(std::uint64_t id) {
     selected_ = id;
     const std::vector<Measurement>& all = document().plan().measurements;
-    if (const auto chosen = std::ranges::find(all, id, &Measurement::id); chosen != all.end())
+    if (const auto chosen = find(all, id); chosen != all.end())
         document().moveCrosshair(chosen->places.front().mm);
     show();
 }

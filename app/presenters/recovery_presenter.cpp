@@ -25,8 +25,8 @@ QString timeOf(const LostPlan& plan) {
     return QLocale().toString(kept, QLocale::ShortFormat);
 }
 
-int measurementsOf(const LostPlan& plan) {
-    return int(plan.saved.plan.measurements.size());
+QString measurementsOf(const LostPlan& plan) {
+    return Texts::tr("%n measurement(s)", nullptr, int(plan.saved.plan.measurements.size()));
 }
 
 }  // namespace
@@ -99,15 +99,14 @@ void RecoveryPresenter::tellOfLost(const LostPlans& lost) {
     if (lost.plans.empty() || document().hasVolume())
         return;
     const LostPlan& newest = lost.plans.front();
-    const QString measurements = Texts::tr("%n measurement(s)", nullptr, measurementsOf(newest));
     if (lost.plans.size() == 1)
         message.add(Texts::tr("A plan from %1 with %2 was not saved. It will be restored when its series is opened.")
-                        .arg(timeOf(newest), measurements));
+                        .arg(timeOf(newest), measurementsOf(newest)));
     else
         message.add(Texts::tr("%1 plans were not saved, the last one from %2 with %3. They will be restored when their "
                               "series are opened.")
                         .arg(lost.plans.size())
-                        .arg(timeOf(newest), measurements));
+                        .arg(timeOf(newest), measurementsOf(newest)));
     message.offer(lost.plans.size() == 1 ? Texts::tr("Delete it") : Texts::tr("Delete them"), [lost] {
         for (const LostPlan& plan : lost.plans)
             removeLost(plan.file);
@@ -121,7 +120,7 @@ void RecoveryPresenter::restore(const LostPlan& lost) {
     autosave_.keepNow();
     window().message().addAbove(
         Texts::tr("The plan from %1 with %2, which was not saved, has been restored. Undo removes it again.")
-            .arg(timeOf(lost), Texts::tr("%n measurement(s)", nullptr, measurementsOf(lost))));
+            .arg(timeOf(lost), measurementsOf(lost)));
 }
 
 }  // namespace pdr::app

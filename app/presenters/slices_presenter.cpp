@@ -80,17 +80,14 @@ void SlicesPresenter::fillMenu(QMenu& menu) {
 void SlicesPresenter::addWindowMenu(QMenu& menu) {
     windows_ = new QMenu(Texts::tr("&Window of the slices"), &menu);
     fillWindowMenu(
-        *windows_, [this](const GreyWindow& window) { setWindow(window); },
-        [this](char key) {
-            chooseWindow(key);
-            showSlices();
-        });
+        *windows_, [this](const GreyWindow& window) { setWindow(window); }, [this](char key) { chooseWindow(key); });
     offerWindows_ = menu.addAction(Texts::tr("&Window..."), QKeySequence(Qt::Key_W));
     offerWindows_->setObjectName("greyWindow");
     offerWindows_->setToolTip(Texts::tr("Offers the windows in which slices are shown: bone, lung, brain and others."));
     connect(offerWindows_, &QAction::triggered, this, [this] { windows_->popup(QCursor::pos()); });
 }
 
+/// Sets the window, and shows the slices that are seen through it.
 void SlicesPresenter::setWindow(const GreyWindow& shown) {
     Navigation navigation = document().plan().navigation;
     navigation.window = shown;
@@ -255,14 +252,10 @@ void SlicesPresenter::showPointed(Slice& slice, const std::optional<dvec3>& plac
 void SlicesPresenter::chooseWindow(char key) {
     if (!volume_)
         return;
-    Navigation navigation = document().plan().navigation;
-    if (key == '9')
-        navigation.window = statedWindow_;
-    else if (key == '0')
-        navigation.window = wholeRange(*volume_);
-    else
-        navigation.window = presetAfter(key, navigation.window).value_or(navigation.window);
-    document().navigate(navigation);
+    const GreyWindow& current = document().plan().navigation.window;
+    setWindow(key == '9'   ? statedWindow_
+              : key == '0' ? wholeRange(*volume_)
+                           : presetAfter(key, current).value_or(current));
 }
 
 /// Makes the window wider or narrower, and darker or brighter, by parts of the view's height.

@@ -17,6 +17,9 @@ struct Drawing {
     const char* linesOn = nullptr;  ///< the lines while the action is checked; null: the same lines
 };
 
+/// What cutting is shown by, as an action and as a panel.
+constexpr const char* kScissors = "O 6 6.5 2.5 O 6 17.5 2.5 M 8.2 7.8 L 20 16.5 M 8.2 16.2 L 20 7.5";
+
 /// The drawings, on a square of 24 x 24 units; see drawn().
 constexpr Drawing kDrawings[] = {
     {"firstView", "M 12 3 L 20 7.5 L 20 16.5 L 12 21 L 4 16.5 L 4 7.5 Z M 4 7.5 L 12 12 L 20 7.5 M 12 12 L 12 21"},
@@ -25,7 +28,7 @@ constexpr Drawing kDrawings[] = {
     {"distance",
      "M 5 19 L 19 5 M 2.5 16.5 L 7.5 21.5 M 16.5 2.5 L 21.5 7.5 M 8.2 13.8 L 10.2 15.8 M 13.8 8.2 L 15.8 10.2"},
     {"angle", "M 20 19 L 4 19 L 15 5 M 12 19 C 12 16.2 10.7 14.2 8.8 12.9"},
-    {"cutHandles", "O 6 6.5 2.5 O 6 17.5 2.5 M 8.2 7.8 L 20 16.5 M 8.2 16.2 L 20 7.5"},
+    {"cutHandles", kScissors},
     {"pause", "M 8.5 5 L 8.5 19 M 15.5 5 L 15.5 19", "", "M 8 5 L 19 12 L 8 19 Z"},
     {"save", "M 12 4 L 12 14.5 M 7.5 10.5 L 12 15 L 16.5 10.5 M 4 16 L 4 20 L 20 20 L 20 16"},
     {"alone", "M 4 9 L 4 4 L 9 4 M 15 4 L 20 4 L 20 9 M 20 15 L 20 20 L 15 20 M 9 20 L 4 20 L 4 15"},
@@ -35,7 +38,7 @@ constexpr Drawing kDrawings[] = {
      "O 12 12 4 M 12 2.5 L 12 5 M 12 19 L 12 21.5 M 2.5 12 L 5 12 M 19 12 L 21.5 12 "
      "M 5.3 5.3 L 7 7 M 17 17 L 18.7 18.7 M 5.3 18.7 L 7 17 M 17 7 L 18.7 5.3"},
     {"CameraPanel", "R 3 7 18 12.5 O 12 13 3.5 M 8.5 7 L 10 4.5 L 14 4.5 L 15.5 7"},
-    {"CutPanel", "O 6 6.5 2.5 O 6 17.5 2.5 M 8.2 7.8 L 20 16.5 M 8.2 16.2 L 20 7.5"},
+    {"CutPanel", kScissors},
     {"MeasurementsPanel", "R 2.5 8 19 8 M 6.5 8 L 6.5 11 M 10.2 8 L 10.2 12.5 M 13.8 8 L 13.8 11 M 17.5 8 L 17.5 12.5"},
     {"RenderingPanel", "M 4 6 L 20 6 M 4 12 L 20 12 M 4 18 L 20 18", "O 9 6 2.4 O 15.5 12 2.4 O 7.5 18 2.4"},
     {"panel", "R 4 5 16 14 M 4 9.5 L 20 9.5"},
