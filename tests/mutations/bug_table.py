@@ -133,8 +133,9 @@ def _is_closed(text: str) -> bool:
 
 def _is_expression(text: str) -> bool:
     """Whether nothing speaks against it: no list, no open bracket, and at its begin no keyword of a statement, nor an
-    operator of what stands before it."""
-    return text.strip() != "" and _is_closed(text) and not _is_list(text) and not re.match(r"(if|for|while|switch|return)\b|&& |\|\| ", text)
+    operator of what stands before it, nor braces or a line of the preprocessor's."""
+    begins = r"[#{]|(if|for|while|switch|return)\b|&& |\|\| "
+    return text.strip() != "" and _is_closed(text) and not _is_list(text) and not re.match(begins, text)
 
 
 def _is_declaration(text: str) -> bool:
