@@ -12,6 +12,7 @@
 #include "app/cli/run_command.h"
 #include "app/output/image_files.h"
 #include "app/plan/marks_file.h"
+#include "app/plan/scan_fit.h"
 
 namespace pdr::app {
 namespace {
@@ -40,7 +41,7 @@ Result<ReadPlan> readAll(const PlanOptions& options, const std::stop_token& stop
     auto scanned = scannedVolume(options.scan, options.seriesUid, Table::hidden, stop);
     if (!scanned)
         return scanned.error();
-    if (auto ok = checkIsScanOf(saved->scan, *scanned->seen); !ok)
+    if (auto ok = checkFits(*saved, *scanned->seen); !ok)
         return Error{ok.error().what, options.scan.string(), "Name the series on which the plan was made.",
                      ok.error().kind};
     scanned->files.push_back(options.file);

@@ -1,6 +1,7 @@
 #include "app/jobs/plan_job.h"
 
 #include "app/plan/marks_file.h"
+#include "app/plan/scan_fit.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::app {
@@ -28,7 +29,7 @@ void PlanJob::open(const QString& file, const std::shared_ptr<const Volume>& vol
         const auto read = readPlan(ui::fromQt(file));
         if (!read)
             return failure(read.error());
-        if (auto ok = checkIsScanOf(read->scan, *volume); !ok)
+        if (auto ok = checkFits(*read, *volume); !ok)
             return failure(Error{ok.error().what, file.toStdString(), ok.error().hint, ok.error().kind});
         return [this, plan = read->plan, file] { emit opened(plan, file); };
     });

@@ -69,6 +69,7 @@ template <class Visit>
 void describe(Visit& visit, ScanMark& scan) {
     visit({"salt", "random, for this file alone", {}, kRequired}, scan.salt);
     visit({"hash", "of the voxels, keyed with the salt", {}, kRequired}, scan.hash);
+    visit({"sliceHashes", "of the voxels of each slice, 16 digits each, keyed with the salt"}, scan.sliceHashes);
     visit({"size", "voxels", {1, 16384}, kRequired}, scan.size);
     visit({"spacingMm", "between voxels", {1e-6, 1e6}, kRequired}, scan.spacingMm);
     visit({"importRule", "rule by which voxels were read", {1, 1e6}, kRequired}, scan.importRule);

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::string_view kFormat = "pdrender-plan";
 constexpr std::uint64_t kMostBytes = 16 << 20;
+constexpr std::size_t kMostSliceDigits = 16 * 16384;  // of as many slices as a scan may have
 
 /// Returns whether a symmetric matrix can be a covariance: no direction has a negative variance. Rounding of 1e-9 of
 /// the largest variance is let pass.
@@ -64,6 +65,8 @@ Result<void> check(const SavedPlan& saved) {
         return ok;
     if (saved.scan.salt.size() > 64)
         return Error{phrase("must not be longer than %1 bytes", 64), "scan.salt", ""};
+    if (saved.scan.sliceHashes.size() > kMostSliceDigits)
+        return Error{phrase("must not be longer than %1 bytes", kMostSliceDigits), "scan.sliceHashes", ""};
     if (auto ok = pdr::check(saved.plan.image); !ok)
         return Error{ok.error().what, "image." + ok.error().where, ok.error().hint};
     return check(saved.plan.measurements);

@@ -13,8 +13,9 @@ namespace pdr::app {
 inline constexpr int kImportRule = 1;
 
 struct ScanMark {
-    std::string salt;  ///< 32 hexadecimal digits, random for each file
-    std::string hash;  ///< 64 hexadecimal digits: BLAKE2b-256, keyed with the salt, over size, places and voxels
+    std::string salt;         ///< 32 hexadecimal digits, random for each file
+    std::string hash;         ///< 64 hexadecimal digits: BLAKE2b-256, keyed with the salt, over size, places and voxels
+    std::string sliceHashes;  ///< 16 digits for the voxels of each slice, keyed likewise; may be empty in older files
     ivec3 size{0};
     dvec3 spacingMm{0};
     int importRule = kImportRule;
@@ -27,7 +28,8 @@ std::string newSalt();
 /// Returns the mark of a scan. Places count as equal if they agree to 1e-6 mm.
 ScanMark markOf(const Volume& volume, const std::string& salt);
 
-/// Returns an error of kind refused that says in what `volume` differs from the scan of `mark`, if it does.
+/// Returns an error of kind refused that says in what `volume` differs from the scan of `mark`, if it does: its size, a
+/// few slices (counted from 1 in the order of the voxels), all of them, or its place in the patient.
 Result<void> checkIsScanOf(const ScanMark& mark, const Volume& volume);
 
 }  // namespace pdr::app

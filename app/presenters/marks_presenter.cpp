@@ -4,6 +4,7 @@
 #include <random>
 #include <utility>
 
+#include "app/plan/scan_fit.h"
 #include "app/presenters/crosshair_presenter.h"
 #include "app/presenters/mark_places.h"
 #include "app/presenters/slices_presenter.h"
@@ -53,7 +54,7 @@ void MarksPresenter::connectLayer(AnatomicalPlane plane) {
     ui::MarksLayer& layer = layers_[std::size_t(plane)];
     view.tools().add(layer);
     connect(&layer, &ui::MarksLayer::placed, this, [this, &view](dvec3 placeMm, bool free) {
-        if (drawing_ && view.slice())
+        if (drawing_ && view.slice() && liesIn(document().seen()->geometry(), placeMm))
             place(placeOnSlice(*document().seen(), view.slice()->plane, placeMm, isBetweenEdges(*drawing_) && !free));
     });
     connect(&layer, &ui::MarksLayer::dragged, this,
@@ -134,7 +135,7 @@ void MarksPresenter::askForName(std::uint64_t id) {
 void MarksPresenter::drag(const SlicePlane& plane, std::uint64_t id, int index, dvec3 placeMm, bool free, bool moving) {
     Plan plan = document().plan();
     const auto measurement = find(plan.measurements, id);
-    if (measurement == plan.measurements.end())
+    if (measurement == plan.measurements.end() || !liesIn(document().seen()->geometry(), placeMm))
         return;
     const bool toEdge = isBetweenEdges(measurement->kind) && !free && !moving;
     const dvec3 before = measurement->places[std::size_t(index)].mm;

@@ -16,7 +16,10 @@ PlanPresenter::PlanPresenter(const Workspace& workspace) : Presenter(workspace) 
     connect(&job_, &PlanJob::saved, this, [this](const Plan& plan, const QString& file) {
         safe_ = plan.measurements;
         showMeasurements();
-        window().status().showForAWhile(ui::MainWindow::tr("Plan saved as %1").arg(QFileInfo(file).fileName()));
+        const bool whole = !plan.image.look.environment.image;
+        window().status().showForAWhile((whole ? ui::MainWindow::tr("Plan saved as %1")
+                                               : ui::MainWindow::tr("Plan saved as %1, without its environment image"))
+                                            .arg(QFileInfo(file).fileName()));
     });
     connect(&job_, &PlanJob::exported, this, [this](const QString& file) {
         const QString name = QFileInfo(file).fileName();

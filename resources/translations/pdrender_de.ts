@@ -1446,6 +1446,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Koronale Schicht</translation>
     </message>
     <message>
+        <source>Correct that place, or remove the measurement from the file.</source>
+        <translation>Berichtigen Sie diesen Ort, oder entfernen Sie die Messung aus der Datei.</translation>
+    </message>
+    <message>
         <source>Create it by hand, or make the folder above it writable.</source>
         <translation>Legen Sie ihn von Hand an, oder machen Sie den Ordner darüber beschreibbar.</translation>
     </message>
@@ -2752,6 +2756,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Plan saved as %1</source>
         <translation>Plan gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>Plan saved as %1, without its environment image</source>
+        <translation>Plan gespeichert als %1, ohne sein Umgebungsbild</translation>
     </message>
     <message>
         <source>Planes</source>
@@ -5008,6 +5016,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Messungen werden in Dateien exportiert, die auf .csv oder .mrk.json enden</translation>
     </message>
     <message>
+        <source>measurements[%1].places[%2].mm lies %3 mm outside the scan</source>
+        <translation>measurements[%1].places[%2].mm liegt %3 mm außerhalb der Aufnahme</translation>
+    </message>
+    <message>
         <source>meetings with tissue above its bound</source>
         <translation>Treffen auf Gewebe über seiner Schranke</translation>
     </message>
@@ -5864,6 +5876,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>der Plan stammt von einer Version, die Aufnahmen nach Regel %1 liest; diese liest nach Regel %2</translation>
     </message>
     <message>
+        <source>the plan was made on the same voxels at another place of the patient</source>
+        <translation>der Plan entstand auf denselben Voxeln an einem anderen Ort des Patienten</translation>
+    </message>
+    <message>
         <source>the previous series is still in memory</source>
         <translation>die vorige Serie liegt noch im Speicher</translation>
     </message>
@@ -5946,6 +5962,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the volume needs %1 of memory, which could not be had</source>
         <translation>das Volumen braucht %1 Speicher, der nicht zu bekommen war</translation>
+    </message>
+    <message>
+        <source>the voxels of %1 slices between %2 and %3 are not those that the plan was made on</source>
+        <translation>die Voxel von %1 Schichten zwischen %2 und %3 sind nicht die, auf denen der Plan entstand</translation>
+    </message>
+    <message>
+        <source>the voxels of slice %1 are not those that the plan was made on</source>
+        <translation>die Voxel der Schicht %1 sind nicht die, auf denen der Plan entstand</translation>
+    </message>
+    <message>
+        <source>the voxels of slices %1 to %2 are not those that the plan was made on</source>
+        <translation>die Voxel der Schichten %1 bis %2 sind nicht die, auf denen der Plan entstand</translation>
     </message>
     <message>
         <source>there are %1 nodes, at most %2 are taken</source>

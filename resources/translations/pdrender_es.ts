@@ -1446,6 +1446,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Corte coronal</translation>
     </message>
     <message>
+        <source>Correct that place, or remove the measurement from the file.</source>
+        <translation>Corrija ese lugar o quite la medición del archivo.</translation>
+    </message>
+    <message>
         <source>Create it by hand, or make the folder above it writable.</source>
         <translation>Créela a mano o permita escribir en la carpeta superior.</translation>
     </message>
@@ -2752,6 +2756,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Plan saved as %1</source>
         <translation>Plan guardado como %1</translation>
+    </message>
+    <message>
+        <source>Plan saved as %1, without its environment image</source>
+        <translation>Plan guardado como %1, sin su imagen de entorno</translation>
     </message>
     <message>
         <source>Planes</source>
@@ -5008,6 +5016,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>las mediciones se exportan a archivos que terminan en .csv o .mrk.json</translation>
     </message>
     <message>
+        <source>measurements[%1].places[%2].mm lies %3 mm outside the scan</source>
+        <translation>measurements[%1].places[%2].mm está %3 mm fuera del estudio</translation>
+    </message>
+    <message>
         <source>meetings with tissue above its bound</source>
         <translation>encuentros con tejido por encima de su cota</translation>
     </message>
@@ -5864,6 +5876,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el plan es de una versión que lee los estudios con la regla %1; esta los lee con la regla %2</translation>
     </message>
     <message>
+        <source>the plan was made on the same voxels at another place of the patient</source>
+        <translation>el plan se hizo sobre los mismos vóxeles en otro lugar del paciente</translation>
+    </message>
+    <message>
         <source>the previous series is still in memory</source>
         <translation>la serie anterior sigue en memoria</translation>
     </message>
@@ -5946,6 +5962,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the volume needs %1 of memory, which could not be had</source>
         <translation>el volumen necesita %1 de memoria, que no se pudo obtener</translation>
+    </message>
+    <message>
+        <source>the voxels of %1 slices between %2 and %3 are not those that the plan was made on</source>
+        <translation>los vóxeles de %1 cortes entre %2 y %3 no son aquellos sobre los que se hizo el plan</translation>
+    </message>
+    <message>
+        <source>the voxels of slice %1 are not those that the plan was made on</source>
+        <translation>los vóxeles del corte %1 no son aquellos sobre los que se hizo el plan</translation>
+    </message>
+    <message>
+        <source>the voxels of slices %1 to %2 are not those that the plan was made on</source>
+        <translation>los vóxeles de los cortes %1 a %2 no son aquellos sobre los que se hizo el plan</translation>
     </message>
     <message>
         <source>there are %1 nodes, at most %2 are taken</source>

@@ -145,7 +145,7 @@ class PlanCommandTest : public QObject {
         save(changed, at("changed.plan.json"));
         const ProgramRun voxels = runPlan({at("changed.plan.json"), "--scan", series()});
         QCOMPARE(voxels.code, 1);
-        QVERIFY2(voxels.err.contains("but other voxels"), voxels.err.constData());
+        QVERIFY2(voxels.err.contains("same voxels at another place"), voxels.err.constData());
     }
 
     /// With --json, the measurements alone are on standard output.

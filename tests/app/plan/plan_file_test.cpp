@@ -8,6 +8,7 @@
 
 #include "app/plan/plan_fields.h"
 #include "app/plan/plan_file.h"
+#include "app/plan/scan_fit.h"
 #include "tests/support/random_fields.h"
 #include "tests/support/scenes/scenes.h"
 
@@ -36,7 +37,7 @@ SavedPlan anyPlan(test::RandomFields& random) {
                     share = 0.5 * (share + glm::transpose(share));
                 }
         }
-        saved.scan = {newSalt(), std::string(64, 'a'), {3, 4, 5}, {0.5, 0.25, 2}, 1};
+        saved.scan = {newSalt(), std::string(64, 'a'), std::string(80, 'b'), {3, 4, 5}, {0.5, 0.25, 2}, 1};
         return saved;
     }
 }
@@ -138,16 +139,59 @@ class PlanFileTest : public QObject {
         };
         const std::shared_ptr<const Volume> same = scan();
         Voxels voxels(same->voxels().begin(), same->voxels().end());
-        voxels.back() += 1;
-        QVERIFY(QString::fromStdString(why(Volume(scan()->geometry(), voxels))).contains("other voxels"));
-        voxels.back() -= 1;
         VolumeGeometry moved = scan()->geometry();
         moved.patientFromIndex[3].x += 0.01;
-        QVERIFY(why(Volume(moved, voxels)) != "the same");
+        QVERIFY(QString::fromStdString(why(Volume(moved, voxels))).contains("same voxels at another place"));
         moved.patientFromIndex[3].x += 1e-8 - 0.01;
         QCOMPARE(why(Volume(moved, voxels)), std::string("the same"));
         const auto larger = test::makeVolume({6, 5, 5}, dvec3(1, 1, 2), [](int, int, int) { return 0; });
         QVERIFY(QString::fromStdString(why(*larger)).contains("6 x 5 x 5"));
+    }
+
+    /// A scan of which a few slices were sent again is not taken for another patient's.
+    void itSaysWhichSlicesDiffer_data() {
+        QTest::addColumn<QList<int>>("changed");
+        QTest::addColumn<bool>("older");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("one") << QList<int>{3} << false << "the voxels of slice 4 are not";
+        QTest::newRow("neighbours") << QList<int>{1, 2} << false << "the voxels of slices 2 to 3 are not";
+        QTest::newRow("some") << QList<int>{0, 1, 3} << false << "the voxels of 3 slices between 1 and 4 are not";
+        QTest::newRow("all") << QList<int>{0, 1, 2, 3} << false << "has the size of the plan's, but other voxels";
+        QTest::newRow("older plan") << QList<int>{3} << true << "has the size of the plan's, but other voxels";
+    }
+    void itSaysWhichSlicesDiffer() {
+        QFETCH(const QList<int>, changed);
+        QFETCH(const bool, older);
+        QFETCH(const QString, said);
+        ScanMark mark = markOf(*scan(), newSalt());
+        if (older)
+            mark.sliceHashes.clear();
+        const std::shared_ptr<const Volume> same = scan();
+        Voxels voxels(same->voxels().begin(), same->voxels().end());
+        for (const int k : changed)
+            voxels[std::size_t(k) * 6 * 5] += 1;
+        const auto ok = checkIsScanOf(mark, Volume(same->geometry(), voxels));
+        QVERIFY(!ok && ok.error().kind == ErrorKind::refused);
+        QVERIFY2(QString::fromStdString(ok.error().text()).contains(said), ok.error().text().c_str());
+    }
+
+    /// Nothing is measured where nothing was scanned; but a region's border may lie there.
+    void placesOutsideTheScanAreRefused() {
+        SavedPlan saved = smallPlan();
+        const auto said = [&] {
+            const auto ok = checkFits(saved, *scan());
+            return ok ? std::string() : ok.error().text();
+        };
+        std::vector<measure::Place>& places = saved.plan.measurements[0].places;
+        const dvec3 face = scan()->geometry().centreMm() + dvec3(3, 0, 0);  // of the last voxel
+        places[1].mm = face;
+        QCOMPARE(said(), std::string());
+        places[1].mm = face + dvec3(40, 0, 0);
+        QVERIFY2(said().starts_with("measurements[0].places[1].mm lies 40 mm outside the scan"), said().c_str());
+        saved.plan.measurements[0].kind = MeasureKind::ball;
+        QCOMPARE(said(), std::string());
+        std::swap(places[0], places[1]);
+        QVERIFY(!said().empty());
     }
 
     /// Plans would get lost if this changed unnoticed: a change of voxels or of their hash needs another kImportRule.
