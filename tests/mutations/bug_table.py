@@ -175,7 +175,7 @@ def _loses_an_operand(text: str, begin: int, end: int) -> bool:
         return True
     before, after = re.search(rf"\s{OPERATOR}\s+$", text[:begin]), re.match(rf"\s+{OPERATOR}\s", text[end:])
     left, right = (_binds(found[1]) if found else -1 for found in (before, after))
-    return max(left, right) > min(inside) or (left == min(inside) and before[1] in "-/%")
+    return max(left, right) > min(inside) or (left == min(inside) and before[1] in "-*/%")
 
 
 def _planted(was: str, bugs: list[tuple[Bug, Place]]) -> str:

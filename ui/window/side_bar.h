@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QHBoxLayout>
 #include <QStackedWidget>
+#include <QToolButton>
 
 #include "ui/window/panel_info.h"
 
