@@ -3,6 +3,8 @@
 #include <bit>
 #include <utility>
 
+#include "render/slice/halved_plane.h"
+
 namespace pdr::app {
 namespace {
 
@@ -14,6 +16,11 @@ QImage greyImage(const SliceImage& slice, const GreyWindow& window) {
     QImage image(slice.plane.size.x, slice.plane.size.y, QImage::Format_RGB32);
     paintGrey(window, slice.hu, {kBlue, kGreen, kRed}, {image.bits(), std::size_t(image.sizeInBytes())});
     return image;
+}
+
+/// Returns the plane whose pixels are computed.
+SlicePlane planeOf(const SliceJob::Request& request) {
+    return request.coarse ? halved(request.plane) : request.plane;
 }
 
 }  // namespace
@@ -32,13 +39,24 @@ SliceJob::SliceJob() {
     });
 }
 
+/// Returns whether the newest request has the same slice as its answer, or a better one.
+bool SliceJob::isAnswered(const Request& request) const {
+    Request inFull = request;
+    inFull.coarse = false;
+    return newest_ == request || newest_ == inFull;
+}
+
 void SliceJob::make(Request request) {
-    if (request == newest_)
+    if (isAnswered(request))
         return;
     newest_ = std::move(request);
     waits_ = waits_ || isRunning();
     if (!waits_)
         begin(*newest_);
+}
+
+QImage SliceJob::madeNow(const Request& request) {
+    return greyImage(*reslice(*request.volume, planeOf(request)), request.window);
 }
 
 void SliceJob::drop() {
@@ -49,12 +67,12 @@ void SliceJob::drop() {
 
 void SliceJob::begin(Request request) {
     start([this, request = std::move(request)](const Progress&, const std::stop_token& stop) -> std::function<void()> {
-        auto slice = reslice(*request.volume, request.plane, {}, stop, std::move(memory_));
+        auto slice = reslice(*request.volume, planeOf(request), {}, stop, std::move(memory_));
         if (!slice)
             return [] {};
         const QImage grey = greyImage(*slice, request.window);
         memory_ = std::move(slice->hu);
-        return [this, grey, plane = slice->plane, window = request.window] { emit made(grey, plane, window); };
+        return [this, grey, plane = request.plane, window = request.window] { emit made(grey, plane, window); };
     });
 }
 

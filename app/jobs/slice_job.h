@@ -21,21 +21,26 @@ class SliceJob : public BackgroundJob {
         std::shared_ptr<const Volume> volume;
         SlicePlane plane;
         GreyWindow window;
+        bool coarse = false;  ///< at half the resolution, for a quarter of the work
         bool operator==(const Request&) const = default;
     };
 
     SliceJob();
     /// Computes the slice, after the one in progress; ends with made() unless a newer request comes before it begins.
-    /// A request that equals the newest one does nothing.
+    /// A request that equals the newest one, or asks for a coarse slice where that asks for the same in full, does
+    /// nothing.
     void make(Request request);
+    /// Returns the pixels of a slice, computed on the calling thread.
+    static QImage madeNow(const Request& request);
     /// Drops all requests and releases their volumes, once the work in progress has ended.
     void drop();
 
   signals:
-    /// `grey`: the pixels of `plane`, row by row from the top.
+    /// `grey`: the pixels of `plane`, row by row from the top; a coarse one holds those of halved(plane).
     void made(const QImage& grey, const pdr::SlicePlane& plane, const pdr::GreyWindow& window);
 
   private:
+    bool isAnswered(const Request& request) const;
     void begin(Request request);
 
     std::optional<Request> newest_;  ///< none before the first, and after one that failed

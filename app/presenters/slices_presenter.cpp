@@ -6,6 +6,7 @@
 #include <QGuiApplication>
 #include <QMenu>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "app/presenters/place_text.h"
@@ -15,6 +16,12 @@
 
 namespace pdr::app {
 namespace {
+
+/// What moves is at rest after this time without a move, and is then shown in full.
+constexpr auto kAtRest = std::chrono::milliseconds(150);
+
+/// Slices of more pixels are coarse while they move: in full they would take longer than a frame.
+constexpr int kMostMovingPixels = 1024 * 768;
 
 struct Texts {
     Q_DECLARE_TR_FUNCTIONS(Slices)
@@ -53,6 +60,9 @@ SlicesPresenter::SlicesPresenter(const Workspace& workspace) : Presenter(workspa
         window().addSlice(slice.view, slice.view->tools());
         connectSlice(slice);
     }
+    atRest_.setSingleShot(true);
+    atRest_.setInterval(kAtRest);
+    connect(&atRest_, &QTimer::timeout, this, [this] { requestAll(false); });
     window().addMenu(ui::MainWindow::tr("Slices"), [this](QMenu& menu) { fillMenu(menu); });
 }
 
@@ -148,11 +158,19 @@ void SlicesPresenter::openMenu(Slice& slice, QPoint place) {
             [this, &slice] { fit(slice); });
     connect(menu->addAction(Texts::tr("Slice &alone, or all views")), &QAction::triggered, this,
             [this, &slice] { window().views().toggleAlone(slice.view); });
-    connect(menu->addAction(Texts::tr("&Copy slice")), &QAction::triggered, this, [this, &slice] {
-        QGuiApplication::clipboard()->setPixmap(slice.view->grab());
-        window().status().showForAWhile(ui::MainWindow::tr("Copied"));
-    });
+    connect(menu->addAction(Texts::tr("&Copy slice")), &QAction::triggered, this, [this, &slice] { copy(slice); });
     menu->popup(slice.view->mapToGlobal(place));
+}
+
+/// Copies what the view shows. A slice that is still coarse is made in full first.
+void SlicesPresenter::copy(Slice& slice) {
+    const std::optional<ui::ShownSlice>& shown = slice.view->slice();
+    if (shown && shown->isCoarse() && volume_) {
+        const SliceJob::Request full{volume_, shown->plane, document().plan().navigation.window};
+        show(slice, SliceJob::madeNow(full), full.plane, full.window);
+    }
+    QGuiApplication::clipboard()->setPixmap(slice.view->grab());
+    window().status().showForAWhile(ui::MainWindow::tr("Copied"));
 }
 
 /// Shows the whole slice.
@@ -169,8 +187,7 @@ SliceFraming& SlicesPresenter::framingOf(Navigation& navigation, const Slice& sl
 void SlicesPresenter::setLayout(ui::ViewLayout layout) {
     window().views().setLayout(layout);
     layouts_[std::size_t(layout)]->setChecked(true);
-    for (Slice& slice : slices_)
-        request(slice);
+    requestAll(false);
 }
 
 void SlicesPresenter::showSlices() {
@@ -197,13 +214,17 @@ void SlicesPresenter::showDocument(Changes changes) {
     }
     if (!has(changes, Changes::series | Changes::table | Changes::navigation))
         return;
-    for (Slice& slice : slices_) {
+    for (Slice& slice : slices_)
         slice.view->setCrosshair(document().plan().navigation.crosshairMm);
-        request(slice);
-    }
+    // A single step is shown in full at once: only what follows it soon is a move.
+    const bool moves = !has(changes, Changes::series | Changes::table);
+    requestAll(moves && atRest_.isActive());
+    if (moves)
+        atRest_.start();
 }
 
 void SlicesPresenter::releaseVolume() {
+    atRest_.stop();
     for (Slice& slice : slices_) {
         slice.job.drop();
         slice.stack.reset();
@@ -220,11 +241,18 @@ std::optional<SlicePlane> SlicesPresenter::planeOf(const Slice& slice) const {
                   navigation.framings[std::size_t(slice.view->plane())], slice.view->sizeInPixels());
 }
 
-/// Computes the slice that the view should show, unless it is not on the screen.
-void SlicesPresenter::request(Slice& slice) {
+/// Computes the slice that the view should show, unless it is not on the screen. `moving`: a large one is coarse.
+void SlicesPresenter::request(Slice& slice, bool moving) {
     const auto plane = planeOf(slice);
-    if (plane && volume_ && slice.view->isVisible())
-        slice.job.make({volume_, *plane, document().plan().navigation.window});
+    if (!plane || !volume_ || !slice.view->isVisible())
+        return;
+    const bool coarse = moving && plane->size.x * plane->size.y > kMostMovingPixels;
+    slice.job.make({volume_, *plane, document().plan().navigation.window, coarse});
+}
+
+void SlicesPresenter::requestAll(bool moving) {
+    for (Slice& slice : slices_)
+        request(slice, moving);
 }
 
 void SlicesPresenter::show(Slice& slice, const QImage& grey, const SlicePlane& plane, const GreyWindow& window) {

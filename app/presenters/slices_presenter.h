@@ -1,6 +1,7 @@
 #pragma once
 /// Three slices beside the image, which agree on one place of the patient.
 
+#include <QTimer>
 #include <array>
 #include <optional>
 
@@ -42,7 +43,9 @@ class SlicesPresenter : public Presenter {
     void fit(const Slice& slice);
     void connectSlice(Slice& slice);
     void setLayout(ui::ViewLayout layout);
-    void request(Slice& slice);
+    void request(Slice& slice, bool moving = false);
+    void requestAll(bool moving);
+    void copy(Slice& slice);
     void show(Slice& slice, const QImage& grey, const SlicePlane& plane, const GreyWindow& window);
     void showPointed(Slice& slice, const std::optional<dvec3>& placeMm);
     void chooseWindow(char key);
@@ -57,6 +60,7 @@ class SlicesPresenter : public Presenter {
     std::array<Slice, 3> slices_;        ///< in the order of kAnatomicalPlanes
     std::array<QAction*, 3> layouts_{};  ///< in the order of kViewLayouts
     std::shared_ptr<const Volume> volume_;
+    QTimer atRest_;            ///< runs while something moves: until nothing has for a while
     GreyWindow statedWindow_;  ///< the window with which the volume was opened
 };
 

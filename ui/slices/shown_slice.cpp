@@ -25,8 +25,10 @@ std::pair<AnatomicalPlane, AnatomicalPlane> crossing(AnatomicalPlane plane) {
 }  // namespace
 
 void paintSlice(QPainter& painter, const ShownSlice& slice, const QSize& size) {
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(QRect(QPoint(), size), slice.image);
+    // Qt 6's smooth stretching shifts an image by half a pixel of the screen. A coarse pixel covers exactly two by two.
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, !slice.isCoarse());
+    const dvec2 pixels = dvec2(slice.plane.size) / (slice.isCoarse() ? 2.0 : 1.0);
+    painter.drawImage(QRectF(QPointF(), size), slice.image, QRectF(0, 0, pixels.x, pixels.y));
     paintAnnotations(painter, {cameraFacing(slice.plane), {}, slice.texts, false}, size);
 }
 

@@ -12,13 +12,16 @@
 namespace pdr::ui {
 
 struct ShownSlice {
-    QImage image;       ///< the pixels of `plane`
+    QImage image;       ///< the pixels of `plane`; a coarse slice's: of halved(plane)
     SlicePlane plane;   ///< in screen pixels of the view
     QStringList texts;  ///< what the slice is, a line each: "Axial 51 of 100", "Window 350 / 50 HU"
+
+    /// Returns whether the slice has half of its plane's resolution, because something moves.
+    bool isCoarse() const { return image.width() < plane.size.x; }
 };
 
 /// Paints `slice` into a view of `size` [px] with letters, scale bar and texts. A slice of another size, while the one
-/// that fits is computed, is stretched.
+/// that fits is computed, is stretched; so is a coarse one, whose places do not move.
 void paintSlice(QPainter& painter, const ShownSlice& slice, const QSize& size);
 
 /// Paints the two lines in which the other planes through `placeMm` cut `slice`, which lies in `plane`, with a gap

@@ -1,5 +1,7 @@
 /// Slices beside the image: from a key to three slices that agree on one place, while the image goes on.
 
+#include <QDeadlineTimer>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -129,6 +131,40 @@ class SlicesInWindowTest : public QObject {
         trial_->waitForNewest();
     }
 
+    /// What follows a step at once is a move. Its large slices are coarse, and full soon after: in the same bits as one
+    /// that was made at rest. A single step, and what is copied, is always full.
+    void largeSlicesAreCoarseOnlyWhileTheyMove() {
+        ui::SliceView& axial = view(AnatomicalPlane::axial);
+        trial_->desktop.window().resize(1500, 1000);
+        trial_->desktop.window().views().toggleAlone(&axial);
+        QTRY_VERIFY_WITH_TIMEOUT(isFull(axial), test::kPatience);
+        QVERIFY(axial.sizeInPixels().x * axial.sizeInPixels().y > 1024 * 768);
+        const auto move = [&] {
+            QDeadlineTimer patience(test::kPatience);
+            for (int i = 0; !axial.slice()->isCoarse() && !patience.hasExpired(); ++i) {
+                QTest::keyClick(&axial, i % 2 ? Qt::Key_Down : Qt::Key_Up);
+                QTest::qWait(5);
+            }
+            QVERIFY(axial.slice()->isCoarse());
+            QVERIFY(axial.slice()->plane.size == axial.sizeInPixels());
+        };
+        move();
+        QTRY_VERIFY_WITH_TIMEOUT(isFull(axial), test::kPatience);
+        const SlicePlane plane = axial.slice()->plane;
+        QVERIFY(axial.slice()->image ==
+                SliceJob::madeNow({document().seen(), plane, document().plan().navigation.window}));
+        QTest::keyClick(&axial, Qt::Key_Up);
+        QTRY_VERIFY_WITH_TIMEOUT(holdsCrosshair(AnatomicalPlane::axial), test::kPatience);
+        QVERIFY(!axial.slice()->isCoarse());
+        move();
+        emit axial.menuRequested({10, 10});
+        auto* menu = axial.findChild<QMenu*>("sliceMenu");
+        menu->actions().last()->trigger();
+        QVERIFY(!axial.slice()->isCoarse());
+        menu->close();
+        trial_->desktop.window().views().toggleAlone(&axial);
+    }
+
     /// The second series waits until all have let go of the first.
     void anotherSeriesHasItsOwnSlices() {
         const QImage before = view(AnatomicalPlane::axial).slice()->image;
@@ -151,6 +187,9 @@ class SlicesInWindowTest : public QObject {
     Document& document() { return trial_->desktop.document(); }
     dvec3 crosshair() { return document().plan().navigation.crosshairMm; }
     ui::SliceView& view(AnatomicalPlane plane) { return trial_->desktop.presenter<SlicesPresenter>().view(plane); }
+    static bool isFull(const ui::SliceView& view) {
+        return view.slice() && view.slice()->plane.size == view.sizeInPixels() && !view.slice()->isCoarse();
+    }
     bool holdsCrosshair(AnatomicalPlane plane) {
         return std::abs(view(plane).slice()->plane.depthMm(crosshair())) < 1e-9;
     }

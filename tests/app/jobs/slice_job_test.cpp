@@ -53,6 +53,25 @@ class SliceJobTest : public QObject {
         QTRY_COMPARE_WITH_TIMEOUT(made.size(), 3, test::kPatience);
     }
 
+    /// A coarse request comes after one in full whenever another view moves.
+    void aSliceThatIsShownInFullIsNotMadeCoarse() {
+        SliceJob job;
+        QSignalSpy made(&job, &SliceJob::made);
+        SliceJob::Request request = requestOf(ramp(), 3);
+        request.coarse = true;
+        job.make(request);
+        QTRY_COMPARE_WITH_TIMEOUT(made.size(), 1, test::kPatience);
+        QCOMPARE(made[0][0].value<QImage>().size(), QSize(20, 15));
+        QVERIFY(made[0][1].value<SlicePlane>() == request.plane);
+        request.coarse = false;
+        job.make(request);
+        QTRY_COMPARE_WITH_TIMEOUT(made.size(), 2, test::kPatience);
+        QCOMPARE(made[1][0].value<QImage>(), SliceJob::madeNow(request));
+        request.coarse = true;
+        job.make(request);
+        QVERIFY(!job.isRunning());
+    }
+
     void droppedVolumesAreReleased() {
         SliceJob job;
         auto volume = ramp();

@@ -3,7 +3,9 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
+#include <cmath>
 
+#include "render/slice/halved_plane.h"
 #include "ui/slices/slice_view.h"
 
 namespace pdr::ui {
@@ -30,6 +32,26 @@ struct Shown {
         QCoreApplication::sendEvent(&view, &event);
     }
 };
+
+/// Returns the slice of a ramp, as it is or coarse: a grey level that grows by 2 with x and y.
+ShownSlice rampOn(const SlicePlane& plane, const SlicePlane& sampled) {
+    QImage image(sampled.size.x, sampled.size.y, QImage::Format_RGB32);
+    for (int y = 0; y < sampled.size.y; ++y)
+        for (int x = 0; x < sampled.size.x; ++x) {
+            const dvec2 pixel = plane.pixelAt(sampled.mmAt({x, y}));
+            const int level = int(std::lround(10 + 2 * pixel.x + 2 * pixel.y));
+            image.setPixel(x, y, qRgb(level, level, level));
+        }
+    return {image, plane, {}};
+}
+
+/// Returns the view of a slice, without a view.
+QImage painted(const ShownSlice& slice) {
+    QImage view(slice.plane.size.x, slice.plane.size.y, QImage::Format_RGB32);
+    QPainter painter(&view);
+    paintSlice(painter, slice, view.size());
+    return view;
+}
 
 bool near(dvec3 a, dvec3 b) {
     return glm::length(a - b) < 1e-9;
@@ -155,6 +177,27 @@ class SliceViewTest : public QObject {
         QVERIFY(at(after, 200, 80) != at(before, 200, 80) || at(after, 200, 79) != at(before, 200, 79));
         QCOMPARE(at(after, 60, 80), qRgb(160, 160, 164));
         QCOMPARE(at(after, 200, 20), qRgb(160, 160, 164));
+    }
+
+    /// A coarse pixel lies in the middle of the four that it stands for, and is painted there: nothing moves when the
+    /// slice is made in full. The sizes are odd, so that the last coarse pixels reach beyond the slice.
+    void aCoarseSliceLiesWhereTheFullOneDoes() {
+        const SlicePlane plane = SlicePlane::around({10, 20, 30}, {0, 1, 0}, {0, 0, -1}, 0.37, {61, 41});
+        const SlicePlane coarse = halved(plane);
+        QVERIFY(coarse.size == ivec2(31, 21));
+        for (const dvec2& pixel : {dvec2(0, 0), dvec2(12, 7), dvec2(30, 20)})
+            QVERIFY(glm::distance(coarse.mmAt(pixel), plane.mmAt(2.0 * pixel + 0.5)) < 1e-6);
+        const ShownSlice full = rampOn(plane, plane), half = rampOn(plane, coarse);
+        QVERIFY(half.isCoarse() && !full.isCoarse());
+        const QImage fine = painted(full), stretched = painted(half);
+        double sum = 0;
+        for (int y = 0; y < 40; ++y)
+            for (int x = 0; x < 60; ++x) {
+                const int off = qGreen(stretched.pixel(x, y)) - qGreen(fine.pixel(x, y));
+                QVERIFY(std::abs(off) <= 2);
+                sum += off;
+            }
+        QCOMPARE(sum, 0.0);  // half a pixel to the right: -1 on average
     }
 
     void withoutASliceNothingIsRequested() {
