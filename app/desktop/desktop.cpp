@@ -73,7 +73,10 @@ void place(ui::MainWindow& window, const Settings& settings) {
 
 Desktop::Desktop(std::vector<NamedLook> looks, std::unique_ptr<Device> device, const QString& settingsFile, int threads,
                  std::filesystem::path powerSupplies)
-    : settings_(settingsFile), document_(std::move(looks)), bridge_(std::move(device), threads) {
+    : settings_(settingsFile),
+      document_(std::move(looks)),
+      bridge_(std::move(device), threads),
+      scenes_(std::make_unique<PlaceScenes>()) {
     addPresenters(settingsFile.isEmpty() ? QString() : QFileInfo(settingsFile).path(), std::move(powerSupplies));
     place(window_, settings_);
     connectPresenters();
@@ -101,9 +104,9 @@ void Desktop::addPresenters(const QString& beside, std::filesystem::path powerSu
     add<CutPresenter>();
     add<RegionPresenter>();
     auto& slices = add<SlicesPresenter>();
-    auto& crosshair = add<CrosshairPresenter>(slices);
-    add<MarksPresenter>(slices, crosshair);
-    add<PlaceMenuPresenter>(PlaceFeatures{crosshair, camera, tissue});
+    auto& crosshair = add<CrosshairPresenter>(slices, *scenes_);
+    add<MarksPresenter>(slices, crosshair, *scenes_);
+    add<PlaceMenuPresenter>(PlaceFeatures{crosshair, camera, tissue}, *scenes_);
     add<RenderingPresenter>();
     auto& accuracy = add<AccuracyPresenter>(std::move(powerSupplies));
     add<EffectsPresenter>();

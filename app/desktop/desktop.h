@@ -8,6 +8,7 @@
 
 namespace pdr::app {
 
+class PlaceScenes;
 class SeriesPresenter;
 
 class Desktop {
@@ -51,6 +52,7 @@ class Desktop {
     ui::MainWindow window_;
     Document document_;
     RenderBridge bridge_;
+    std::unique_ptr<PlaceScenes> scenes_;
     std::vector<std::unique_ptr<Presenter>> presenters_;
 };
 

@@ -6,11 +6,12 @@ namespace pdr::app {
 /// rendered has none.
 template <class Examine>
 void PlaceJob::examine(const Scene& scene, Examine examine) {
-    start([scene, examine, flattener = flattener_](const Progress&, const std::stop_token&) -> std::function<void()> {
-        if (!scene.check())
-            return [] {};
-        return examine(*flattener->prepare(scene));
-    });
+    start(
+        [scene, examine, shared = scenes_.current()](const Progress&, const std::stop_token&) -> std::function<void()> {
+            if (!scene.check())
+                return [] {};
+            return examine(*shared->prepared(scene));
+        });
 }
 
 void PlaceJob::pick(const Scene& scene, QPointF place) {
@@ -31,7 +32,7 @@ void PlaceJob::look(const Scene& scene, const std::vector<dvec3>& placesMm) {
 
 void PlaceJob::drop() {
     cancel();
-    flattener_ = std::make_shared<Flattener>();
+    scenes_.drop();
 }
 
 }  // namespace pdr::app

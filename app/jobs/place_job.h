@@ -1,6 +1,6 @@
 #pragma once
-/// Finds in the background which place a point of the image shows, and what hides a place. Holds the volume until
-/// drop().
+/// Finds in the background which place a point of the image shows, and what hides a place. Each asker has a job of its
+/// own, whose newest question is answered; the prepared scene is shared by all.
 
 #include <QPointF>
 #include <memory>
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/jobs/background_job.h"
+#include "app/jobs/place_scenes.h"
 #include "app/plan/plan.h"
-#include "render/prepare/flatten.h"
 #include "render/prepare/hidden_by.h"
 #include "render/prepare/layers_under.h"
 #include "render/scene/scene.h"
@@ -23,13 +23,17 @@ inline constexpr Changes kHides =
 class PlaceJob : public BackgroundJob {
     Q_OBJECT
 
+  public:
+    /// `scenes` is shared with other jobs; it must outlive this object.
+    explicit PlaceJob(PlaceScenes& scenes) : scenes_(scenes) {}
+
   public slots:
     /// Finds what `scene`, which must have a volume, shows at `place`, in fractions of its width and height. Ends with
     /// found().
     void pick(const pdr::Scene& scene, QPointF place);
     /// Finds what hides each of `placesMm`, in the patient (LPS) [mm], in the image of `scene`. Ends with seen().
     void look(const pdr::Scene& scene, const std::vector<pdr::dvec3>& placesMm);
-    /// Cancels the running job and releases the volume.
+    /// Cancels the running job and releases the volume, also that of the other jobs.
     void drop();
 
   signals:
@@ -41,8 +45,7 @@ class PlaceJob : public BackgroundJob {
     template <class Examine>
     void examine(const Scene& scene, Examine examine);
 
-    /// Keeps what the next scene can reuse. Only the job's thread uses it.
-    std::shared_ptr<Flattener> flattener_ = std::make_shared<Flattener>();
+    PlaceScenes& scenes_;
 };
 
 }  // namespace pdr::app

@@ -17,8 +17,8 @@ struct Texts {
 
 }  // namespace
 
-CrosshairPresenter::CrosshairPresenter(const Workspace& workspace, SlicesPresenter& slices)
-    : Presenter(workspace), slices_(slices), picks_(workspace) {
+CrosshairPresenter::CrosshairPresenter(const Workspace& workspace, SlicesPresenter& slices, PlaceScenes& scenes)
+    : Presenter(workspace), slices_(slices), picks_(workspace, scenes), looks_(scenes) {
     addAction();
     window().viewport().tools().add(layer_);
     atRest_.setSingleShot(true);

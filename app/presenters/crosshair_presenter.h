@@ -16,8 +16,9 @@ class CrosshairPresenter : public Presenter {
     Q_OBJECT
 
   public:
-    /// `slices` are shown once the crosshair is set.
-    CrosshairPresenter(const Workspace& workspace, SlicesPresenter& slices);
+    /// `slices` are shown once the crosshair is set; the look-ups share `scenes` with others. Both must outlive this
+    /// object.
+    CrosshairPresenter(const Workspace& workspace, SlicesPresenter& slices, PlaceScenes& scenes);
 
     void showDocument(Changes changes) override;
     void releaseVolume() override;

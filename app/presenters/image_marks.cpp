@@ -28,7 +28,7 @@ std::vector<dvec3> placesOf(const ui::ShownMark& mark, const Camera& camera) {
 
 }  // namespace
 
-ImageMarks::ImageMarks(const Workspace& workspace) : workspace_(workspace) {
+ImageMarks::ImageMarks(const Workspace& workspace, PlaceScenes& scenes) : workspace_(workspace), job_(scenes) {
     workspace_.window.viewport().tools().add(layer_);
     atRest_.setSingleShot(true);
     atRest_.setInterval(kAtRest);

@@ -13,8 +13,8 @@ class ImageMarks : public QObject {
     Q_OBJECT
 
   public:
-    /// `workspace` must outlive this object.
-    explicit ImageMarks(const Workspace& workspace);
+    /// `workspace` and `scenes` must outlive this object.
+    ImageMarks(const Workspace& workspace, PlaceScenes& scenes);
 
     ui::MarksLayer& layer() { return layer_; }
     void setMarks(const std::vector<ui::ShownMark>& marks);

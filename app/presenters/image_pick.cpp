@@ -17,7 +17,7 @@ struct Texts {
 
 }  // namespace
 
-ImagePick::ImagePick(const Workspace& workspace) : workspace_(workspace) {
+ImagePick::ImagePick(const Workspace& workspace, PlaceScenes& scenes) : workspace_(workspace), job_(scenes) {
     connect(&job_, &PlaceJob::found, this, &ImagePick::take);
 }
 

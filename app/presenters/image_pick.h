@@ -18,8 +18,8 @@ class ImagePick : public QObject {
     Q_OBJECT
 
   public:
-    /// `workspace` must outlive this object.
-    explicit ImagePick(const Workspace& workspace);
+    /// `workspace` and `scenes` must outlive this object.
+    ImagePick(const Workspace& workspace, PlaceScenes& scenes);
 
     /// Finds what the image shows at `place`, in fractions of its width and height. Ends with picked(), a menu or a
     /// sentence.

@@ -33,8 +33,9 @@ std::string nameOf(const QString& typed) {
 
 }  // namespace
 
-MarksPresenter::MarksPresenter(const Workspace& workspace, SlicesPresenter& slices, const CrosshairPresenter& crosshair)
-    : Presenter(workspace), slices_(slices), panel_(new ui::MarksPanel), inImage_(workspace) {
+MarksPresenter::MarksPresenter(const Workspace& workspace, SlicesPresenter& slices, const CrosshairPresenter& crosshair,
+                               PlaceScenes& scenes)
+    : Presenter(workspace), slices_(slices), panel_(new ui::MarksPanel), inImage_(workspace, scenes) {
     window().addPanel(panel_, {kPanel, ui::WindowDocks::tr("Measurements"), QKeySequence(Qt::CTRL | Qt::Key_M)});
     tools_ = new MarkTools(slices_.menu(), *panel_, window());
     tools_->setParent(this);

@@ -21,9 +21,10 @@ class MarksPresenter : public Presenter {
     Q_OBJECT
 
   public:
-    /// `slices` shows the views in which is measured, and `crosshair` knows what clicks on the image find; both must
-    /// outlive this object.
-    MarksPresenter(const Workspace& workspace, SlicesPresenter& slices, const CrosshairPresenter& crosshair);
+    /// `slices` shows the views in which is measured, `crosshair` knows what clicks on the image find, and `scenes` is
+    /// shared with other look-ups; all must outlive this object.
+    MarksPresenter(const Workspace& workspace, SlicesPresenter& slices, const CrosshairPresenter& crosshair,
+                   PlaceScenes& scenes);
 
     void showDocument(Changes changes) override;
     void releaseVolume() override;

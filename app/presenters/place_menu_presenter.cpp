@@ -19,8 +19,8 @@ struct Texts {
 
 }  // namespace
 
-PlaceMenuPresenter::PlaceMenuPresenter(const Workspace& workspace, const PlaceFeatures& features)
-    : Presenter(workspace), features_(features) {
+PlaceMenuPresenter::PlaceMenuPresenter(const Workspace& workspace, const PlaceFeatures& features, PlaceScenes& scenes)
+    : Presenter(workspace), features_(features), job_(scenes) {
     connect(&window(), &ui::MainWindow::imageMenuOpens, this, &PlaceMenuPresenter::fill);
     connect(&job_, &PlaceJob::found, this, &PlaceMenuPresenter::showPlace);
 }

@@ -25,7 +25,8 @@ class PlaceMenuPresenter : public Presenter {
     Q_OBJECT
 
   public:
-    PlaceMenuPresenter(const Workspace& workspace, const PlaceFeatures& features);
+    /// `scenes` is shared with other look-ups, and must outlive this object.
+    PlaceMenuPresenter(const Workspace& workspace, const PlaceFeatures& features, PlaceScenes& scenes);
 
     void releaseVolume() override { job_.drop(); }
 
