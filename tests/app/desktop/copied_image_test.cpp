@@ -130,7 +130,7 @@ static QString saidOfCopy(Trial& trial, const std::string& look) {
 /// The program does not know which part of the body a scan is of: a chest has no face.
 void TestCopiedImage::skinIsSpokenOfOnceForEachScanAndNoFace() {
     const QString skin = "This image shows skin: share it like a photograph of the patient.";
-    Trial trial;
+    Trial trial(makeCpuDevice(1), *bundledLooks());
     trial.openAndWait(series_);
     QCOMPARE(saidOfCopy(trial, "Bone"), QString());
     QCOMPARE(saidOfCopy(trial, "MIP"), skin);

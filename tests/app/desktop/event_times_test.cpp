@@ -67,7 +67,7 @@ void TestEventTimes::loadingRenderingAndEditing() {
     } else {
         QVERIFY(writePhantomSeries(ui::fromQt(series), "Head of a phantom"));
     }
-    Trial trial;
+    Trial trial(makeCpuDevice(1), *bundledLooks());
     ui::MainWindow& window = trial.desktop.window();
     window.resize(1000, 700);
     application().times.clear();

@@ -55,7 +55,7 @@ static std::vector<WindowAction> windowActions() {
         panel("a window again", "alone"),
         {"wider", [](Window& window) { window.resize(1300, 700); }},
         {"narrower", [](Window& window) { window.resize(860, 640); }},
-        {"as before", [](Window& window) { window.resize(900, 500); }},
+        {"as before", [](Window& window) { window.resize(Trial::kWindowSize); }},
         {"the side bar at the other side",
          [](Window& window) {
              window.addDockWidget(Qt::LeftDockWidgetArea, window.findChild<QDockWidget*>("sideBar"));
@@ -110,7 +110,7 @@ void TestKeptImage::noWindowActionCostsASample_data() {
 /// The size is settled after 0.2 s.
 void TestKeptImage::noWindowActionCostsASample() {
     QFETCH(bool, held);
-    Trial trial;
+    Trial trial(makeCpuDevice(1), *bundledLooks());
     trial.openAndWait(series_);
     QTRY_VERIFY_WITH_TIMEOUT(last(trial).status.samplesPerPixel > 5, test::kPatience);
     ui::MainWindow& window = trial.desktop.window();

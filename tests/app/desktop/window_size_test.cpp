@@ -97,7 +97,7 @@ void TestWindowSize::aDragOfTheEdgeShowsTheImageAllTheWhile() {
     ui::MainWindow& window = trial.desktop.window();
     const std::uint64_t revision = document.scene().revision, samples = samplesOf(trial);
     for (int i = 1; i <= 20; ++i) {
-        window.resize(900 + 10 * i, 500);
+        window.resize(Trial::kWindowSize + QSize(10 * i, 0));
         QTest::qWait(5);
         const QImage shown = window.viewport().grab().toImage();
         const QImage middle = shown.copy(shown.width() / 3, shown.height() / 4, shown.width() / 3, shown.height() / 2);

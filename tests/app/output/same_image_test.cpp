@@ -63,7 +63,7 @@ void TestSameImage::theWindowsImageIsThatOfTheCommandLine() {
     QFETCH(QString, look);
     QFETCH(QStringList, options);
     QFETCH(bool, denoised);
-    Trial trial;
+    Trial trial(makeCpuDevice(1), *bundledLooks());
     QSignalSpy brightness(&trial.desktop.presenter<LooksPresenter>().images(), &LookImages::made);
     trial.openAndWait(series_);
     Document& document = trial.desktop.document();
