@@ -57,7 +57,17 @@ Json regionOf(const MarkRow& row) {
             {"lowestHu", region.lowestHu},
             {"highestHu", region.highestHu},
             {"voxels", region.count},
-            {"millilitres", region.millilitres}};
+            {"millilitres", region.millilitres},
+            {"meanHu", region.meanHu},
+            {"meanPlusMinus95", number(region.meanPlusMinus)},
+            {"medianHu", region.medianHu}};
+}
+
+Json areaOf(const MarkRow& row) {
+    if (!row.value || !row.value->area)
+        return {};
+    const measure::Stated& area = *row.value->area;
+    return {{"mm2", area.value}, {"plusMinus95", number(plusMinusOf(area))}, {"bound", boundWord(area.bound)}};
 }
 
 Json markOf(const MarkRow& row) {
@@ -72,6 +82,7 @@ Json markOf(const MarkRow& row) {
             {"text", readable(row)},
             {"details", std::string(value.details)},
             {"region", regionOf(row)},
+            {"area", areaOf(row)},
             {"places", placesOf(row)}};
 }
 

@@ -25,6 +25,11 @@ std::string cell(std::string_view text) {
     return quoted + '"';
 }
 
+/// Returns a number that may not be known.
+std::string cell(const std::optional<double>& number) {
+    return number ? cell(*number) : "";
+}
+
 /// Returns a text, such as a name that the user typed or "-50 HU", so that no spreadsheet computes it. An apostrophe of
 /// its own gets one in front as well, so that whoever removes the first one has the text.
 std::string withoutFormula(const std::string& text) {
@@ -42,13 +47,13 @@ std::string headOf() {
     for (std::size_t n = 1; n <= kMostPlaces; ++n)
         for (const char* column : {"found", "x_mm_lps", "y_mm_lps", "z_mm_lps"})
             add(line, std::string(column) + '_' + std::to_string(n));
-    return line;
+    return line + ",mean_hu,mean_plus_minus_95,median_hu,area_mm2,area_plus_minus_95,area_bound";
 }
 
 void addValue(std::string& line, const MarkRow& row) {
     const Measured value = row.value ? *row.value : Measured();
     add(line, row.value ? cell(value.value) : "");
-    add(line, value.plusMinus ? cell(*value.plusMinus) : "");
+    add(line, cell(value.plusMinus));
     add(line, cell(boundWord(value.bound)));
     add(line, row.value ? cell(unitWord(value.unit)) : "");
     add(line, cell(withoutFormula(readable(row))));
@@ -67,6 +72,18 @@ void addRegion(std::string& line, const MarkRow& row) {
     add(line, cell(region.millilitres));
 }
 
+/// Adds what came after the places: what else is known of a region, and its area.
+void addMeanAndArea(std::string& line, const MarkRow& row) {
+    const Measured value = row.value ? *row.value : Measured();
+    const auto region = value.region.value_or(measure::RegionStatistics());
+    add(line, value.region ? cell(region.meanHu) : "");
+    add(line, cell(region.meanPlusMinus));
+    add(line, value.region ? cell(region.medianHu) : "");
+    add(line, value.area ? cell(value.area->value) : "");
+    add(line, value.area ? cell(plusMinusOf(*value.area)) : "");
+    add(line, value.area ? cell(boundWord(value.area->bound)) : "");
+}
+
 std::string lineOf(const MarkRow& row) {
     std::string line = std::to_string(row.id);
     add(line, cell(kindWord(row.kind)));
@@ -82,6 +99,7 @@ std::string lineOf(const MarkRow& row) {
         for (int axis = 0; axis < 3; ++axis)
             add(line, cell(row.places[n].mm[axis]));
     }
+    addMeanAndArea(line, row);
     return line;
 }
 

@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "app/plan/slice_region.h"
 
 namespace pdr::app {
 namespace {
@@ -16,11 +19,12 @@ constexpr const char* kSchema =
 /// How Slicer shows a kind of measurement.
 struct Markup {
     const char* type;
-    std::size_t points;    ///< in each markup: two lines are two markups
+    std::size_t points;    ///< in each markup, two lines being two markups; 0: all
     const char* quantity;  ///< what is measured
 };
 
-/// Returns how a kind is shown. Slicer knows no ball: it gets its middle and a place on its surface.
+/// Returns how a kind is shown. Slicer knows no ball: it gets its middle and a place on its surface. Nor does it know
+/// ellipses, and its regions of interest are boxes: an ellipse is a closed curve, which is seen and has an area there.
 Markup markupOf(MeasureKind kind) {
     switch (kind) {
         case MeasureKind::distance:
@@ -32,20 +36,50 @@ Markup markupOf(MeasureKind kind) {
         case MeasureKind::point:
             return {"Fiducial", 1, "HU"};
         case MeasureKind::ball:
+            return {"Fiducial", 2, "mean HU"};
+        case MeasureKind::ellipse:
             break;
     }
-    return {"Fiducial", 2, "mean HU"};
+    return {"ClosedCurve", 0, "mean HU"};
 }
 
-/// Returns a place as the control point `number`, counted from 1, of its markup. The axes of points are those of
+/// A control point of a markup.
+struct Point {
+    dvec3 mm;
+    std::string_view found;  ///< how its place was found
+};
+
+/// Returns places around an ellipse, from the end of its first half axis on: as many that the spline through them is
+/// within 0.1 % of it.
+std::vector<Point> pointsAround(const MarkRow& row) {
+    constexpr int kPoints = 16;
+    const measure::PlaneEllipse ellipse = ellipseOf(row.places);
+    std::vector<Point> points;
+    for (int n = 0; n < kPoints; ++n) {
+        const double turn = 2 * std::numbers::pi * n / kPoints;
+        points.push_back({ellipse.centre + std::cos(turn) * ellipse.halfU + std::sin(turn) * ellipse.halfV,
+                          foundWord(row.places[1].found)});
+    }
+    return points;
+}
+
+std::vector<Point> pointsOf(const MarkRow& row) {
+    if (row.kind == MeasureKind::ellipse)
+        return pointsAround(row);
+    std::vector<Point> points;
+    for (const measure::Place& place : row.places)
+        points.push_back({place.mm, foundWord(place.found)});
+    return points;
+}
+
+/// Returns a point as the control point `number`, counted from 1, of its markup. The axes of points are those of
 /// Slicer, right to left and back to front, as points that are placed there have them.
-Json controlPoint(const MarkRow& row, std::size_t index, std::size_t number) {
-    const measure::Place& place = row.places[index];
+Json controlPoint(const Point& point, const std::string& label, std::size_t number) {
     return {{"id", std::to_string(number)},
-            {"label", row.places.size() == 1 ? row.title : row.title + "-" + std::to_string(index + 1)},
-            {"description", foundWord(place.found)},
+            {"label", label},
+            {"description", point.found},
             {"associatedNodeID", ""},
-            {"position", {place.mm.x, place.mm.y, place.mm.z}},
+            {"position", {point.mm.x, point.mm.y, point.mm.z}},
             {"orientation", {-1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0}},
             {"selected", true},
             {"locked", true},
@@ -80,21 +114,22 @@ Json measurements(const MarkRow& row) {
     return all;
 }
 
-/// Returns the markup of the places from `first` on. What was measured goes with the first markup of a row.
-Json markup(const MarkRow& row, std::size_t first) {
-    const Markup shown = markupOf(row.kind);
+/// Returns the markup of `count` of the row's points, from `first` on. What was measured goes with the first markup of
+/// a row.
+Json markup(const MarkRow& row, const std::vector<Point>& all, std::size_t first, std::size_t count) {
     Json points = Json::array();
-    for (std::size_t n = 0; n < shown.points; ++n)
-        points.push_back(controlPoint(row, first + n, n + 1));
-    const bool several = shown.points < row.places.size();
-    return {{"type", shown.type},
-            {"name", several ? row.title + " (" + std::to_string(first / shown.points + 1) + ")" : row.title},
+    for (std::size_t n = 0; n < count; ++n)
+        points.push_back(controlPoint(
+            all[first + n], all.size() == 1 ? row.title : row.title + "-" + std::to_string(first + n + 1), n + 1));
+    const bool several = count < all.size();
+    return {{"type", markupOf(row.kind).type},
+            {"name", several ? row.title + " (" + std::to_string(first / count + 1) + ")" : row.title},
             {"coordinateSystem", "LPS"},
             {"coordinateUnits", "mm"},
             {"locked", true},
             {"fixedNumberOfControlPoints", true},
             {"labelFormat", "%N-%d"},
-            {"lastUsedControlPointNumber", shown.points},
+            {"lastUsedControlPointNumber", count},
             {"controlPoints", points},
             {"measurements", first == 0 ? measurements(row) : Json::array()}};
 }
@@ -103,9 +138,12 @@ Json markup(const MarkRow& row, std::size_t first) {
 
 std::string marksForSlicer(const std::vector<MarkRow>& rows) {
     Json markups = Json::array();
-    for (const MarkRow& row : rows)
-        for (std::size_t first = 0; first < row.places.size(); first += markupOf(row.kind).points)
-            markups.push_back(markup(row, first));
+    for (const MarkRow& row : rows) {
+        const std::vector<Point> points = pointsOf(row);
+        const std::size_t each = markupOf(row.kind).points, count = each > 0 ? each : points.size();
+        for (std::size_t first = 0; first < points.size(); first += count)
+            markups.push_back(markup(row, points, first, count));
+    }
     return Json{{"@schema", kSchema}, {"markups", markups}}.dump(2) + '\n';
 }
 

@@ -16,7 +16,7 @@ std::string_view wordFor(T value, const Words<T, N>& words) {
 }
 
 bool readsVoxels(MeasureKind kind) {
-    return kind == MeasureKind::point || kind == MeasureKind::ball;
+    return kind == MeasureKind::point || isRegion(kind);
 }
 
 /// Returns the value if it is the same however the grid lies. The step of the grid along a line tells only whether two

@@ -1,8 +1,8 @@
 #include "app/plan/measured.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "app/plan/measured_region.h"
 #include "render/measure/angle.h"
 #include "render/measure/distance.h"
 #include "render/measure/profile.h"
@@ -15,9 +15,7 @@ using measure::Stated;
 using measure::Unit;
 
 Measured measuredOf(const Stated& stated, Unit unit) {
-    Measured measured{.unit = unit, .value = stated.value, .bound = stated.bound};
-    if (stated.bound == measure::Bound::none && stated.plusMinus() > 0)
-        measured.plusMinus = stated.plusMinus();
+    Measured measured{.unit = unit, .value = stated.value, .plusMinus = plusMinusOf(stated), .bound = stated.bound};
     measured.text = measure::valueText(stated, unit);
     measured.details = measure::causesText(stated);
     return measured;
@@ -70,24 +68,13 @@ Result<Measured> pointOf(const Place& place, const Volume& volume) {
                                       "with a ±.")};
 }
 
-Result<Measured> ballOf(const std::vector<Place>& places, const Volume& volume) {
-    const double radius = glm::distance(places[0].mm, places[1].mm);
-    const double voxelMm3 = std::abs(glm::determinant(dmat3(volume.geometry().patientFromIndex)));
-    if (4 * std::numbers::pi / 3 * radius * radius * radius > kMostBallVoxels * voxelMm3)
-        return Error{phrase("this ball holds more than %1 voxels", int(kMostBallVoxels)), "",
-                     phrase("Make it smaller."), ErrorKind::refused};
-    const auto region = measure::regionStatistics(volume, measure::Ball{places[0].mm, radius});
-    if (!region)
-        return region.error();
-    return Measured{.unit = Unit::hu,
-                    .value = region->meanHu,
-                    .plusMinus = region->meanPlusMinus,
-                    .region = *region,
-                    .text = measure::meanText(*region),
-                    .details = measure::regionText(*region)};
-}
-
 }  // namespace
+
+std::optional<double> plusMinusOf(const Stated& stated) {
+    if (stated.bound != measure::Bound::none || stated.plusMinus() == 0)
+        return std::nullopt;
+    return stated.plusMinus();
+}
 
 Text ordinalName(MeasureKind kind, int number) {
     switch (kind) {
@@ -100,9 +87,11 @@ Text ordinalName(MeasureKind kind, int number) {
         case MeasureKind::point:
             return phrase("Place %1", number);
         case MeasureKind::ball:
+            return phrase("Ball %1", number);
+        case MeasureKind::ellipse:
             break;
     }
-    return phrase("Ball %1", number);
+    return phrase("Ellipse %1", number);
 }
 
 Result<Measured> measured(const Measurement& measurement, const Volume& volume) {
@@ -117,9 +106,11 @@ Result<Measured> measured(const Measurement& measurement, const Volume& volume) 
         case MeasureKind::point:
             return pointOf(places[0], volume);
         case MeasureKind::ball:
+            return measuredBall(places, volume);
+        case MeasureKind::ellipse:
             break;
     }
-    return ballOf(places, volume);
+    return measuredEllipse(places, volume);
 }
 
 }  // namespace pdr::app

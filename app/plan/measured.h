@@ -15,20 +15,25 @@ struct Measured {
     std::optional<double> plusMinus;  ///< half of the 95 % interval, unrounded; none: a bound, typed places, the HU of
                                       ///< a single place, too few voxels
     measure::Bound bound = measure::Bound::none;
-    std::optional<measure::RegionStatistics> region;  ///< what is known of a ball
+    std::optional<measure::RegionStatistics> region;  ///< what is known of the voxels of a ball or an ellipse
+    std::optional<measure::Stated> area;              ///< area of an ellipse [mm^2]
     Text text;                                        ///< the value as lists and views show it: "42.3 ± 0.5 mm"
     Text details;                                     ///< sentences: what the ± consists of, and what else is known
 };
 
+/// Returns half of the 95 % interval of a value; none: it has no ±, or is a bound.
+std::optional<double> plusMinusOf(const measure::Stated& stated);
+
 /// Returns what `measurement`, which has the places of its kind, says of `volume`. Fails if the places do not measure
 /// anything: the ends of an angle's line are too close to each other, a place lies where the scanner measured nothing,
-/// a ball holds no voxel, or more than kMostBallVoxels.
+/// a
+/// region holds no voxel, or more than kMostRegionVoxels.
 Result<Measured> measured(const Measurement& measurement, const Volume& volume);
 
 /// Returns what a measurement without a name is called: "Distance 2". `number` counts those of its kind from 1.
 Text ordinalName(MeasureKind kind, int number);
 
 /// Most voxels whose statistics are computed, which takes 0.1 to 0.3 s: a ball of 9 cm across on 0.9 x 0.9 x 2.5 mm.
-inline constexpr double kMostBallVoxels = 200'000;
+inline constexpr double kMostRegionVoxels = 200'000;
 
 }  // namespace pdr::app

@@ -16,8 +16,9 @@ enum class MeasureKind {
     lines,     ///< between the line from the first place to the second, and that from the third to the fourth
     point,     ///< the HU at a place; its name is its label
     ball,      ///< the HU around the first place, as far as the second
+    ellipse,   ///< the HU in an ellipse on a slice: its middle, and the ends of its two half axes
 };
-inline constexpr std::size_t kMeasureKinds = 5;
+inline constexpr std::size_t kMeasureKinds = 6;
 
 /// Returns how many places a measurement of that kind has.
 constexpr std::size_t placesOf(MeasureKind kind) {
@@ -28,6 +29,7 @@ constexpr std::size_t placesOf(MeasureKind kind) {
         case MeasureKind::ball:
             return 2;
         case MeasureKind::angle:
+        case MeasureKind::ellipse:
             return 3;
         case MeasureKind::lines:
             break;
@@ -37,7 +39,22 @@ constexpr std::size_t placesOf(MeasureKind kind) {
 
 /// Returns whether places of that kind belong to the edge of a structure. The HU at an edge are those of neither side.
 constexpr bool isBetweenEdges(MeasureKind kind) {
-    return kind != MeasureKind::point && kind != MeasureKind::ball;
+    return kind != MeasureKind::point && kind != MeasureKind::ball && kind != MeasureKind::ellipse;
+}
+
+/// Returns whether the first place of that kind is the middle of a figure, which may reach beyond the scan.
+constexpr bool hasMiddle(MeasureKind kind) {
+    return kind == MeasureKind::ball || kind == MeasureKind::ellipse;
+}
+
+/// Returns whether a measurement of that kind lies in one slice, and is drawn there.
+constexpr bool isFlat(MeasureKind kind) {
+    return kind == MeasureKind::ellipse;
+}
+
+/// Returns whether a measurement of that kind holds voxels, whose statistics it states.
+constexpr bool isRegion(MeasureKind kind) {
+    return kind == MeasureKind::ball || isFlat(kind);
 }
 
 /// Most measurements of a plan, and the longest name of one [bytes]: plan files hold no more.

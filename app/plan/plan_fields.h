@@ -14,7 +14,8 @@ inline constexpr Words<app::MeasureKind, app::kMeasureKinds> kMeasureWords{{{"di
                                                                             {"angle", app::MeasureKind::angle},
                                                                             {"lines", app::MeasureKind::lines},
                                                                             {"point", app::MeasureKind::point},
-                                                                            {"ball", app::MeasureKind::ball}}};
+                                                                            {"ball", app::MeasureKind::ball},
+                                                                            {"ellipse", app::MeasureKind::ellipse}}};
 
 inline constexpr Words<measure::Found, 5> kFoundWords{{{"typed", measure::Found::typed},
                                                        {"onSlice", measure::Found::onSlice},
@@ -104,7 +105,8 @@ void describe(Visit& visit, Measurement& measurement) {
     visit.list(
         {"places",
          "two for a distance; three for an angle, which is at the second; four for two lines, both ends of each; "
-         "one for a point; two for a ball, its middle and a place on its surface",
+         "one for a point; two for a ball, its middle and a place on its surface; three for an ellipse, its middle and "
+         "the ends of two half axes",
          {},
          kRequired},
         measurement.places);

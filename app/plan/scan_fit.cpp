@@ -21,8 +21,9 @@ std::string mmText(double mm) {
     return text.str();
 }
 
+/// Returns how many of the first places must lie in the scan: of a ball or an ellipse, its middle.
 std::size_t placesInTheScan(const Measurement& measurement) {
-    return measurement.kind == MeasureKind::ball ? 1 : measurement.places.size();
+    return hasMiddle(measurement.kind) ? 1 : measurement.places.size();
 }
 
 }  // namespace

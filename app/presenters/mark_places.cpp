@@ -13,6 +13,13 @@ measure::Place placeOnSlice(const Volume& volume, const SlicePlane& plane, dvec3
     return search.edge ? measure::atEdge(clicked, *search.edge) : clicked;
 }
 
+measure::Place placeInPlane(const Volume& volume, const SlicePlane& plane, dvec3 placeMm, bool toEdge, dvec3 onPlaneMm,
+                            dvec3 normal) {
+    constexpr double kAlong = 1e-9;
+    const bool along = glm::length(glm::cross(plane.normal(), normal)) < kAlong;
+    return placeOnSlice(volume, plane, placeMm - glm::dot(placeMm - onPlaneMm, normal) * normal, toEdge && along);
+}
+
 measure::Place placeInImage(const Volume& volume, const PickedPlace& picked, bool toEdge) {
     const SeenLayer& layer = picked.layer;
     const measure::Place place = measure::pickedPlace(volume.geometry(), layer.placeMm, picked.direction,

@@ -10,6 +10,12 @@ namespace pdr::app {
 /// Returns the place of a click on a slice. `toEdge`: at the edge of a structure near it if there is one, in the slice.
 measure::Place placeOnSlice(const Volume& volume, const SlicePlane& plane, dvec3 placeMm, bool toEdge);
 
+/// Returns the place of a click on a slice for a measurement that lies in the plane through `onPlaneMm` with the unit
+/// normal `normal`: where it meets that plane when seen along the normal. It goes to no edge unless the slice lies
+/// along the plane.
+measure::Place placeInPlane(const Volume& volume, const SlicePlane& plane, dvec3 placeMm, bool toEdge, dvec3 onPlaneMm,
+                            dvec3 normal);
+
 /// Returns the place of a click on the image. `toEdge`: at the edge of a structure near it if there is one, where the
 /// ray under the pointer meets it.
 measure::Place placeInImage(const Volume& volume, const PickedPlace& picked, bool toEdge);

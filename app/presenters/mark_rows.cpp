@@ -13,6 +13,8 @@ ui::MarkShape shapeOf(MeasureKind kind) {
             return ui::MarkShape::lines;
         case MeasureKind::ball:
             return ui::MarkShape::ball;
+        case MeasureKind::ellipse:
+            return ui::MarkShape::ellipse;
         default:
             return ui::MarkShape::path;
     }
@@ -44,7 +46,7 @@ void MarkRows::make(const std::vector<Measurement>& measurements, const Volume& 
     std::array<int, kMeasureKinds> numbers{};
     for (const Measurement& measurement : measurements) {
         const int number = ++numbers[std::size_t(measurement.kind)];
-        const bool waits = measurement.id == moving && measurement.kind == MeasureKind::ball;
+        const bool waits = measurement.id == moving && isRegion(measurement.kind);
         const Known known = waits ? Known{measurement, QString::fromUtf8("…"), {}} : knownOf(measurement, volume);
         const QString name = measurement.name.empty() ? ui::inWords(ordinalName(measurement.kind, number))
                                                       : QString::fromStdString(measurement.name);

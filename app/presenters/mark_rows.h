@@ -1,6 +1,6 @@
 #pragma once
 /// The measurements of a plan as the list and the views show them. Values are computed once for each measurement as it
-/// is: those of a large ball take a while.
+/// is: those of a large region take a while.
 
 #include <map>
 
@@ -17,7 +17,7 @@ ui::MarkShape shapeOf(MeasureKind kind);
 class MarkRows {
   public:
     /// Makes rows and marks of `measurements` in `volume`. `selected`: id of the one that is chosen. `moving`: id of
-    /// the one whose place is being dragged, 0 for none; the mean of a ball comes when it rests.
+    /// the one whose place is being dragged, 0 for none; the statistics of a region come when it rests.
     void make(const std::vector<Measurement>& measurements, const Volume& volume, std::uint64_t selected,
               std::uint64_t moving);
     /// Forgets all, since there is another volume, or none.

@@ -29,6 +29,9 @@ std::vector<Tool> tools() {
          Texts::tr("Click a place, and type what it is. The list shows its HU.")},
         {MeasureKind::ball, "ball", Qt::Key_O, Texts::tr("Mean in a ball"), Texts::tr("Ball"),
          Texts::tr("Click the middle of a ball, then a place on its surface: the mean of the HU inside.")},
+        {MeasureKind::ellipse, "ellipse", Qt::SHIFT | Qt::Key_O, Texts::tr("Mean in an ellipse"), Texts::tr("Ellipse"),
+         Texts::tr("Click the middle of an ellipse on a slice, the end of one half axis, then how far the other "
+                   "reaches: the mean of the HU inside, and the area.")},
     };
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/plan/scan_fit.h"
+#include "app/plan/slice_region.h"
 #include "app/presenters/crosshair_presenter.h"
 #include "app/presenters/mark_places.h"
 #include "app/presenters/slices_presenter.h"
@@ -44,7 +45,7 @@ MarksPresenter::MarksPresenter(const Workspace& workspace, SlicesPresenter& slic
         connectLayer(plane);
     connect(&inImage(), &ui::MarksLayer::drawingCancelled, this, [this] { draw(std::nullopt); });
     connect(&crosshair.picks(), &ImagePick::picked, this, [this](const PickedPlace& picked) {
-        if (drawing_)
+        if (drawing_ && !isFlat(*drawing_))
             place(placeInImage(*document().seen(), picked, isBetweenEdges(*drawing_) && !picked.free));
     });
     connectPanel();
@@ -55,8 +56,8 @@ void MarksPresenter::connectLayer(AnatomicalPlane plane) {
     ui::MarksLayer& layer = layers_[std::size_t(plane)];
     view.tools().add(layer);
     connect(&layer, &ui::MarksLayer::placed, this, [this, &view](dvec3 placeMm, bool free) {
-        if (drawing_ && view.slice() && liesIn(document().seen()->geometry(), placeMm))
-            place(placeOnSlice(*document().seen(), view.slice()->plane, placeMm, isBetweenEdges(*drawing_) && !free));
+        if (view.slice())
+            placeOn(view.slice()->plane, placeMm, free);
     });
     connect(&layer, &ui::MarksLayer::dragged, this,
             [this, &view](std::uint64_t id, int index, dvec3 placeMm, bool free, bool moving) {
@@ -91,6 +92,20 @@ void MarksPresenter::draw(std::optional<MeasureKind> kind) {
     showDrawn();
 }
 
+/// Sets the next place where a slice was clicked. What is flat stays in the plane of its first place, wherever the
+/// slices have gone since.
+void MarksPresenter::placeOn(const SlicePlane& plane, dvec3 placeMm, bool free) {
+    if (!drawing_ || !liesIn(document().seen()->geometry(), placeMm))
+        return;
+    if (drawn_.empty())
+        drawnNormal_ = plane.normal();
+    const bool toEdge = isBetweenEdges(*drawing_) && !free;
+    if (isFlat(*drawing_) && !drawn_.empty())
+        place(placeInPlane(*document().seen(), plane, placeMm, toEdge, drawn_[0].mm, drawnNormal_));
+    else
+        place(placeOnSlice(*document().seen(), plane, placeMm, toEdge));
+}
+
 void MarksPresenter::showDrawn() {
     std::vector<dvec3> places;
     for (const measure::Place& place : drawn_)
@@ -107,6 +122,7 @@ void MarksPresenter::place(const measure::Place& place) {
     if (drawn_.size() < placesOf(*drawing_))
         return showDrawn();
     Measurement measurement{newId(), *drawing_, {}, std::exchange(drawn_, {})};
+    settle(measurement);
     draw(std::nullopt);
     add(std::move(measurement));
 }
@@ -139,10 +155,10 @@ void MarksPresenter::drag(const SlicePlane& plane, std::uint64_t id, int index, 
     if (measurement == plan.measurements.end() || !liesIn(document().seen()->geometry(), placeMm))
         return;
     const bool toEdge = isBetweenEdges(measurement->kind) && !free && !moving;
-    const dvec3 before = measurement->places[std::size_t(index)].mm;
-    measurement->places[std::size_t(index)] = placeOnSlice(*document().seen(), plane, placeMm, toEdge);
-    if (measurement->kind == MeasureKind::ball && index == 0)  // the ball goes with its middle
-        measurement->places[1].mm += measurement->places[0].mm - before;
+    const auto normal = isFlat(measurement->kind) ? normalOf(measurement->places) : std::nullopt;
+    movePlace(*measurement, std::size_t(index),
+              normal ? placeInPlane(*document().seen(), plane, placeMm, toEdge, measurement->places[0].mm, *normal)
+                     : placeOnSlice(*document().seen(), plane, placeMm, toEdge));
     moving_ = moving ? id : 0;
     document().edit(std::move(plan), Changes::measurements, moving);
     if (!moving)

@@ -36,6 +36,7 @@ class MarksPresenter : public Presenter {
     void connectLayer(AnatomicalPlane plane);
     void connectPanel();
     void draw(std::optional<MeasureKind> kind);
+    void placeOn(const SlicePlane& plane, dvec3 placeMm, bool free);
     void place(const measure::Place& place);
     void drag(const SlicePlane& plane, std::uint64_t id, int index, dvec3 placeMm, bool free, bool moving);
     void add(Measurement measurement);
@@ -54,6 +55,7 @@ class MarksPresenter : public Presenter {
     MarkRows rows_;
     std::optional<MeasureKind> drawing_;  ///< what is being drawn; none: nothing
     std::vector<measure::Place> drawn_;   ///< the places that it has so far
+    dvec3 drawnNormal_{0};                ///< unit normal of the slice on which the first of them lies
     std::uint64_t selected_ = 0;          ///< 0: none
     std::uint64_t moving_ = 0;            ///< whose place is being dragged; 0: none
 };

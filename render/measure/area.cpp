@@ -1,6 +1,7 @@
 #include "render/measure/area.h"
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace pdr::measure {
@@ -27,6 +28,13 @@ bool crossesItself(std::span<const Place> corners, dvec3 normal) {
     return false;
 }
 
+/// Returns the area, or a bound where it is not known well enough to be told from nothing.
+Stated orAtMost(const Stated& area) {
+    if (area.value * kSigmas95 < kSmallestSigmas * area.plusMinus())
+        return asAtMost(area, area.value + area.plusMinus(), Limit::spread);
+    return area;
+}
+
 }  // namespace
 
 Result<Stated> polygonArea(std::span<const Place> corners, dvec3 normal) {
@@ -44,10 +52,22 @@ Result<Stated> polygonArea(std::span<const Place> corners, dvec3 normal) {
         twice += glm::dot(normal, glm::cross(here, after));
         gradients[n] = 0.5 * glm::cross(after - before, normal);
     }
-    const Stated stated = propagated(std::abs(twice) / 2, corners, gradients, 0, INFINITY);
-    if (stated.value * kSigmas95 < kSmallestSigmas * stated.plusMinus())
-        return asAtMost(stated, stated.value + stated.plusMinus(), Limit::spread);
-    return stated;
+    return orAtMost(propagated(std::abs(twice) / 2, corners, gradients, 0, INFINITY));
+}
+
+/// The area is pi |u x v| for vectors u and v from the middle to the other two places, whether or not they are
+/// perpendicular: only the part of v across u counts.
+Result<Stated> ellipseArea(const Place& middle, const Place& end, const Place& other) {
+    const dvec3 u = end.mm - middle.mm, v = other.mm - middle.mm, across = glm::cross(u, v);
+    if (across == dvec3(0))
+        return Error{phrase("an ellipse has two half axes"), "", phrase("Move an end of one of them."),
+                     ErrorKind::refused};
+    const double parallelogram = glm::length(across);
+    const dvec3 normal = across / parallelogram;
+    const dvec3 byEnd = std::numbers::pi * glm::cross(v, normal), byOther = std::numbers::pi * glm::cross(normal, u);
+    const Place places[]{middle, end, other};
+    const dvec3 gradients[]{-byEnd - byOther, byEnd, byOther};
+    return orAtMost(propagated(std::numbers::pi * parallelogram, places, gradients, 0, INFINITY));
 }
 
 }  // namespace pdr::measure

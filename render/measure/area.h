@@ -1,5 +1,5 @@
 #pragma once
-/// The area of a polygon in a plane [mm^2].
+/// The areas of polygons and ellipses in a plane [mm^2].
 
 #include "render/base/result.h"
 #include "render/measure/stated.h"
@@ -10,5 +10,9 @@ namespace pdr::measure {
 /// It is "at most" where it is less than three standard deviations. Fails for fewer than three corners, and where the
 /// outline crosses itself, since an area that counts some parts against others measures nothing.
 Result<Stated> polygonArea(std::span<const Place> corners, dvec3 normal);
+
+/// Returns the area of the ellipse about `middle` through `end` of one half axis, whose other half axis reaches as far
+/// from the first as `other`. It is "at most" by the rule of polygonArea(). Fails if the three lie on one line.
+Result<Stated> ellipseArea(const Place& middle, const Place& end, const Place& other);
 
 }  // namespace pdr::measure

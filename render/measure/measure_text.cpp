@@ -108,9 +108,9 @@ Text meanText(const RegionStatistics& statistics) {
 }
 
 Text regionText(const RegionStatistics& statistics) {
-    Text text =
-        phrase("SD %1 HU, %2 to %3 HU, %4 voxels, %5 ml.", number(statistics.sdHu, 0), number(statistics.lowestHu, 0),
-               number(statistics.highestHu, 0), statistics.count, fixedNumber(statistics.millilitres, 2));
+    Text text = phrase("SD %1 HU, median %2 HU, %3 to %4 HU, %5 voxels, %6 ml.", number(statistics.sdHu, 0),
+                       number(statistics.medianHu, 0), number(statistics.lowestHu, 0), number(statistics.highestHu, 0),
+                       statistics.count, fixedNumber(statistics.millilitres, 2));
     if (statistics.padding > 0)
         text = joined(text, phrase("The scanner measured nothing in %1 more.", statistics.padding));
     if (statistics.cut)

@@ -30,8 +30,8 @@ Text causesText(const Stated& stated);
 /// Returns a mean with its ±: "55 ± 11 HU", or "55 HU, too few voxels for a ±".
 Text meanText(const RegionStatistics& statistics);
 
-/// Returns what else is known of a region: its SD and extremes, voxels and volume, what was left out, and what its ±
-/// is.
+/// Returns what else is known of a region: its SD, median and extremes, voxels and volume, what was left out, and what
+/// its ± is.
 Text regionText(const RegionStatistics& statistics);
 
 }  // namespace pdr::measure

@@ -9,23 +9,21 @@
 namespace pdr::measure {
 namespace {
 
+/// What rounding may leave of a distance, in voxels or layers of them.
+constexpr double kRounding = 1e-9;
+
 /// A shape as the voxels see it.
 struct Inside {
     std::function<bool(dvec3)> contains;  ///< whether a place [mm] is inside
     std::function<std::pair<double, double>(dvec3)>
-        extent;  ///< lowest and highest dot product of its places with a vector
+        extent;          ///< lowest and highest dot product of its places with a vector
+    dvec3 halfLayer{0};  ///< reach of a plane's layer of voxels to either side; 0: no plane [mm]
 };
 
-/// Returns the thickness of the layer of voxels along a plane: every voxel lies in one of such layers side by side.
-double layerMm(const VolumeGeometry& geometry, dvec3 normal) {
-    const dmat3 step(geometry.patientFromIndex);
-    return std::abs(glm::dot(normal, step[0])) + std::abs(glm::dot(normal, step[1])) +
-           std::abs(glm::dot(normal, step[2]));
-}
-
-/// Returns whether a place lies in the layer about the plane through `origin`; of two layers side by side, in one.
+/// Returns whether a place lies in the layer about the plane through `origin`; of two layers side by side, in one. A
+/// plane halfway between two takes the one against its normal, whole: rounding must not mix them.
 bool inLayer(dvec3 mm, dvec3 origin, dvec3 normal, double thickness) {
-    const double layer = std::floor(glm::dot(mm - origin, normal) / thickness + 0.5);
+    const double layer = std::floor(glm::dot(mm - origin, normal) / thickness + 0.5 + kRounding);
     return layer == 0;
 }
 
@@ -49,9 +47,9 @@ Inside insideOf(const PlaneEllipse& ellipse, const VolumeGeometry& geometry) {
             },
             [=](dvec3 v) {
                 return about(glm::dot(v, ellipse.centre),
-                             std::hypot(glm::dot(v, ellipse.halfU), glm::dot(v, ellipse.halfV)) +
-                                 std::abs(glm::dot(v, normal)) * thickness / 2);
-            }};
+                             std::hypot(glm::dot(v, ellipse.halfU), glm::dot(v, ellipse.halfV)));
+            },
+            normal * (thickness / 2)};
 }
 
 /// Returns whether a line from a place in the plane crosses the outline an odd number of times.
@@ -80,12 +78,18 @@ Inside insideOf(const PlanePolygon& polygon, const VolumeGeometry& geometry) {
             std::pair<double, double> extent{INFINITY, -INFINITY};
             for (const dvec3 corner : polygon.corners)
                 extent = {std::min(extent.first, glm::dot(v, corner)), std::max(extent.second, glm::dot(v, corner))};
-            const double half = std::abs(glm::dot(v, polygon.normal)) * thickness / 2;
-            return std::pair(extent.first - half, extent.second + half);
-        }};
+            return extent;
+        },
+        polygon.normal * (thickness / 2)};
 }
 
 }  // namespace
+
+double layerMm(const VolumeGeometry& geometry, dvec3 normal) {
+    const dmat3 step(geometry.patientFromIndex);
+    return std::abs(glm::dot(normal, step[0])) + std::abs(glm::dot(normal, step[1])) +
+           std::abs(glm::dot(normal, step[2]));
+}
 
 MeasuredVoxels voxelsIn(const Volume& volume, const MeasuredShape& shape) {
     const GridPlace grid(volume.geometry());
@@ -95,10 +99,11 @@ MeasuredVoxels voxelsIn(const Volume& volume, const MeasuredShape& shape) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto [low, high] = inside.extent(dvec3(rows[axis]));
         const double last = grid.size[axis] - 1, from = low + rows[axis].w, to = high + rows[axis].w;
-        found.cut |= from < -0.5 || to > last + 0.5;
+        found.cut |= from < -0.5 - kRounding || to > last + 0.5 + kRounding;
         // Half a voxel more, so that rounding loses no centre on the border.
-        found.low[axis] = int(std::clamp(std::ceil(from - 0.5), 0.0, last));
-        found.high[axis] = int(std::clamp(std::floor(to + 0.5), 0.0, last));
+        const double more = std::abs(glm::dot(dvec3(rows[axis]), inside.halfLayer)) + 0.5;
+        found.low[axis] = int(std::clamp(std::ceil(from - more), 0.0, last));
+        found.high[axis] = int(std::clamp(std::floor(to + more), 0.0, last));
     }
     for (int k = found.low.z; k <= found.high.z; ++k)
         for (int j = found.low.y; j <= found.high.y; ++j)

@@ -15,4 +15,8 @@ struct MeasuredVoxels {
 
 MeasuredVoxels voxelsIn(const Volume& volume, const MeasuredShape& shape);
 
+/// Returns the thickness of the layer of voxels along a plane with the unit normal `normal` [mm]: every voxel lies in
+/// one of such layers side by side.
+double layerMm(const VolumeGeometry& geometry, dvec3 normal);
+
 }  // namespace pdr::measure

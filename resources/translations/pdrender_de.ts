@@ -986,6 +986,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Darstellung</translation>
     </message>
     <message>
+        <source>Area %1.</source>
+        <translation>Fläche %1.</translation>
+    </message>
+    <message>
         <source>Arrow keys move the chosen lamp, Page up and Page down choose another, Shift and arrow keys turn all.</source>
         <translation>Pfeiltasten bewegen die gewählte Lampe, Bild auf und Bild ab wählen eine andere, Umschalt und Pfeiltasten drehen alle.</translation>
     </message>
@@ -1326,6 +1330,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Die Mitte einer Kugel anklicken, dann einen Punkt auf ihrer Oberfläche: der Mittelwert der HU darin.</translation>
     </message>
     <message>
+        <source>Click the middle of an ellipse on a slice, the end of one half axis, then how far the other reaches: the mean of the HU inside, and the area.</source>
+        <translation>Auf einer Schicht die Mitte einer Ellipse anklicken, das Ende einer Halbachse, dann wie weit die andere reicht: der Mittelwert der HU darin und die Fläche.</translation>
+    </message>
+    <message>
         <source>Click three places of a slice or of the image: the angle at the second.</source>
         <translation>Drei Punkte einer Schicht oder des Bildes anklicken: der Winkel am zweiten.</translation>
     </message>
@@ -1644,6 +1652,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Efficiency: the part of its time that went into samples</source>
         <translation>Effizienz: der Teil seiner Zeit, der in Abtastungen floss</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Ellipse %1</source>
+        <translation>Ellipse Nr. %1</translation>
     </message>
     <message>
         <source>Encrypted, and each side proves who it is, by the certificates in %1</source>
@@ -2318,6 +2334,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Mittelwert in einer Kugel</translation>
     </message>
     <message>
+        <source>Mean in an ellipse</source>
+        <translation>Mittelwert in einer Ellipse</translation>
+    </message>
+    <message>
         <source>Measure at least 5 sizes with 3 numbers of iterations.</source>
         <translation>Mindestens 5 Größen mit 3 Anzahlen von Durchgängen messen.</translation>
     </message>
@@ -2384,6 +2404,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Mouse at rest</source>
         <translation>Ruhende Maus</translation>
+    </message>
+    <message>
+        <source>Move an end of one of them.</source>
+        <translation>Verschieben Sie ein Ende einer der beiden.</translation>
     </message>
     <message>
         <source>Move it into the scan.</source>
@@ -3138,8 +3162,8 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Rauheit</translation>
     </message>
     <message>
-        <source>SD %1 HU, %2 to %3 HU, %4 voxels, %5 ml.</source>
-        <translation>SD %1 HU, %2 bis %3 HU, %4 Voxel, %5 ml.</translation>
+        <source>SD %1 HU, median %2 HU, %3 to %4 HU, %5 voxels, %6 ml.</source>
+        <translation>SD %1 HU, Median %2 HU, %3 bis %4 HU, %5 Voxel, %6 ml.</translation>
     </message>
     <message>
         <source>Sa&amp;ve plan...</source>
@@ -4278,6 +4302,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>an earlier coding</source>
         <translation>eine frühere Kodierung</translation>
+    </message>
+    <message>
+        <source>an ellipse has two half axes</source>
+        <translation>eine Ellipse hat zwei Halbachsen</translation>
     </message>
     <message>
         <source>an image of %1 x %2 pixels needs %3 of memory, %4 are free</source>
@@ -6084,10 +6112,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>dünne Strukturen können weiter abweichen</translation>
     </message>
     <message>
-        <source>this ball holds more than %1 voxels</source>
-        <translation>diese Kugel enthält mehr als %1 Voxel</translation>
-    </message>
-    <message>
         <source>this body is no wider than a head</source>
         <translation>dieser Körper ist nicht breiter als ein Kopf</translation>
     </message>
@@ -6198,6 +6222,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>this program was built without CUDA</source>
         <translation>dieses Programm wurde ohne CUDA gebaut</translation>
+    </message>
+    <message>
+        <source>this region holds more than %1 voxels</source>
+        <translation>dieser Bereich enthält mehr als %1 Voxel</translation>
     </message>
     <message>
         <source>this render node is named already</source>

@@ -986,6 +986,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Aspecto</translation>
     </message>
     <message>
+        <source>Area %1.</source>
+        <translation>Área %1.</translation>
+    </message>
+    <message>
         <source>Arrow keys move the chosen lamp, Page up and Page down choose another, Shift and arrow keys turn all.</source>
         <translation>Las flechas mueven la lámpara elegida, Re Pág y Av Pág eligen otra, Mayús y flechas giran todas.</translation>
     </message>
@@ -1326,6 +1330,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Haga clic en el centro de una esfera y luego en un punto de su superficie: la media de las UH de dentro.</translation>
     </message>
     <message>
+        <source>Click the middle of an ellipse on a slice, the end of one half axis, then how far the other reaches: the mean of the HU inside, and the area.</source>
+        <translation>Haga clic en un corte en el centro de una elipse, en el extremo de un semieje y luego hasta donde llega el otro: la media de las UH de dentro y el área.</translation>
+    </message>
+    <message>
         <source>Click three places of a slice or of the image: the angle at the second.</source>
         <translation>Haga clic en tres puntos de un corte o de la imagen: el ángulo en el segundo.</translation>
     </message>
@@ -1644,6 +1652,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Efficiency: the part of its time that went into samples</source>
         <translation>Eficiencia: la parte de su tiempo que se dedicó a muestras</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Elipse</translation>
+    </message>
+    <message>
+        <source>Ellipse %1</source>
+        <translation>Elipse %1</translation>
     </message>
     <message>
         <source>Encrypted, and each side proves who it is, by the certificates in %1</source>
@@ -2318,6 +2334,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Media en una esfera</translation>
     </message>
     <message>
+        <source>Mean in an ellipse</source>
+        <translation>Media en una elipse</translation>
+    </message>
+    <message>
         <source>Measure at least 5 sizes with 3 numbers of iterations.</source>
         <translation>Mida al menos 5 tamaños con 3 números de iteraciones.</translation>
     </message>
@@ -2384,6 +2404,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Mouse at rest</source>
         <translation>Ratón en reposo</translation>
+    </message>
+    <message>
+        <source>Move an end of one of them.</source>
+        <translation>Mueva un extremo de uno de ellos.</translation>
     </message>
     <message>
         <source>Move it into the scan.</source>
@@ -3138,8 +3162,8 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Rugosidad</translation>
     </message>
     <message>
-        <source>SD %1 HU, %2 to %3 HU, %4 voxels, %5 ml.</source>
-        <translation>DE %1 UH, de %2 a %3 UH, %4 vóxeles, %5 ml.</translation>
+        <source>SD %1 HU, median %2 HU, %3 to %4 HU, %5 voxels, %6 ml.</source>
+        <translation>DE %1 UH, mediana %2 UH, de %3 a %4 UH, %5 vóxeles, %6 ml.</translation>
     </message>
     <message>
         <source>Sa&amp;ve plan...</source>
@@ -4278,6 +4302,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>an earlier coding</source>
         <translation>una codificación anterior</translation>
+    </message>
+    <message>
+        <source>an ellipse has two half axes</source>
+        <translation>una elipse tiene dos semiejes</translation>
     </message>
     <message>
         <source>an image of %1 x %2 pixels needs %3 of memory, %4 are free</source>
@@ -6084,10 +6112,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>las estructuras finas pueden desviarse más</translation>
     </message>
     <message>
-        <source>this ball holds more than %1 voxels</source>
-        <translation>esta esfera contiene más de %1 vóxeles</translation>
-    </message>
-    <message>
         <source>this body is no wider than a head</source>
         <translation>este cuerpo no es más ancho que una cabeza</translation>
     </message>
@@ -6198,6 +6222,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>this program was built without CUDA</source>
         <translation>este programa se compiló sin CUDA</translation>
+    </message>
+    <message>
+        <source>this region holds more than %1 voxels</source>
+        <translation>esta región contiene más de %1 vóxeles</translation>
     </message>
     <message>
         <source>this render node is named already</source>

@@ -1,5 +1,6 @@
 #include "ui/measure/mark_curves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,13 +14,23 @@ MarkCurve straight(dvec3 from, dvec3 to) {
     return curve;
 }
 
-MarkCurve circle(dvec3 centre, double radius, const Camera& camera) {
+/// Returns the ellipse with these half axes, which are perpendicular.
+MarkCurve ellipse(dvec3 centre, dvec3 u, dvec3 v) {
     MarkCurve curve;
     for (int i = 0; i <= kCurveParts; ++i) {
         const double turn = 2 * std::numbers::pi * i / kCurveParts;
-        curve.push_back(centre + radius * (std::cos(turn) * camera.right() + std::sin(turn) * camera.imageUp()));
+        curve.push_back(centre + std::cos(turn) * u + std::sin(turn) * v);
     }
     return curve;
+}
+
+MarkCurve circle(dvec3 centre, double radius, const Camera& camera) {
+    return ellipse(centre, radius * camera.right(), radius * camera.imageUp());
+}
+
+MarkCurve ellipseThrough(dvec3 centre, dvec3 end, dvec3 aside) {
+    const dvec3 u = end - centre, v = aside - centre;
+    return ellipse(centre, u, v - glm::dot(u, v) / std::max(glm::dot(u, u), 1e-300) * u);
 }
 
 std::vector<MarkCurve> ballCurves(dvec3 centre, double radius, const Camera& camera, bool slice) {
@@ -39,6 +50,8 @@ std::vector<MarkCurve> curvesOf(const ShownMark& mark, const Camera& camera, boo
         return {};
     if (mark.shape == MarkShape::ball)
         return ballCurves(places[0], glm::distance(places[0], places[1]), camera, slice);
+    if (mark.shape == MarkShape::ellipse && places.size() == 3)
+        return {ellipseThrough(places[0], places[1], places[2])};
     std::vector<MarkCurve> curves;
     const std::size_t step = mark.shape == MarkShape::lines ? 2 : 1;
     for (std::size_t i = 0; i + 1 < places.size(); i += step)

@@ -11,9 +11,10 @@ namespace pdr::ui {
 
 /// What is drawn between the places of a mark.
 enum class MarkShape {
-    path,   ///< lines from each place to the next; nothing at a single one
-    lines,  ///< a line from every other place to the next
-    ball,   ///< a ball about the first place that reaches as far as the second
+    path,     ///< lines from each place to the next; nothing at a single one
+    lines,    ///< a line from every other place to the next
+    ball,     ///< a ball about the first place that reaches as far as the second
+    ellipse,  ///< an ellipse about the first place through the second, which reaches as far aside as the third
 };
 
 struct ShownMark {

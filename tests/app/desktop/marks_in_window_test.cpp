@@ -7,6 +7,7 @@
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "app/plan/measured.h"
 #include "app/presenters/marks_presenter.h"
@@ -133,6 +134,35 @@ class MarksInWindowTest : public QObject {
         QVERIFY(glm::distance(moved.places[0].mm, centre_ + dvec3(0, 1, 0)) < 0.5);
         document().undo();
         document().undo();
+    }
+
+    /// It stays in the slice of its first click, and its axes stay perpendicular.
+    void anEllipseSaysTheMeanInItsSlice() {
+        const std::size_t before = measurements().size();
+        QTest::keyClick(&trial_->desktop.window(), Qt::Key_O, Qt::ShiftModifier);
+        click(centre_);
+        click(centre_ + dvec3(6, 0, 0));
+        showAxialAt(centre_ + dvec3(0, 0, 4));
+        click(centre_ + dvec3(3, 9, 0));
+        showAxialAt(centre_);
+        QCOMPARE(measurements().size(), before + 1);
+        const Measurement& drawn = measurements().back();
+        QCOMPARE(drawn.kind, MeasureKind::ellipse);
+        for (const measure::Place& place : drawn.places)
+            QVERIFY(std::abs(place.mm.z - centre_.z) < 1e-9 && !isAtEdge(place));
+        const dvec3 u = drawn.places[1].mm - drawn.places[0].mm, v = drawn.places[2].mm - drawn.places[0].mm;
+        QVERIFY(std::abs(glm::dot(u, v)) < 1e-9 && std::abs(glm::length(v) - 9) < 0.5);
+        const auto value = measured(drawn, *document().seen());
+        QVERIFY(value && std::abs(value->value - 1000) < 2);
+        QVERIFY(std::abs(double(value->region->count) - 54 * std::numbers::pi) < 20);
+        QVERIFY(shown(int(before), 1).contains("HU"));
+        drag(drawn.places[0].mm, centre_ + dvec3(0, 5, 0));
+        QVERIFY(std::abs(glm::distance(measurements().back().places[0].mm, measurements().back().places[2].mm) -
+                         glm::length(v)) < 1e-9);
+        QCOMPARE(document().undoText(), Text("Undo changing a measurement"));
+        document().undo();
+        while (measurements().size() > before)
+            document().undo();
     }
 
     /// What a label says is typed at once; its HU are in the list. Two steps: it was marked, and named.
@@ -278,6 +308,10 @@ class MarksInWindowTest : public QObject {
         for (const double share : {0.5, 1.0})
             QTest::mouseMove(&axial(), pointOf(glm::mix(fromMm, toMm, share)));
         QTest::mouseRelease(&axial(), Qt::LeftButton, {}, pointOf(toMm));
+    }
+    void showAxialAt(dvec3 placeMm) {
+        document().moveCrosshair(placeMm);
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(axial().slice()->plane.depthMm(placeMm)) < 0.1, test::kPatience);
     }
     /// Clicks on the axial slice where `placeMm` is seen.
     void click(dvec3 placeMm, Qt::KeyboardModifiers modifiers = {}) {

@@ -106,8 +106,15 @@ class MarksFileTest : public QObject {
                 QVERIFY(std::abs(value.toDouble() - row.value->value) <= 0.5001e-4);
             if (!plusMinus.isEmpty())
                 QVERIFY(std::abs(plusMinus.toDouble() - *row.value->plusMinus) <= 0.5001e-4);
-            const bool isBall = row.value && row.value->region;
-            QCOMPARE(record[column("voxels")], isBall ? QString::number(row.value->region->count) : "");
+            const bool isRegion = row.value && row.value->region;
+            QCOMPARE(record[column("voxels")], isRegion ? QString::number(row.value->region->count) : "");
+            QCOMPARE(record[column("median_hu")].isEmpty(), !isRegion);
+            if (isRegion)
+                QVERIFY(std::abs(record[column("mean_hu")].toDouble() - row.value->region->meanHu) <= 0.5001e-4);
+            const bool hasArea = row.value && row.value->area;
+            QCOMPARE(record[column("area_mm2")].isEmpty(), !hasArea);
+            if (hasArea)
+                QVERIFY(std::abs(record[column("area_mm2")].toDouble() - row.value->area->value) <= 0.5001e-4);
             for (std::size_t place = 0; place < kMostPlaces; ++place) {
                 const QString number = QString::number(place + 1);
                 const QString x = record[column("x_mm_lps_" + number)];
@@ -163,9 +170,15 @@ class MarksFileTest : public QObject {
         }
         for (const MarkRow& row : kRows)
             for (const measure::Place& place : row.places)
-                expected.push_back(place.mm);
+                if (row.kind != MeasureKind::ellipse)
+                    expected.push_back(place.mm);
+        const auto around = positions.begin() + std::ptrdiff_t(expected.size()) - 2;  // the last ball is behind it
+        for (auto at = around; at != positions.end() - 2; ++at)
+            QVERIFY(std::abs(at->x * at->x / 81 + at->y * at->y / 36 - 1) < 1e-9 && at->z == 4);
+        QVERIFY(*around == dvec3(9, 0, 4));
+        positions.erase(around, positions.end() - 2);
         QVERIFY(positions == expected);
-        QCOMPARE(types.join(' '), "Line Line Line Angle Angle Line Line Fiducial Fiducial Fiducial");
+        QCOMPARE(types.join(' '), "Line Line Line Angle Angle Line Line Fiducial Fiducial ClosedCurve Fiducial");
         QCOMPARE(markups[0]["name"].toString(), "Distance 1");
         QCOMPARE(markups[6]["name"].toString(), "Two lines 1 (2)");
     }

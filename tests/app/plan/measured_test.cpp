@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "app/plan/measured.h"
+#include "app/plan/slice_region.h"
 #include "tests/support/scenes/scenes.h"
 
 namespace pdr::app {
@@ -50,7 +51,9 @@ class MeasuredTest : public QObject {
         QCOMPARE(placesOf(MeasureKind::ball), std::size_t(2));
         QCOMPARE(placesOf(MeasureKind::angle), std::size_t(3));
         QCOMPARE(placesOf(MeasureKind::lines), std::size_t(4));
+        QCOMPARE(placesOf(MeasureKind::ellipse), std::size_t(3));
         QVERIFY(!isBetweenEdges(MeasureKind::point) && !isBetweenEdges(MeasureKind::ball));
+        QVERIFY(!isBetweenEdges(MeasureKind::ellipse) && isFlat(MeasureKind::ellipse) && !isFlat(MeasureKind::ball));
     }
 
     void aDistanceIsStatedWithItsPlusMinus() {
@@ -146,6 +149,78 @@ class MeasuredTest : public QObject {
         QVERIFY(!none && !none.error().hint.empty());
         const auto huge = measured(measurementOf(MeasureKind::ball, {voxel, voxel + dvec3(1000, 0, 0)}), *volume);
         QVERIFY(!huge && said(huge.error().what).contains("200000"));
+    }
+
+    /// Counted by the distances to both foci, in the slice that is nearest.
+    void anEllipseHoldsTheVoxelsOfItsSlice() {
+        const auto volume = ramp();
+        const dvec3 middle = voxelMm(*volume, {18, 20, 10.4}), focus(std::sqrt(81.0 - 25), 0, 0);
+        const auto found = measured(
+            measurementOf(MeasureKind::ellipse, {middle, middle + dvec3(9, 0, 0), middle + dvec3(4, -5, 0)}, 0.1),
+            *volume);
+        QVERIFY(found && found->region && found->area && found->unit == measure::Unit::hu);
+        std::size_t inside = 0;
+        for (int j = 0; j < 40; ++j)
+            for (int i = 0; i < 40; ++i) {
+                const dvec3 mm = voxelMm(*volume, {i, j, 10.4});
+                inside += glm::distance(mm, middle - focus) + glm::distance(mm, middle + focus) <= 18 + 1e-9;
+            }
+        QCOMPARE(found->region->count, inside);
+        QVERIFY(!found->region->cut && std::abs(found->value + 20) < 1e-9);
+        QVERIFY(found->plusMinus == found->region->meanPlusMinus && found->plusMinus > 0);
+        QVERIFY(std::abs(found->area->value - 45 * std::numbers::pi) < 1e-9);
+        QVERIFY2(said(found->details).startsWith("Area 141"), found->details.c_str());
+        QVERIFY2(said(found->details).contains(QString("median -20 HU, -110 to 70 HU, %1 voxels").arg(inside)),
+                 found->details.c_str());
+    }
+
+    /// Whichever way round it was drawn, of two slices as near it takes the same one.
+    void anEllipseBetweenTwoSlicesTakesOneOfThem() {
+        const auto volume =
+            test::makeVolume({40, 40, 20}, dvec3(1, 1, 2), [](int, int, int k) { return k == 10 ? 0 : 100; });
+        const dvec3 middle = voxelMm(*volume, {18, 20, 10.5}), right(6, 0, 0), down(0, 6, 0);
+        for (const dvec3& other : {down, -down}) {
+            const auto found =
+                measured(measurementOf(MeasureKind::ellipse, {middle, middle + right, middle + other}), *volume);
+            QVERIFY(found && found->value == 0 && found->region->sdHu == 0);
+        }
+    }
+
+    void anEllipseWithoutAPlaneOrOutsideIsRefused() {
+        const auto volume = ramp();
+        const dvec3 voxel = voxelMm(*volume, {20, 20, 10});
+        const auto at = [&](dvec3 a, dvec3 b) {
+            return measured(measurementOf(MeasureKind::ellipse, {voxel, voxel + a, voxel + b}), *volume);
+        };
+        const auto line = at({3, 0, 0}, {5, 0, 0});
+        QVERIFY(!line && !line.error().hint.empty());
+        const auto few = at({1, 0, 0}, {0, 1, 0});
+        QVERIFY(few && few->region->count == 5 && !few->plusMinus && said(few->text).contains("too few voxels"));
+        const auto huge = at({400, 0, 0}, {0, 400, 0});
+        QVERIFY(!huge && said(huge.error().what).contains("200000"));
+        const auto outside =
+            measured(measurementOf(MeasureKind::ellipse,
+                                   {voxel + dvec3(50, 0, 0), voxel + dvec3(55, 0, 0), voxel + dvec3(50, 5, 0)}),
+                     *volume);
+        QVERIFY(!outside && !outside.error().hint.empty());
+    }
+
+    /// Its axes stay perpendicular, its middle takes it along, and an end of an axis turns it.
+    void anEllipseStaysOneWhenAPlaceMoves() {
+        Measurement one = measurementOf(MeasureKind::ellipse, {{0, 0, 0}, {4, 0, 0}, {1, 2, 0}});
+        const auto is = [&](dvec3 a, dvec3 b, dvec3 c) {
+            return glm::length(one.places[0].mm - a) + glm::length(one.places[1].mm - b) +
+                       glm::length(one.places[2].mm - c) <
+                   1e-12;
+        };
+        settle(one);
+        QVERIFY(is({0, 0, 0}, {4, 0, 0}, {0, 2, 0}));
+        movePlace(one, 0, measure::typedPlace({1, 1, 0}));
+        QVERIFY(is({1, 1, 0}, {5, 1, 0}, {1, 3, 0}));
+        movePlace(one, 1, measure::typedPlace({1, 7, 0}));
+        QVERIFY(is({1, 1, 0}, {1, 7, 0}, {-1, 1, 0}));
+        movePlace(one, 2, measure::typedPlace({-4, 3, 0}));
+        QVERIFY(is({1, 1, 0}, {1, 7, 0}, {-4, 1, 0}));
     }
 };
 

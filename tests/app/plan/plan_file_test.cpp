@@ -98,6 +98,8 @@ class PlanFileTest : public QObject {
         QCOMPARE(where(changed(saved, "\"kind\": \"distance\"", "\"kind\": \"point\"")),
                  std::string("p, measurements[0].places"));
         QCOMPARE(where(changed(saved, "\"kind\": \"distance\"", "\"kind\": \"ball\"")), std::string("nowhere"));
+        QCOMPARE(where(changed(saved, "\"kind\": \"distance\"", "\"kind\": \"ellipse\"")),
+                 std::string("p, measurements[0].places"));
         QCOMPARE(where(changed(saved, "\"kind\": \"distance\"", "\"kind\": \"length\"")),
                  std::string("p, measurements[0].kind"));
         QCOMPARE(where(changed(saved, "\"name\": \"defect\"", "\"patient\": \"defect\"")),
@@ -189,6 +191,8 @@ class PlanFileTest : public QObject {
         places[1].mm = face + dvec3(40, 0, 0);
         QVERIFY2(said().starts_with("measurements[0].places[1].mm lies 40 mm outside the scan"), said().c_str());
         saved.plan.measurements[0].kind = MeasureKind::ball;
+        QCOMPARE(said(), std::string());
+        saved.plan.measurements[0].kind = MeasureKind::ellipse;
         QCOMPARE(said(), std::string());
         std::swap(places[0], places[1]);
         QVERIFY(!said().empty());

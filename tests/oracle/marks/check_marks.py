@@ -43,7 +43,7 @@ MARKUPS = record(**{"@schema": TEXT, "markups": {"type": "array", "items": MARKU
 
 
 TYPES = {"distance": ["Line"], "angle": ["Angle"], "lines": ["Line", "Line"], "point": ["Fiducial"],
-         "ball": ["Fiducial"]}
+         "ball": ["Fiducial"], "ellipse": ["ClosedCurve"]}
 
 
 def places_of(row):
@@ -67,6 +67,32 @@ def drawn(kind, places):
     return angle_of(from_to(*places[:2]), from_to(*places[2:]))
 
 
+def aside(u, v):
+    """How far v reaches across u."""
+    along = sum(x * y for x, y in zip(u, v)) / math.hypot(*u)
+    return math.sqrt(sum(x * x for x in v) - along**2)
+
+
+def check_area(row):
+    middle, end, other = places_of(row)
+    u, v = from_to(middle, end), from_to(middle, other)
+    truth = math.pi * math.hypot(*u) * aside(u, v)
+    assert abs(float(row["area_mm2"]) - truth) < 1e-3 * truth and float(row["area_plus_minus_95"]) > 0
+
+
+def is_around(points, places):
+    """Whether the points lie on the ellipse about the first place through the second, as far aside as the third."""
+    u = from_to(places[0], places[1])
+    other = aside(u, from_to(places[0], places[2]))
+    for point in points:
+        away = from_to(places[0], point)
+        along = sum(x * y for x, y in zip(u, away)) / math.hypot(*u)
+        across = sum(x * x for x in away) - along**2
+        if abs(along**2 / math.hypot(*u) ** 2 + across / other**2 - 1) > 1e-6:
+            return False
+    return len(points) >= 12
+
+
 def check_csv(rows):
     for row in rows:
         assert None not in row and None not in row.values(), f"an incomplete record: {row}"
@@ -74,7 +100,9 @@ def check_csv(rows):
             assert row["text"] and not row["plus_minus_95"] and not row["unit"]
             continue
         value, spread = float(row["value"]), float(row["plus_minus_95"] or 0)
-        if row["kind"] in ("point", "ball"):
+        if row["area_mm2"]:
+            check_area(row)
+        if row["kind"] in ("point", "ball", "ellipse"):
             assert row["unit"] == "HU"
         else:
             truth = drawn(row["kind"], places_of(row))
@@ -95,8 +123,11 @@ def check_slicer(markups, rows):
         assert [part["type"] for part in parts] == TYPES[row["kind"]]
         assert all(part["coordinateSystem"] == "LPS" for part in parts)
         positions = [point["position"] for part in parts for point in part["controlPoints"]]
-        assert len(positions) == len(places_of(row))
-        assert all(math.dist(a, b) < 1e-4 for a, b in zip(positions, places_of(row)))
+        if row["kind"] == "ellipse":
+            assert is_around(positions, places_of(row))
+        else:
+            assert len(positions) == len(places_of(row))
+            assert all(math.dist(a, b) < 1e-4 for a, b in zip(positions, places_of(row)))
         stated = [measurement["value"] for part in parts for measurement in part["measurements"]]
         assert stated == [float(row[name]) for name in ("value", "plus_minus_95") if row[name]]
     assert next(rest, None) is None

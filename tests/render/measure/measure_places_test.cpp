@@ -288,6 +288,27 @@ class MeasurePlacesTest : public QObject {
         QVERIFY(!polygonArea(square, {0, 1, 0}));
     }
 
+    void areasOfEllipsesLieInTheirIntervals() {
+        Random random(12);
+        test::Sample share;
+        for (int configuration = 0; configuration < 100; ++configuration) {
+            const dvec3 u = uniform(random, 5, 20) * direction(random);
+            const dvec3 v = uniform(random, 5, 20) * glm::normalize(glm::cross(u, direction(random)));
+            const dvec3 middle = uniform(random, 0, 500) * direction(random);
+            const Known places[]{{middle, 0.3, random}, {middle + u, 0.3, random}, {middle + v + 0.4 * u, 0.3, random}};
+            share.add(covered(std::numbers::pi * glm::length(u) * glm::length(v), 1000, [&] {
+                return *ellipseArea(places[0].measured(random), places[1].measured(random), places[2].measured(random));
+            }));
+        }
+        QVERIFY2(near(share.mean(), 0.95, 0.006), qPrintable(QString::number(share.mean())));
+        const Place end = typedPlace({10, 0, 0}), middle = typedPlace({0, 0, 0});
+        QVERIFY(near(ellipseArea(middle, end, typedPlace({3, 5, 0}))->value, 50 * std::numbers::pi));
+        QVERIFY(!ellipseArea(middle, end, typedPlace({20, 0, 0})));
+        Random wide(13);
+        const Known unsure(dvec3(0, 0.1, 0), 5, wide);
+        QCOMPARE(ellipseArea(middle, end, unsure.measured(wide))->bound, Bound::atMost);
+    }
+
     void pathsLieInTheirIntervals() {
         Random random(10);
         test::Sample share;

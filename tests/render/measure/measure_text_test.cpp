@@ -63,15 +63,18 @@ class MeasureTextTest : public QObject {
     }
 
     void aRegionsTipSaysWhatIsKnown() {
-        RegionStatistics ball{.count = 1031, .millilitres = 2.079, .sdHu = 168.9, .lowestHu = -312, .highestHu = 1038};
-        QCOMPARE(said(regionText(ball)), "SD 169 HU, -312 to 1038 HU, 1031 voxels, 2.08 ml.");
+        RegionStatistics ball{
+            .count = 1031, .millilitres = 2.079, .medianHu = 27.4, .sdHu = 168.9, .lowestHu = -312, .highestHu = 1038};
+        QCOMPARE(said(regionText(ball)), "SD 169 HU, median 27 HU, -312 to 1038 HU, 1031 voxels, 2.08 ml.");
         ball.padding = 7;
         ball.cut = true;
         ball.meanPlusMinus = 17.2;
-        QCOMPARE(said(regionText(ball)),
-                 "SD 169 HU, -312 to 1038 HU, 1031 voxels, 2.08 ml. The scanner measured nothing in 7 more. The region "
-                 "extends beyond the scan. The ± is that of the noise. Not in it: the scanner's own scale, where the "
-                 "region was put.");
+        QCOMPARE(
+            said(regionText(ball)),
+            "SD 169 HU, median 27 HU, -312 to 1038 HU, 1031 voxels, 2.08 ml. The scanner measured nothing in 7 more. "
+            "The region extends beyond the scan. The ± is that of the noise. Not in it: the scanner's own scale, where "
+            "the "
+            "region was put.");
     }
 
     /// The HU of a ramp rise evenly along any line.

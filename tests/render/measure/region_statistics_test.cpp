@@ -86,6 +86,29 @@ class RegionStatisticsTest : public QObject {
         }
     }
 
+    /// A plane halfway between two layers of an oblique grid takes one of them whole, whatever rounding says.
+    void aPlaneHalfwayTakesOneLayer() {
+        const dmat3 axes(12.0 / 13, 5.0 / 13, 0, -0.6 * 5.0 / 13, 0.6 * 12.0 / 13, 0.8, 0.8 * 5.0 / 13,
+                         -0.8 * 12.0 / 13, 0.6);
+        VolumeGeometry geometry{{9, 9, 5}, dmat4(1)};
+        for (int axis = 0; axis < 3; ++axis)
+            geometry.patientFromIndex[axis] = dvec4((axis == 2 ? 2.5 : 0.7) * axes[axis], 0);
+        geometry.patientFromIndex[3] = dvec4(-217.3, 64.1, 812.7, 1);
+        Voxels voxels;
+        for (int n = 0; n < 9 * 9 * 5; ++n)
+            voxels.push_back(std::int16_t(n / 81));
+        const Volume scan(geometry, std::move(voxels));
+        for (const double k : {0.5, 1.5, 2.5, 3.5}) {
+            const dvec3 middle(geometry.patientFromIndex * dvec4(4, 4, k, 1));
+            const auto found = regionStatistics(scan, PlaneEllipse{middle, 20.0 * axes[0], 20.0 * axes[1]});
+            QVERIFY(found && found->count == 81 && found->meanHu == k - 0.5);
+            QVERIFY(found->cut);
+            QVERIFY(!regionStatistics(scan, PlaneEllipse{middle, 2.0 * axes[0], 2.0 * axes[1]})->cut);
+        }
+        const dvec3 last(geometry.patientFromIndex * dvec4(4, 4, 4.4, 1));  // its slice is in the scan
+        QVERIFY(!regionStatistics(scan, PlaneEllipse{last, 2.0 * axes[0], 2.0 * axes[1]})->cut);
+    }
+
     void theNoiseIsThatOfTheScanner() {
         std::mt19937 random(2);
         const Volume scan = noisyWater(kScanner, 30, random);

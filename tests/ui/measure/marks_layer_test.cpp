@@ -170,6 +170,23 @@ class MarksLayerTest : public QObject {
         QVERIFY(near(curves[0].front(), curves[0].back()));
     }
 
+    /// The third place says how far aside an ellipse reaches, wherever it lies beside the axis.
+    void anEllipseReachesAsFarAsItsPlaces() {
+        Over over;
+        const dvec3 middle = over.under({200, 150}), end = over.under({300, 150}), aside = over.under({240, 110});
+        const auto curves =
+            curvesOf({.shape = MarkShape::ellipse, .placesMm = {middle, end, aside}}, *over.image.camera, true);
+        QCOMPARE(curves.size(), std::size_t(1));
+        QVERIFY(near(curves[0].front(), end) && near(curves[0].back(), end));
+        for (const dvec3& place : curves[0]) {
+            const dvec2 away = (over.plane.pixelAt(place) - over.plane.pixelAt(middle)) / dvec2(100, 40);
+            QVERIFY(std::abs(glm::length(away) - 1) < 1e-9);
+        }
+        // While its second axis is open, the first is drawn.
+        QCOMPARE(curvesOf({.shape = MarkShape::ellipse, .placesMm = {middle, end}}, *over.image.camera, true).size(),
+                 std::size_t(1));
+    }
+
     void whatIsHiddenInTheImageIsDotted() {
         Over over;
         MarksLayer layer(false);

@@ -1,0 +1,66 @@
+#include "app/plan/measured_region.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "app/plan/slice_region.h"
+#include "render/measure/area.h"
+#include "render/measure/measured_voxels.h"
+
+namespace pdr::app {
+namespace {
+
+using measure::Place;
+using measure::Stated;
+using measure::Unit;
+
+/// Returns the statistics of the voxels in `shape`, which encloses `mm3`.
+Result<measure::RegionStatistics> statisticsOf(const Volume& volume, const measure::MeasuredShape& shape, double mm3) {
+    const double voxelMm3 = std::abs(glm::determinant(dmat3(volume.geometry().patientFromIndex)));
+    if (mm3 > kMostRegionVoxels * voxelMm3)
+        return Error{phrase("this region holds more than %1 voxels", int(kMostRegionVoxels)), "",
+                     phrase("Make it smaller."), ErrorKind::refused};
+    return measure::regionStatistics(volume, shape);
+}
+
+/// Returns the statistics of the layer of voxels along the plane of a flat shape.
+Result<measure::RegionStatistics> statisticsOf(const Volume& volume, const measure::MeasuredShape& shape,
+                                               const Stated& area, dvec3 normal) {
+    return statisticsOf(volume, shape, area.value * measure::layerMm(volume.geometry(), normal));
+}
+
+Measured meanOf(const measure::RegionStatistics& region) {
+    return {.unit = Unit::hu,
+            .value = region.meanHu,
+            .plusMinus = region.meanPlusMinus,
+            .region = region,
+            .text = measure::meanText(region),
+            .details = measure::regionText(region)};
+}
+
+}  // namespace
+
+Result<Measured> measuredBall(const std::vector<Place>& places, const Volume& volume) {
+    const double radius = glm::distance(places[0].mm, places[1].mm);
+    const auto region =
+        statisticsOf(volume, measure::Ball{places[0].mm, radius}, 4 * std::numbers::pi / 3 * radius * radius * radius);
+    if (!region)
+        return region.error();
+    return meanOf(*region);
+}
+
+Result<Measured> measuredEllipse(const std::vector<Place>& places, const Volume& volume) {
+    const auto area = measure::ellipseArea(places[0], places[1], places[2]);
+    if (!area)
+        return area.error();
+    const measure::PlaneEllipse ellipse = ellipseOf(places);
+    const auto region = statisticsOf(volume, ellipse, *area, *normalOf(places));
+    if (!region)
+        return region.error();
+    Measured measured = meanOf(*region);
+    measured.area = *area;
+    measured.details = joined(phrase("Area %1.", measure::valueText(*area, Unit::mm2)), measured.details);
+    return measured;
+}
+
+}  // namespace pdr::app
