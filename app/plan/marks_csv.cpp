@@ -47,7 +47,7 @@ std::string headOf() {
     for (std::size_t n = 1; n <= kMostPlaces; ++n)
         for (const char* column : {"found", "x_mm_lps", "y_mm_lps", "z_mm_lps"})
             add(line, std::string(column) + '_' + std::to_string(n));
-    return line + ",mean_hu,mean_plus_minus_95,median_hu,area_mm2,area_plus_minus_95,area_bound";
+    return line + ",mean_hu,mean_plus_minus_95,median_hu,area_mm2,area_plus_minus_95,area_bound,corners_mm_lps";
 }
 
 void addValue(std::string& line, const MarkRow& row) {
@@ -84,6 +84,14 @@ void addMeanAndArea(std::string& line, const MarkRow& row) {
     add(line, value.area ? cell(boundWord(value.area->bound)) : "");
 }
 
+/// Returns the corners of a polygon, all of them, in one cell: "x y z; x y z; x y z".
+std::string cornersOf(const MarkRow& row) {
+    std::string corners;
+    for (const measure::Place& place : row.places)
+        corners += (corners.empty() ? "" : "; ") + cell(place.mm.x) + ' ' + cell(place.mm.y) + ' ' + cell(place.mm.z);
+    return corners;
+}
+
 std::string lineOf(const MarkRow& row) {
     std::string line = std::to_string(row.id);
     add(line, cell(kindWord(row.kind)));
@@ -100,6 +108,7 @@ std::string lineOf(const MarkRow& row) {
             add(line, cell(row.places[n].mm[axis]));
     }
     addMeanAndArea(line, row);
+    add(line, row.kind == MeasureKind::polygon ? cornersOf(row) : "");
     return line;
 }
 

@@ -25,6 +25,7 @@ struct Markup {
 
 /// Returns how a kind is shown. Slicer knows no ball: it gets its middle and a place on its surface. Nor does it know
 /// ellipses, and its regions of interest are boxes: an ellipse is a closed curve, which is seen and has an area there.
+/// So is a polygon, whose corners Slicer rounds: the schema has no word for straight sides.
 Markup markupOf(MeasureKind kind) {
     switch (kind) {
         case MeasureKind::distance:
@@ -38,9 +39,11 @@ Markup markupOf(MeasureKind kind) {
         case MeasureKind::ball:
             return {"Fiducial", 2, "mean HU"};
         case MeasureKind::ellipse:
+            return {"ClosedCurve", 0, "mean HU"};
+        case MeasureKind::polygon:
             break;
     }
-    return {"ClosedCurve", 0, "mean HU"};
+    return {"ClosedCurve", 0, "area"};
 }
 
 /// A control point of a markup.

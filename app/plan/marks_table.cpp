@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "app/plan/measured_region.h"
 #include "app/plan/plan_fields.h"
 
 namespace pdr::app {
@@ -16,7 +17,7 @@ std::string_view wordFor(T value, const Words<T, N>& words) {
 }
 
 bool readsVoxels(MeasureKind kind) {
-    return kind == MeasureKind::point || isRegion(kind);
+    return kind == MeasureKind::point || kind == MeasureKind::ball || kind == MeasureKind::ellipse;
 }
 
 /// Returns the value if it is the same however the grid lies. The step of the grid along a line tells only whether two
@@ -26,6 +27,8 @@ Result<Measured> valueWithoutScan(const Measurement& measurement, dvec3 spacingM
     const Error unknown{phrase("not known without the scan"), "", "", ErrorKind::refused};
     if (readsVoxels(measurement.kind))
         return unknown;
+    if (measurement.kind == MeasureKind::polygon)
+        return areaOfPolygon(measurement.places);
     const auto valueOn = [&](double stepMm) {
         return measured(measurement, Volume(VolumeGeometry::aligned(ivec3(1), dvec3(stepMm), dvec3(0)), Voxels(1)));
     };

@@ -17,10 +17,10 @@ struct MarkRow {
     std::string name;                    ///< what the user calls it; empty: nothing
     std::string title;                   ///< the name, or else "Distance 2" for the second distance of the plan
     Result<Measured> value;              ///< an error says why there is none
-    std::vector<measure::Place> places;  ///< placesOf(kind) of them
+    std::vector<measure::Place> places;  ///< as many as its kind has
 };
 
-/// The largest number of places that a measurement of any kind has.
+/// The largest number of places that a measurement has, unless it is a polygon.
 inline constexpr std::size_t kMostPlaces = 4;
 
 /// Returns the measurements of `plan`, in its order, with what they say of `volume`: the scan as the plan shows it.

@@ -89,9 +89,11 @@ Text ordinalName(MeasureKind kind, int number) {
         case MeasureKind::ball:
             return phrase("Ball %1", number);
         case MeasureKind::ellipse:
+            return phrase("Ellipse %1", number);
+        case MeasureKind::polygon:
             break;
     }
-    return phrase("Ellipse %1", number);
+    return phrase("Polygon %1", number);
 }
 
 Result<Measured> measured(const Measurement& measurement, const Volume& volume) {
@@ -108,9 +110,11 @@ Result<Measured> measured(const Measurement& measurement, const Volume& volume) 
         case MeasureKind::ball:
             return measuredBall(places, volume);
         case MeasureKind::ellipse:
+            return measuredEllipse(places, volume);
+        case MeasureKind::polygon:
             break;
     }
-    return measuredEllipse(places, volume);
+    return measuredPolygon(places, volume);
 }
 
 }  // namespace pdr::app

@@ -15,8 +15,8 @@ struct Measured {
     std::optional<double> plusMinus;  ///< half of the 95 % interval, unrounded; none: a bound, typed places, the HU of
                                       ///< a single place, too few voxels
     measure::Bound bound = measure::Bound::none;
-    std::optional<measure::RegionStatistics> region;  ///< what is known of the voxels of a ball or an ellipse
-    std::optional<measure::Stated> area;              ///< area of an ellipse [mm^2]
+    std::optional<measure::RegionStatistics> region;  ///< what is known of the voxels of a region
+    std::optional<measure::Stated> area;              ///< area of an ellipse or a polygon [mm^2]
     Text text;                                        ///< the value as lists and views show it: "42.3 ± 0.5 mm"
     Text details;                                     ///< sentences: what the ± consists of, and what else is known
 };

@@ -1,5 +1,6 @@
 #include "app/plan/measured_region.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -38,6 +39,21 @@ Measured meanOf(const measure::RegionStatistics& region) {
             .details = measure::regionText(region)};
 }
 
+/// The farthest that a corner lies off the plane of its polygon [mm].
+constexpr double kFlatMm = 0.01;
+
+bool isFlat(const std::vector<Place>& corners, dvec3 normal) {
+    return std::ranges::all_of(
+        corners, [&](const Place& each) { return std::abs(glm::dot(each.mm - corners[0].mm, normal)) <= kFlatMm; });
+}
+
+measure::PlanePolygon polygonOf(const std::vector<Place>& corners) {
+    measure::PlanePolygon polygon{{}, *normalOf(corners)};
+    for (const Place& corner : corners)
+        polygon.corners.push_back(corner.mm);
+    return polygon;
+}
+
 }  // namespace
 
 Result<Measured> measuredBall(const std::vector<Place>& places, const Volume& volume) {
@@ -60,6 +76,41 @@ Result<Measured> measuredEllipse(const std::vector<Place>& places, const Volume&
     Measured measured = meanOf(*region);
     measured.area = *area;
     measured.details = joined(phrase("Area %1.", measure::valueText(*area, Unit::mm2)), measured.details);
+    return measured;
+}
+
+Result<Measured> areaOfPolygon(const std::vector<Place>& corners) {
+    const auto normal = normalOf(corners);
+    if (!normal)
+        return Error{phrase("the outline encloses nothing"), "", phrase("Move its corners."), ErrorKind::refused};
+    if (!isFlat(corners, *normal))
+        return Error{phrase("the corners do not lie in one plane"), "", phrase("Move its corners."),
+                     ErrorKind::refused};
+    const auto area = measure::polygonArea(corners, *normal);
+    if (!area)
+        return area.error();
+    return Measured{.unit = Unit::mm2,
+                    .value = area->value,
+                    .plusMinus = plusMinusOf(*area),
+                    .bound = area->bound,
+                    .area = *area,
+                    .text = measure::valueText(*area, Unit::mm2),
+                    .details = measure::causesText(*area)};
+}
+
+Result<Measured> measuredPolygon(const std::vector<Place>& corners, const Volume& volume) {
+    Result<Measured> measured = areaOfPolygon(corners);
+    if (!measured)
+        return measured;
+    const measure::PlanePolygon polygon = polygonOf(corners);
+    const auto region = statisticsOf(volume, polygon, *measured->area, polygon.normal);
+    if (!region) {
+        measured->details = joined(Text::sentence(region.error().what), measured->details);
+        return measured;
+    }
+    measured->region = *region;
+    const Text mean = joined(phrase("Mean %1.", measure::meanText(*region)), measure::regionText(*region));
+    measured->details = joined(measured->details, mean);
     return measured;
 }
 

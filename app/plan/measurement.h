@@ -17,10 +17,14 @@ enum class MeasureKind {
     point,     ///< the HU at a place; its name is its label
     ball,      ///< the HU around the first place, as far as the second
     ellipse,   ///< the HU in an ellipse on a slice: its middle, and the ends of its two half axes
+    polygon,   ///< the area in a polygon on a slice, whose corners are its places in order, and the HU inside
 };
-inline constexpr std::size_t kMeasureKinds = 6;
+inline constexpr std::size_t kMeasureKinds = 7;
 
-/// Returns how many places a measurement of that kind has.
+/// Most corners of a polygon.
+inline constexpr std::size_t kMostCorners = 48;
+
+/// Returns how many places a measurement of that kind has; of a polygon, at least.
 constexpr std::size_t placesOf(MeasureKind kind) {
     switch (kind) {
         case MeasureKind::point:
@@ -30,11 +34,17 @@ constexpr std::size_t placesOf(MeasureKind kind) {
             return 2;
         case MeasureKind::angle:
         case MeasureKind::ellipse:
+        case MeasureKind::polygon:
             return 3;
         case MeasureKind::lines:
             break;
     }
     return 4;
+}
+
+/// Returns how many places a measurement of that kind has at most.
+constexpr std::size_t mostPlacesOf(MeasureKind kind) {
+    return kind == MeasureKind::polygon ? kMostCorners : placesOf(kind);
 }
 
 /// Returns whether places of that kind belong to the edge of a structure. The HU at an edge are those of neither side.
@@ -49,7 +59,7 @@ constexpr bool hasMiddle(MeasureKind kind) {
 
 /// Returns whether a measurement of that kind lies in one slice, and is drawn there.
 constexpr bool isFlat(MeasureKind kind) {
-    return kind == MeasureKind::ellipse;
+    return kind == MeasureKind::ellipse || kind == MeasureKind::polygon;
 }
 
 /// Returns whether a measurement of that kind holds voxels, whose statistics it states.
@@ -64,7 +74,7 @@ struct Measurement {
     std::uint64_t id = 0;  ///< random, so that files and reports name the same measurement
     MeasureKind kind = MeasureKind::distance;
     std::string name;                    ///< what the user calls it; empty: nothing
-    std::vector<measure::Place> places;  ///< placesOf(kind) of them
+    std::vector<measure::Place> places;  ///< placesOf(kind) to mostPlacesOf(kind) of them
     bool operator==(const Measurement&) const = default;
 };
 

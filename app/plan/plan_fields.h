@@ -15,7 +15,8 @@ inline constexpr Words<app::MeasureKind, app::kMeasureKinds> kMeasureWords{{{"di
                                                                             {"lines", app::MeasureKind::lines},
                                                                             {"point", app::MeasureKind::point},
                                                                             {"ball", app::MeasureKind::ball},
-                                                                            {"ellipse", app::MeasureKind::ellipse}}};
+                                                                            {"ellipse", app::MeasureKind::ellipse},
+                                                                            {"polygon", app::MeasureKind::polygon}}};
 
 inline constexpr Words<measure::Found, 5> kFoundWords{{{"typed", measure::Found::typed},
                                                        {"onSlice", measure::Found::onSlice},
@@ -106,7 +107,7 @@ void describe(Visit& visit, Measurement& measurement) {
         {"places",
          "two for a distance; three for an angle, which is at the second; four for two lines, both ends of each; "
          "one for a point; two for a ball, its middle and a place on its surface; three for an ellipse, its middle and "
-         "the ends of two half axes",
+         "the ends of two half axes; three to 48 for a polygon, its corners in order",
          {},
          kRequired},
         measurement.places);

@@ -34,8 +34,12 @@ Result<void> check(const measure::Place& place, const std::string& where) {
 }
 
 Result<void> check(const Measurement& measurement, const std::string& where) {
-    if (measurement.places.size() != placesOf(measurement.kind))
-        return Error{phrase("must have %1 places", placesOf(measurement.kind)), where + ".places", ""};
+    const std::size_t count = measurement.places.size(), least = placesOf(measurement.kind),
+                      most = mostPlacesOf(measurement.kind);
+    if (count < least || count > most)
+        return Error{
+            least == most ? phrase("must have %1 places", least) : phrase("must have %1 to %2 places", least, most),
+            where + ".places", ""};
     if (measurement.name.size() > kLongestName)
         return Error{phrase("must not be longer than %1 bytes", kLongestName), where + ".name", ""};
     for (std::size_t i = 0; i < measurement.places.size(); ++i)

@@ -15,6 +15,8 @@ ui::MarkShape shapeOf(MeasureKind kind) {
             return ui::MarkShape::ball;
         case MeasureKind::ellipse:
             return ui::MarkShape::ellipse;
+        case MeasureKind::polygon:
+            return ui::MarkShape::polygon;
         default:
             return ui::MarkShape::path;
     }

@@ -32,6 +32,9 @@ std::vector<Tool> tools() {
         {MeasureKind::ellipse, "ellipse", Qt::SHIFT | Qt::Key_O, Texts::tr("Mean in an ellipse"), Texts::tr("Ellipse"),
          Texts::tr("Click the middle of an ellipse on a slice, the end of one half axis, then how far the other "
                    "reaches: the mean of the HU inside, and the area.")},
+        {MeasureKind::polygon, "polygon", Qt::SHIFT | Qt::Key_M, Texts::tr("Area of a polygon"), Texts::tr("Polygon"),
+         Texts::tr("Click the corners of a polygon on a slice. Enter, a double click or a click on the first corner "
+                   "closes it, Backspace takes the last corner back.")},
     };
 }
 

@@ -59,6 +59,8 @@ void MarksPresenter::connectLayer(AnatomicalPlane plane) {
         if (view.slice())
             placeOn(view.slice()->plane, placeMm, free);
     });
+    connect(&layer, &ui::MarksLayer::takenBack, this, &MarksPresenter::takeBack);
+    connect(&layer, &ui::MarksLayer::closed, this, &MarksPresenter::finish);
     connect(&layer, &ui::MarksLayer::dragged, this,
             [this, &view](std::uint64_t id, int index, dvec3 placeMm, bool free, bool moving) {
                 if (view.slice())
@@ -111,16 +113,41 @@ void MarksPresenter::showDrawn() {
     for (const measure::Place& place : drawn_)
         places.push_back(place.mm);
     const ui::MarkShape shape = drawing_ ? shapeOf(*drawing_) : ui::MarkShape::path;
-    for (ui::MarksLayer& layer : layers_)
+    const bool byEnter = drawnAt_ == document().plan().navigation.crosshairMm;  // else Enter sets a corner there
+    for (ui::MarksLayer& layer : layers_) {
         layer.setDrawn(shape, places);
+        layer.setClosing(mayClose(), mayClose() && byEnter);
+    }
     inImage().setDrawn(shape, places);
 }
 
 /// Sets the next place of what is being drawn; the last one makes a measurement of it.
 void MarksPresenter::place(const measure::Place& place) {
+    if (drawn_.size() >= mostPlacesOf(*drawing_))
+        return showError({phrase("a polygon has %1 corners at most", kMostCorners), "",
+                          phrase("Close it with Enter, or take corners back with Backspace."), ErrorKind::refused});
     drawn_.push_back(place);
-    if (drawn_.size() < placesOf(*drawing_))
+    drawnAt_ = document().plan().navigation.crosshairMm;
+    if (*drawing_ == MeasureKind::polygon || drawn_.size() < placesOf(*drawing_))
         return showDrawn();
+    finish();
+}
+
+/// Takes back the last place of what is being drawn.
+void MarksPresenter::takeBack() {
+    if (drawn_.empty())
+        return;
+    drawn_.pop_back();
+    showDrawn();
+}
+
+/// Returns whether what is being drawn is a polygon that has enough corners.
+bool MarksPresenter::mayClose() const {
+    return drawing_ == MeasureKind::polygon && drawn_.size() >= placesOf(MeasureKind::polygon);
+}
+
+/// Makes a measurement of what has been drawn.
+void MarksPresenter::finish() {
     Measurement measurement{newId(), *drawing_, {}, std::exchange(drawn_, {})};
     settle(measurement);
     draw(std::nullopt);
@@ -195,6 +222,8 @@ void MarksPresenter::showDocument(Changes changes) {
         panel_->setEnabled(document().hasVolume());
         tools_->setEnabled(document().hasVolume());
     }
+    if (has(changes, Changes::crosshair) && mayClose())
+        showDrawn();
     if (has(changes, Changes::series | Changes::table))
         rows_.clear();
     if (has(changes, Changes::series | Changes::table | Changes::measurements))

@@ -38,6 +38,9 @@ class MarksPresenter : public Presenter {
     void draw(std::optional<MeasureKind> kind);
     void placeOn(const SlicePlane& plane, dvec3 placeMm, bool free);
     void place(const measure::Place& place);
+    void takeBack();
+    void finish();
+    bool mayClose() const;
     void drag(const SlicePlane& plane, std::uint64_t id, int index, dvec3 placeMm, bool free, bool moving);
     void add(Measurement measurement);
     void askForName(std::uint64_t id);
@@ -55,6 +58,7 @@ class MarksPresenter : public Presenter {
     MarkRows rows_;
     std::optional<MeasureKind> drawing_;  ///< what is being drawn; none: nothing
     std::vector<measure::Place> drawn_;   ///< the places that it has so far
+    dvec3 drawnAt_{0};                    ///< where the crosshair was when the last of them was set
     dvec3 drawnNormal_{0};                ///< unit normal of the slice on which the first of them lies
     std::uint64_t selected_ = 0;          ///< 0: none
     std::uint64_t moving_ = 0;            ///< whose place is being dragged; 0: none

@@ -990,6 +990,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Fläche %1.</translation>
     </message>
     <message>
+        <source>Area of a polygon</source>
+        <translation>Fläche eines Vielecks</translation>
+    </message>
+    <message>
         <source>Arrow keys move the chosen lamp, Page up and Page down choose another, Shift and arrow keys turn all.</source>
         <translation>Pfeiltasten bewegen die gewählte Lampe, Bild auf und Bild ab wählen eine andere, Umschalt und Pfeiltasten drehen alle.</translation>
     </message>
@@ -1326,6 +1330,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Beide Enden einer Linie anklicken, dann einer zweiten: der Winkel zwischen ihren Richtungen.</translation>
     </message>
     <message>
+        <source>Click the corners of a polygon on a slice. Enter, a double click or a click on the first corner closes it, Backspace takes the last corner back.</source>
+        <translation>Auf einer Schicht die Ecken eines Vielecks anklicken. Die Eingabetaste, ein Doppelklick oder ein Klick auf die erste Ecke schließt es, die Rücktaste nimmt die letzte Ecke zurück.</translation>
+    </message>
+    <message>
         <source>Click the middle of a ball, then a place on its surface: the mean of the HU inside.</source>
         <translation>Die Mitte einer Kugel anklicken, dann einen Punkt auf ihrer Oberfläche: der Mittelwert der HU darin.</translation>
     </message>
@@ -1344,6 +1352,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Close %1</source>
         <translation>%1 schließen</translation>
+    </message>
+    <message>
+        <source>Close it with Enter, or take corners back with Backspace.</source>
+        <translation>Schließen Sie es mit der Eingabetaste, oder nehmen Sie Ecken mit der Rücktaste zurück.</translation>
     </message>
     <message>
         <source>Close other programs, or import fewer slices.</source>
@@ -2330,6 +2342,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Maximale Intensität</translation>
     </message>
     <message>
+        <source>Mean %1.</source>
+        <translation>Mittelwert %1.</translation>
+    </message>
+    <message>
         <source>Mean in a ball</source>
         <translation>Mittelwert in einer Kugel</translation>
     </message>
@@ -2792,6 +2808,14 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Plans (*.plan.json *.json)</source>
         <translation>Pläne (*.plan.json *.json)</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Vieleck</translation>
+    </message>
+    <message>
+        <source>Polygon %1</source>
+        <translation>Vieleck %1</translation>
     </message>
     <message>
         <source>Port</source>
@@ -4196,6 +4220,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>ein Punkt der Kurve glänzt</translation>
     </message>
     <message>
+        <source>a polygon has %1 corners at most</source>
+        <translation>ein Vieleck hat höchstens %1 Ecken</translation>
+    </message>
+    <message>
         <source>a render node joined</source>
         <translation>ein Render-Rechner kam dazu</translation>
     </message>
@@ -5152,6 +5180,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>muss %1 Orte haben</translation>
     </message>
     <message>
+        <source>must have %1 to %2 places</source>
+        <translation>muss %1 bis %2 Punkte haben</translation>
+    </message>
+    <message>
         <source>must have three points at least</source>
         <translation>muss mindestens drei Punkte haben</translation>
     </message>
@@ -5636,6 +5668,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>der Koordinator spricht eine Version des Protokolls, die ihm nicht angeboten wurde</translation>
     </message>
     <message>
+        <source>the corners do not lie in one plane</source>
+        <translation>die Ecken liegen nicht in einer Ebene</translation>
+    </message>
+    <message>
         <source>the device takes samples for films of its own only</source>
         <translation>das Gerät tastet nur für eigene Filme ab</translation>
     </message>
@@ -5894,6 +5930,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the outline crosses itself</source>
         <translation>der Umriss kreuzt sich selbst</translation>
+    </message>
+    <message>
+        <source>the outline encloses nothing</source>
+        <translation>der Umriss umschließt nichts</translation>
     </message>
     <message>
         <source>the patient</source>

@@ -990,6 +990,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Área %1.</translation>
     </message>
     <message>
+        <source>Area of a polygon</source>
+        <translation>Área de un polígono</translation>
+    </message>
+    <message>
         <source>Arrow keys move the chosen lamp, Page up and Page down choose another, Shift and arrow keys turn all.</source>
         <translation>Las flechas mueven la lámpara elegida, Re Pág y Av Pág eligen otra, Mayús y flechas giran todas.</translation>
     </message>
@@ -1326,6 +1330,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Haga clic en ambos extremos de una línea y luego de otra: el ángulo entre sus direcciones.</translation>
     </message>
     <message>
+        <source>Click the corners of a polygon on a slice. Enter, a double click or a click on the first corner closes it, Backspace takes the last corner back.</source>
+        <translation>Haga clic en los vértices de un polígono en un corte. Intro, un doble clic o un clic en el primer vértice lo cierran; Retroceso quita el último vértice.</translation>
+    </message>
+    <message>
         <source>Click the middle of a ball, then a place on its surface: the mean of the HU inside.</source>
         <translation>Haga clic en el centro de una esfera y luego en un punto de su superficie: la media de las UH de dentro.</translation>
     </message>
@@ -1344,6 +1352,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Close %1</source>
         <translation>Cerrar %1</translation>
+    </message>
+    <message>
+        <source>Close it with Enter, or take corners back with Backspace.</source>
+        <translation>Ciérrelo con Intro o quite vértices con Retroceso.</translation>
     </message>
     <message>
         <source>Close other programs, or import fewer slices.</source>
@@ -2330,6 +2342,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Intensidad máxima</translation>
     </message>
     <message>
+        <source>Mean %1.</source>
+        <translation>Media %1.</translation>
+    </message>
+    <message>
         <source>Mean in a ball</source>
         <translation>Media en una esfera</translation>
     </message>
@@ -2792,6 +2808,14 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Plans (*.plan.json *.json)</source>
         <translation>Planes (*.plan.json *.json)</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Polígono</translation>
+    </message>
+    <message>
+        <source>Polygon %1</source>
+        <translation>Polígono %1</translation>
     </message>
     <message>
         <source>Port</source>
@@ -4196,6 +4220,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>un punto de la curva es especular</translation>
     </message>
     <message>
+        <source>a polygon has %1 corners at most</source>
+        <translation>un polígono tiene como máximo %1 vértices</translation>
+    </message>
+    <message>
         <source>a render node joined</source>
         <translation>se unió un equipo de render</translation>
     </message>
@@ -5152,6 +5180,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>debe tener %1 lugares</translation>
     </message>
     <message>
+        <source>must have %1 to %2 places</source>
+        <translation>debe tener de %1 a %2 puntos</translation>
+    </message>
+    <message>
         <source>must have three points at least</source>
         <translation>debe tener al menos tres puntos</translation>
     </message>
@@ -5636,6 +5668,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el coordinador habla una versión del protocolo que no se le ofreció</translation>
     </message>
     <message>
+        <source>the corners do not lie in one plane</source>
+        <translation>los vértices no están en un mismo plano</translation>
+    </message>
+    <message>
         <source>the device takes samples for films of its own only</source>
         <translation>el dispositivo solo toma muestras para sus propias películas</translation>
     </message>
@@ -5894,6 +5930,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the outline crosses itself</source>
         <translation>el contorno se cruza a sí mismo</translation>
+    </message>
+    <message>
+        <source>the outline encloses nothing</source>
+        <translation>el contorno no encierra nada</translation>
     </message>
     <message>
         <source>the patient</source>

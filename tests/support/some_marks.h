@@ -25,7 +25,7 @@ inline measure::Place atEdge(dvec3 mm) {
 }
 
 /// Returns an estimate with a ±, a thin plate, typed places, an angle near 180 degrees, one that does not exist, two
-/// lines, the HU of a place, and those of a ball, of an ellipse and of a ball that holds no voxel.
+/// lines, the HU of a place, and those of a ball, of an ellipse, a polygon, and of a ball that holds no voxel.
 inline app::Plan someMarks() {
     using app::MeasureKind;
     const auto typed = measure::typedPlace;
@@ -44,6 +44,10 @@ inline app::Plan someMarks() {
         {17, MeasureKind::point, "aorta", {onSlice({3, 4, 5})}},
         {18, MeasureKind::ball, "", {onSlice({0, 0, 4}), onSlice({8, 0, 4})}},
         {19, MeasureKind::ellipse, "", {onSlice({0, 0, 4}), onSlice({9, 0, 4}), onSlice({0, 6, 4})}},
+        {20,
+         MeasureKind::polygon,
+         "",
+         {onSlice({-9, -9, 4}), onSlice({9, -9, 4}), onSlice({9, 9, 4}), onSlice({0, 0, 4}), onSlice({-9, 9, 4})}},
         {18446744073709551615u, MeasureKind::ball, "", {onSlice({0, 0, 4.9}), onSlice({0.1, 0, 4.9})}},
     };
     return plan;

@@ -7,11 +7,19 @@
 namespace pdr::ui {
 namespace {
 
-MarkCurve straight(dvec3 from, dvec3 to) {
+MarkCurve straight(dvec3 from, dvec3 to, int parts = kCurveParts) {
     MarkCurve curve;
-    for (int i = 0; i <= kCurveParts; ++i)
-        curve.push_back(glm::mix(from, to, double(i) / kCurveParts));
+    for (int i = 0; i <= parts; ++i)
+        curve.push_back(glm::mix(from, to, double(i) / parts));
     return curve;
+}
+
+std::vector<MarkCurve> sidesOf(const std::vector<dvec3>& corners) {
+    const int parts = std::max(2, 2 * kCurveParts / int(corners.size()));
+    std::vector<MarkCurve> sides;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        sides.push_back(straight(corners[i], corners[(i + 1) % corners.size()], parts));
+    return sides;
 }
 
 /// Returns the ellipse with these half axes, which are perpendicular.
@@ -52,6 +60,8 @@ std::vector<MarkCurve> curvesOf(const ShownMark& mark, const Camera& camera, boo
         return ballCurves(places[0], glm::distance(places[0], places[1]), camera, slice);
     if (mark.shape == MarkShape::ellipse && places.size() == 3)
         return {ellipseThrough(places[0], places[1], places[2])};
+    if (mark.shape == MarkShape::polygon && places.size() > 2)
+        return sidesOf(places);
     std::vector<MarkCurve> curves;
     const std::size_t step = mark.shape == MarkShape::lines ? 2 : 1;
     for (std::size_t i = 0; i + 1 < places.size(); i += step)

@@ -32,6 +32,11 @@ void MarksLayer::setDrawn(MarkShape shape, std::vector<dvec3> placesMm) {
     emit changed();
 }
 
+void MarksLayer::setClosing(bool closable, bool byEnter) {
+    closable_ = closable;
+    closableByEnter_ = byEnter;
+}
+
 void MarksLayer::setHidden(std::map<std::uint64_t, MarkHidden> hidden) {
     if (hidden == hidden_)
         return;
@@ -64,7 +69,19 @@ bool MarksLayer::takes(const ViewPointer& pointer) const {
            (drawing_ || handleAt(pointer));
 }
 
+/// Returns whether a press closes what is being drawn. The first press of a double click has set its last place.
+bool MarksLayer::closes(const ViewPointer& pointer) const {
+    if (!closable_ || drawn_.placesMm.empty())
+        return false;
+    const auto first = seenAt(pointer.image, drawn_.placesMm.front());
+    return pointer.twice || (first && QLineF(*first, pointer.at).length() <= kNearPx);
+}
+
 void MarksLayer::press(const ViewPointer& pointer) {
+    if (drawing_ && closes(pointer))
+        return emit closed();
+    if (drawing_ && pointer.twice && drawn_.shape == MarkShape::polygon)
+        return;  // too few corners to close: the place is there already
     if (drawing_)
         return emit placed(placeUnder(pointer.image, pointer.at), pointer.modifiers.testFlag(Qt::AltModifier));
     dragged_ = handleAt(pointer);
@@ -115,6 +132,19 @@ void MarksLayer::leave() {
 void MarksLayer::light(const std::optional<Handle>& handle) {
     if (std::exchange(lit_, handle) != handle)
         emit changed();
+}
+
+bool MarksLayer::key(const QKeyEvent& event) {
+    const bool enter = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+    if (!slice_ || !drawing_)
+        return false;
+    if (event.key() == Qt::Key_Backspace)
+        emit takenBack();
+    else if (enter && closableByEnter_)
+        emit closed();
+    else
+        return false;
+    return true;
 }
 
 bool MarksLayer::cancel() {

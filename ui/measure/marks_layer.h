@@ -26,6 +26,9 @@ class MarksLayer : public ViewTool {
     void setDrawing(bool drawing);
     /// Sets the places of what is being drawn; in a slice, the pointer is the next one.
     void setDrawn(MarkShape shape, std::vector<dvec3> placesMm);
+    /// Sets whether what is being drawn can be closed, by a click on its first place or a double click, and whether by
+    /// Enter as well.
+    void setClosing(bool closable, bool byEnter);
     /// Sets what of the marks is hidden, by their ids; others are shown as if nothing of them were.
     void setHidden(std::map<std::uint64_t, MarkHidden> hidden);
     const std::map<std::uint64_t, MarkHidden>& hidden() const { return hidden_; }
@@ -36,6 +39,7 @@ class MarksLayer : public ViewTool {
     void release(const ViewPointer& pointer) override;
     bool hover(const ViewPointer& pointer) override;
     void leave() override;
+    bool key(const QKeyEvent& event) override;
     bool cancel() override;
     std::optional<Qt::CursorShape> cursor() const override;
     void paint(QPainter& painter, const ImagePlace& image) const override;
@@ -46,6 +50,10 @@ class MarksLayer : public ViewTool {
     /// Reports that place `index` of a measurement is dragged. `moving`: the button is held.
     void dragged(std::uint64_t id, int index, pdr::dvec3 placeMm, bool free, bool moving);
     void selected(std::uint64_t id);
+    /// Requests to take back the last place that was set.
+    void takenBack();
+    /// Requests to close what is being drawn.
+    void closed();
     /// Reports that Esc has ended drawing.
     void drawingCancelled();
 
@@ -58,12 +66,13 @@ class MarksLayer : public ViewTool {
     };
 
     std::optional<Handle> handleAt(const ViewPointer& pointer) const;
+    bool closes(const ViewPointer& pointer) const;
     void reportDrag(const ViewPointer& pointer, bool moving);
     void paintDrawn(QPainter& painter, const ImagePlace& image) const;
     void light(const std::optional<Handle>& handle);
 
     bool slice_;
-    bool drawing_ = false;
+    bool drawing_ = false, closable_ = false, closableByEnter_ = false;
     std::vector<ShownMark> marks_;
     std::map<std::uint64_t, MarkHidden> hidden_;
     ShownMark drawn_;                ///< what is being drawn

@@ -15,6 +15,7 @@ enum class MarkShape {
     lines,    ///< a line from every other place to the next
     ball,     ///< a ball about the first place that reaches as far as the second
     ellipse,  ///< an ellipse about the first place through the second, which reaches as far aside as the third
+    polygon,  ///< lines from each place to the next, and from the last to the first
 };
 
 struct ShownMark {

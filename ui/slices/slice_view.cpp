@@ -170,10 +170,12 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier)
+    const ViewPointer pointer = pointerOf(*event, place());
+    const bool plain = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
+    if (plain && !tools_.take(pointer))
         emit aloneRequested();
     else
-        tools_.press(pointerOf(*event, place()));
+        tools_.press(pointer);
 }
 
 /// Opens the menu by its key only. The mouse's context menu event comes with the press, which may begin a drag.

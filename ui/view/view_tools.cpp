@@ -49,6 +49,10 @@ ViewTool* ViewTools::toolFor(const ViewPointer& pointer) const {
     return nullptr;
 }
 
+bool ViewTools::take(const ViewPointer& pointer) const {
+    return std::ranges::any_of(tools_, [&](const ViewTool* tool) { return tool->takes(pointer); });
+}
+
 void ViewTools::press(const ViewPointer& pointer) {
     if (owner_)
         return;

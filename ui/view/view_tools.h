@@ -19,6 +19,8 @@ class ViewTools : public QObject {
     /// tool if necessary.
     void bind(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, ViewTool& tool);
 
+    /// Returns whether a tool takes a press by itself, before any that is bound to the button.
+    bool take(const ViewPointer& pointer) const;
     /// Returns whether a tool has the pointer.
     bool inGesture() const { return owner_; }
     void press(const ViewPointer& pointer);

@@ -165,6 +165,63 @@ class MarksInWindowTest : public QObject {
             document().undo();
     }
 
+    /// Its corners go to edges; a click on the first one closes it, and a double click does not fill the window.
+    void aPolygonMeasuresTheFaceOfThePlate() {
+        const std::size_t before = measurements().size();
+        const auto begin = [&] { QTest::keyClick(&trial_->desktop.window(), Qt::Key_M, Qt::ShiftModifier); };
+        begin();
+        for (const dvec3& corner : {dvec3(-9, -8, 0), dvec3(10.8, -8, 0), dvec3(30, 20, 0)})
+            click(centre_ + corner);
+        QTest::keyClick(&axial(), Qt::Key_Backspace);
+        click(centre_ + dvec3(10.8, 7, 0));
+        click(centre_ + dvec3(-9, 7, 0));
+        QCOMPARE(measurements().size(), before);
+        click(drawnFirst());
+        QCOMPARE(measurements().size(), before + 1);
+        const Measurement drawn = measurements().back();
+        QCOMPARE(drawn.kind, MeasureKind::polygon);
+        QCOMPARE(drawn.places.size(), std::size_t(4));
+        QVERIFY(isAtEdge(drawn.places[0]) && isAtEdge(drawn.places[2]));
+        const auto value = measured(drawn, *document().seen());
+        QVERIFY(value && value->plusMinus && value->region);
+        QVERIFY2(std::abs(value->value - 300) < 12 + *value->plusMinus, value->text.c_str());
+        QVERIFY(shown(int(before), 1).contains(QString::fromUtf8("mm²")));
+        QCOMPARE(document().undoText(), Text("Undo measuring"));
+        document().undo();
+        begin();
+        for (const dvec3& corner : {dvec3(-5, -5, 0), dvec3(5, -5, 0), dvec3(5, 5, 0)})
+            click(centre_ + corner, Qt::AltModifier);
+        const ui::ViewLayout layout = trial_->desktop.window().views().layout();
+        QTest::mouseDClick(&axial(), Qt::LeftButton, {}, pointOf(centre_ + dvec3(5, 5, 0)));
+        QTest::mouseRelease(&axial(), Qt::LeftButton, {}, pointOf(centre_ + dvec3(5, 5, 0)));
+        QVERIFY(trial_->desktop.window().views().layout() == layout && axial().width() < 1000);
+        QCOMPARE(measurements().size(), before + 1);
+        document().undo();
+        begin();
+        for (const dvec3& corner : {dvec3(-5, -5, 0), dvec3(5, -5, 0), dvec3(5, 5, 0)})
+            click(centre_ + corner, Qt::AltModifier);
+        QTest::keyClick(&axial(), Qt::Key_Return);
+        QCOMPARE(measurements().size(), before + 1);
+        QVERIFY(std::abs(measured(measurements().back(), *document().seen())->value - 50) < 8);
+        document().undo();
+        QCOMPARE(measurements().size(), before);
+    }
+
+    /// A click too many says so.
+    void aPolygonHasNoMoreCornersThanAFileHolds() {
+        const std::size_t before = measurements().size();
+        QTest::keyClick(&trial_->desktop.window(), Qt::Key_M, Qt::ShiftModifier);
+        const int most = int(kMostCorners);
+        for (int n = 0; n < most + 2; ++n) {
+            const double turn = 6 * double(n) / most;
+            click(centre_ + dvec3(25 * std::cos(turn), 25 * std::sin(turn), 0), Qt::AltModifier);
+        }
+        QTest::keyClick(&axial(), Qt::Key_Return);
+        QCOMPARE(measurements().size(), before + 1);
+        QCOMPARE(measurements().back().places.size(), kMostCorners);
+        document().undo();
+    }
+
     /// What a label says is typed at once; its HU are in the list. Two steps: it was marked, and named.
     void aLabelIsTypedWhereItWasClicked() {
         const std::size_t before = measurements().size();
@@ -309,6 +366,8 @@ class MarksInWindowTest : public QObject {
             QTest::mouseMove(&axial(), pointOf(glm::mix(fromMm, toMm, share)));
         QTest::mouseRelease(&axial(), Qt::LeftButton, {}, pointOf(toMm));
     }
+    /// The first place of a polygon that was begun 9 mm to the right of the middle: the edge at 10 mm.
+    dvec3 drawnFirst() const { return centre_ + dvec3(-10, -8, 0); }
     void showAxialAt(dvec3 placeMm) {
         document().moveCrosshair(placeMm);
         QTRY_VERIFY_WITH_TIMEOUT(std::abs(axial().slice()->plane.depthMm(placeMm)) < 0.1, test::kPatience);

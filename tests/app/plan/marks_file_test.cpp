@@ -115,6 +115,13 @@ class MarksFileTest : public QObject {
             QCOMPARE(record[column("area_mm2")].isEmpty(), !hasArea);
             if (hasArea)
                 QVERIFY(std::abs(record[column("area_mm2")].toDouble() - row.value->area->value) <= 0.5001e-4);
+            const QStringList corners = record[column("corners_mm_lps")].split("; ", Qt::SkipEmptyParts);
+            QCOMPARE(std::size_t(corners.size()), row.kind == MeasureKind::polygon ? row.places.size() : 0);
+            for (qsizetype corner = 0; corner < corners.size(); ++corner) {
+                const QStringList mm = corners[corner].split(' ');
+                QVERIFY(glm::length(dvec3(mm[0].toDouble(), mm[1].toDouble(), mm[2].toDouble()) -
+                                    row.places[std::size_t(corner)].mm) < 1e-4);
+            }
             for (std::size_t place = 0; place < kMostPlaces; ++place) {
                 const QString number = QString::number(place + 1);
                 const QString x = record[column("x_mm_lps_" + number)];
@@ -172,13 +179,15 @@ class MarksFileTest : public QObject {
             for (const measure::Place& place : row.places)
                 if (row.kind != MeasureKind::ellipse)
                     expected.push_back(place.mm);
-        const auto around = positions.begin() + std::ptrdiff_t(expected.size()) - 2;  // the last ball is behind it
-        for (auto at = around; at != positions.end() - 2; ++at)
+        const auto around =
+            positions.begin() + std::ptrdiff_t(expected.size()) - 7;  // a polygon and a ball are behind it
+        for (auto at = around; at != positions.end() - 7; ++at)
             QVERIFY(std::abs(at->x * at->x / 81 + at->y * at->y / 36 - 1) < 1e-9 && at->z == 4);
         QVERIFY(*around == dvec3(9, 0, 4));
-        positions.erase(around, positions.end() - 2);
+        positions.erase(around, positions.end() - 7);
         QVERIFY(positions == expected);
-        QCOMPARE(types.join(' '), "Line Line Line Angle Angle Line Line Fiducial Fiducial ClosedCurve Fiducial");
+        QCOMPARE(types.join(' '),
+                 "Line Line Line Angle Angle Line Line Fiducial Fiducial ClosedCurve ClosedCurve Fiducial");
         QCOMPARE(markups[0]["name"].toString(), "Distance 1");
         QCOMPARE(markups[6]["name"].toString(), "Two lines 1 (2)");
     }

@@ -52,6 +52,8 @@ class MeasuredTest : public QObject {
         QCOMPARE(placesOf(MeasureKind::angle), std::size_t(3));
         QCOMPARE(placesOf(MeasureKind::lines), std::size_t(4));
         QCOMPARE(placesOf(MeasureKind::ellipse), std::size_t(3));
+        QCOMPARE(mostPlacesOf(MeasureKind::ellipse), std::size_t(3));
+        QVERIFY(placesOf(MeasureKind::polygon) == 3 && mostPlacesOf(MeasureKind::polygon) == kMostCorners);
         QVERIFY(!isBetweenEdges(MeasureKind::point) && !isBetweenEdges(MeasureKind::ball));
         QVERIFY(!isBetweenEdges(MeasureKind::ellipse) && isFlat(MeasureKind::ellipse) && !isFlat(MeasureKind::ball));
     }
@@ -203,6 +205,47 @@ class MeasuredTest : public QObject {
                                    {voxel + dvec3(50, 0, 0), voxel + dvec3(55, 0, 0), voxel + dvec3(50, 5, 0)}),
                      *volume);
         QVERIFY(!outside && !outside.error().hint.empty());
+    }
+
+    /// A polygon with a notch: its area by its corners, its voxels by what is left of a rectangle.
+    void aPolygonStatesItsAreaAndTheVoxelsInIt() {
+        const auto volume = ramp();
+        const auto at = [&](double i, double j) { return voxelMm(*volume, {i, j, 10.2}); };
+        std::vector<dvec3> corners{at(5.5, 5.5),   at(15.5, 5.5),  at(15.5, 15.5),
+                                   at(10.5, 15.5), at(10.5, 10.5), at(5.5, 10.5)};
+        for (int way = 0; way < 2; ++way) {
+            const auto found = measured(measurementOf(MeasureKind::polygon, corners, 0.1), *volume);
+            QVERIFY(found && found->unit == measure::Unit::mm2 && found->region && found->area);
+            QVERIFY(std::abs(found->value - 75) < 1e-9 && found->plusMinus > 0);
+            QCOMPARE(found->region->count, std::size_t(75));
+            QVERIFY(std::abs(found->region->meanHu - 10 * ((40 * 5 + 65 * 10) / 75.0 - 20)) < 1e-9);
+            QCOMPARE(found->region->lowestHu, -140.0);
+            QCOMPARE(found->region->highestHu, -50.0);
+            QVERIFY2(said(found->text).startsWith("75"), found->text.c_str());
+            QVERIFY2(said(found->details).contains("Mean ") && said(found->details).contains("75 voxels"),
+                     found->details.c_str());
+            std::ranges::reverse(corners);
+        }
+    }
+
+    /// What has an area but no voxel says why it has no mean; what has none, or is crossed or bent, is refused.
+    void aPolygonThatEnclosesNothingIsRefused() {
+        const auto volume = ramp();
+        const auto of = [&](const std::vector<dvec3>& indices) {
+            std::vector<dvec3> corners;
+            for (const dvec3& index : indices)
+                corners.push_back(voxelMm(*volume, index));
+            return measured(measurementOf(MeasureKind::polygon, corners), *volume);
+        };
+        const auto tiny = of({{5.2, 5.2, 10}, {5.4, 5.2, 10}, {5.4, 5.4, 10}});
+        QVERIFY(tiny && !tiny->region && tiny->area);
+        QVERIFY2(said(tiny->details).startsWith("No voxel's centre"), tiny->details.c_str());
+        for (const auto& each :
+             {of({{5, 5, 10}, {10, 10, 10}, {15, 15, 10}}), of({{5, 5, 10}, {15, 16, 10}, {15, 5, 10}, {5, 15, 10}}),
+              of({{5, 5, 10}, {15, 5, 10}, {15, 15, 12}, {5, 15, 10}})})
+            QVERIFY(!each && !each.error().hint.empty());
+        const auto few = of({{5.5, 5.5, 10}, {8.5, 5.5, 10}, {8.5, 8.5, 10}, {5.5, 8.5, 10}});
+        QVERIFY(few && few->region->count == 9 && said(few->details).contains("too few voxels"));
     }
 
     /// Its axes stay perpendicular, its middle takes it along, and an end of an axis turns it.

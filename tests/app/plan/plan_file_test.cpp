@@ -108,6 +108,13 @@ class PlanFileTest : public QObject {
         QCOMPARE(where(changed(saved, "\"importRule\": 1", "\"importRule\": 0")), std::string("p, scan.importRule"));
         QCOMPARE(where(changed(saved, "\"widthHu\": 350.0", "\"widthHu\": 0")),
                  std::string("p, navigation.window.widthHu"));
+        SavedPlan corners = saved;
+        corners.plan.measurements[0].kind = MeasureKind::polygon;
+        for (const std::size_t count : {std::size_t(2), kMostCorners + 1, std::size_t(3), kMostCorners}) {
+            corners.plan.measurements[0].places.resize(count);
+            const bool fits = count >= 3 && count <= kMostCorners;
+            QCOMPARE(where(planText(corners)), std::string(fits ? "nowhere" : "p, measurements[0].places"));
+        }
         SavedPlan twice = saved;
         twice.plan.measurements.push_back(twice.plan.measurements[0]);
         QCOMPARE(where(planText(twice)), std::string("p, measurements[1].id"));

@@ -43,10 +43,12 @@ MARKUPS = record(**{"@schema": TEXT, "markups": {"type": "array", "items": MARKU
 
 
 TYPES = {"distance": ["Line"], "angle": ["Angle"], "lines": ["Line", "Line"], "point": ["Fiducial"],
-         "ball": ["Fiducial"], "ellipse": ["ClosedCurve"]}
+         "ball": ["Fiducial"], "ellipse": ["ClosedCurve"], "polygon": ["ClosedCurve"]}
 
 
 def places_of(row):
+    if row["corners_mm_lps"]:
+        return [tuple(float(number) for number in corner.split()) for corner in row["corners_mm_lps"].split("; ")]
     return [tuple(float(row[f"{axis}_mm_lps_{n}"]) for axis in "xyz") for n in range(1, 5) if row[f"found_{n}"]]
 
 
@@ -74,9 +76,12 @@ def aside(u, v):
 
 
 def check_area(row):
-    middle, end, other = places_of(row)
-    u, v = from_to(middle, end), from_to(middle, other)
-    truth = math.pi * math.hypot(*u) * aside(u, v)
+    places = places_of(row)
+    if row["kind"] == "polygon":  # those of the file lie on an axial slice
+        truth = abs(sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(places, places[1:] + places[:1]))) / 2
+    else:
+        u, v = from_to(*places[:2]), from_to(places[0], places[2])
+        truth = math.pi * math.hypot(*u) * aside(u, v)
     assert abs(float(row["area_mm2"]) - truth) < 1e-3 * truth and float(row["area_plus_minus_95"]) > 0
 
 
@@ -104,6 +109,8 @@ def check_csv(rows):
             check_area(row)
         if row["kind"] in ("point", "ball", "ellipse"):
             assert row["unit"] == "HU"
+        elif row["kind"] == "polygon":
+            assert row["unit"] == "mm2" and row["value"] == row["area_mm2"]
         else:
             truth = drawn(row["kind"], places_of(row))
             low = 0 if row["bound"] == "atMost" else value - spread

@@ -77,6 +77,45 @@ class MarksLayerTest : public QObject {
         QVERIFY(!over.layer.takes(over.at({100, 50}, Qt::ShiftModifier)));  // moves the slice
     }
 
+    /// With enough corners a click on the first one, a double click, or Enter closes; Backspace goes back at any time.
+    void aPolygonIsClosed() {
+        Over over;
+        QSignalSpy closed(&over.layer, &MarksLayer::closed), back(&over.layer, &MarksLayer::takenBack);
+        const QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, {}), backspace(QEvent::KeyPress, Qt::Key_Backspace, {});
+        QVERIFY(!over.layer.key(backspace));
+        over.layer.setDrawing(true);
+        over.layer.setDrawn(MarkShape::polygon, {over.under({100, 100}), over.under({200, 100})});
+        ViewPointer twice = over.at({200, 100});
+        twice.twice = true;
+        over.layer.press(twice);
+        QVERIFY(over.placed.empty() && closed.isEmpty() && !over.layer.key(enter));
+        over.layer.setDrawn(MarkShape::polygon,
+                            {over.under({100, 100}), over.under({200, 100}), over.under({200, 200})});
+        over.layer.setClosing(true, false);
+        QVERIFY(!over.layer.key(enter));
+        over.layer.press(over.at({120, 120}));
+        QVERIFY(over.placed.size() == 1 && closed.isEmpty());
+        over.layer.press(over.at({103, 98}));
+        over.layer.press(twice);
+        QVERIFY(over.placed.size() == 1 && closed.size() == 2);
+        over.layer.setClosing(true, true);
+        QVERIFY(over.layer.key(enter) && closed.size() == 3);
+        QVERIFY(over.layer.key(backspace) && back.size() == 1);
+        over.layer.setDrawing(false);
+        QVERIFY(!over.layer.key(enter));
+    }
+
+    void aPolygonHasASideFromItsLastCornerToItsFirst() {
+        Over over;
+        std::vector<dvec3> corners;
+        for (int n = 0; n < 48; ++n)
+            corners.push_back(over.under({200 + 90 * std::cos(n / 7.6), 150 + 90 * std::sin(n / 7.6)}));
+        const auto sides = curvesOf({.shape = MarkShape::polygon, .placesMm = corners}, *over.image.camera, false);
+        QCOMPARE(sides.size(), corners.size());
+        QVERIFY(near(sides.back().front(), corners.back()) && near(sides.back().back(), corners.front()));
+        QVERIFY(sides[0].size() * sides.size() < 200);  // each part is looked for in the image
+    }
+
     void escapeEndsDrawing() {
         Over over;
         QSignalSpy cancelled(&over.layer, &MarksLayer::drawingCancelled);
