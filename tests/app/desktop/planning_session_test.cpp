@@ -115,9 +115,9 @@ void TestPlanningSession::fromTheFolderToTheSavedImage() {
 
     const QString file = session.folder.filePath("plan.png");
     QSignalSpy saved(&session.desktop.presenter<SavingPresenter>().job(), &ImageJob::saved);
-    session.desktop.presenter<SavingPresenter>().render({file, QSize(2000, 2000), {.levels = 0.2, .samples = 1}});
+    session.desktop.presenter<SavingPresenter>().render({file, QSize(1000, 1000), {.levels = 0.2, .samples = 1}});
     QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
-    QCOMPARE(QImage(file).size(), QSize(2000, 2000));
+    QCOMPARE(QImage(file).size(), QSize(1000, 1000));
     QVERIFY(!QImage(file).text("pdrender/cut").isEmpty());
 
     while (document.canUndo())

@@ -50,6 +50,7 @@ void TestWindowSize::initTestCase() {
 /// On a screen with 1.5 physical pixels per logical one, too, the rendered pixels are painted unaltered.
 void TestWindowSize::theImageHasTheScreensOwnPixels() {
     Trial trial;
+    trial.desktop.window().resize(900, 500);  // so large that no text reaches the middle
     ui::Viewport& viewport = trial.desktop.window().viewport();
     QCOMPARE(viewport.devicePixelRatioF(), 1.5);
     trial.desktop.document().setDenoised(false);  // lines that smoothing takes away are marked
