@@ -7,43 +7,17 @@
 #include <array>
 #include <cstdlib>
 
-#include "render/device/device_list.h"
-#include "render/kernel/features.h"
 #include "render/prepare/needs.h"
 #include "tests/ptx/runtime/runtime.h"
+#include "tests/ptx/small_scenes.h"
 #include "tests/support/scenes/masks.h"
-#include "tests/support/scenes/tissue_scene.h"
 
 using namespace pdr;
+using test::kSamples;
+using test::sceneOf;
+using test::shot;
 
 namespace {
-
-constexpr std::uint32_t kSamples = 2;
-
-/// Makes a small scene for which the kernels with these effects are launched.
-Scene sceneOf(std::uint32_t features) {
-    Scene scene = test::tissueScene();
-    scene.film = {16, 12};
-    scene.revision = features + 1;
-    scene.model = has(features, kBounces) ? Model::multipleScattering : Model::singleScattering;
-    scene.maxBounces = 4;
-    scene.gradientFactor = has(features, kSurface) ? 2.0f : 0.0f;
-    scene.environment.radiance = vec3(has(features, kEnvironment) ? 0.3f : 0.0f);
-    scene.lights = {DirectionalLight{{0.4, 1, -0.5}, vec3(2)}};
-    if (has(features, kPlacedLights))
-        scene.lights.emplace_back(SphereLight{.centreMm = {200, -300, 100}, .radiance = vec3(30)});
-    for (TransferNode& node : scene.transferFunction.nodes)
-        node.emission = vec3(has(features, kEmission) ? 0.2f : 0.0f);
-    return scene;
-}
-
-std::shared_ptr<const Film> shot(Device& device, const Scene& scene, std::uint32_t samples = kSamples) {
-    const auto live = startFilm(device, scene);
-    if (!live || !(*live)->accumulate(samples, {}))
-        return nullptr;
-    const auto film = (*live)->film();
-    return film ? *film : nullptr;
-}
 
 /// Returns an image of each sample in turn, fetched while the next is taken where the device can.
 std::vector<std::uint8_t> images(Device& device, const Scene& scene) {
@@ -53,8 +27,8 @@ std::vector<std::uint8_t> images(Device& device, const Scene& scene) {
         return all;
     int waiting = 0;
     const auto fetch = [&] {
-        const auto image = (*live)->readback();
-        all.insert(all.end(), image->rgba.begin(), image->rgba.end());
+        if (const auto image = (*live)->readback())
+            all.insert(all.end(), image->rgba.begin(), image->rgba.end());
         --waiting;
     };
     for (std::uint32_t n = 0; n < kSamples + 2; ++n) {
@@ -159,6 +133,18 @@ class KernelsTest : public QObject {
         scene.film = {4, 4};
         scene.schedule = {Schedule::Kind::kroes, false, false, false};
         QVERIFY(agree(scene, kSamplesPerBlock + 1));
+    }
+
+    /// The bounds stay, so nothing but the tables themselves waits between edits of a light.
+    void aTableThatIsSentTwiceWaitsForItsLastCopy() {
+        Scene scene = sceneOf(kSurface);
+        QVERIFY(gpu_->upload(scene));
+        for (const float radiance : {1.0f, 3.0f, 0.5f}) {
+            scene.lights = {DirectionalLight{{0.4, 1, -0.5}, vec3(radiance)}};
+            ++scene.revision;
+            QVERIFY(gpu_->upload(scene));
+        }
+        QVERIFY(agree(scene));
     }
 
     /// Whatever is added to the device is added above.

@@ -83,6 +83,14 @@ class WallsTest : public QObject {
              "|^(ui|dicom|render)/"},
             {"app/desktop/",
              "^app/(desktop|presenters|rendering|looks|program|command_line)/|^ui/(window|text|theme)/|^render/"},
+            {"tests/ptx/", "^tests/(ptx|support)/|^render/"},
+            {"tests/ptx/base/", "^tests/ptx/base/"},
+            {"tests/ptx/text/", "^tests/ptx/(base|text)/"},
+            {"tests/ptx/code/", "^tests/ptx/(base/|text/|code/|operations/operations.h$)"},
+            {"tests/ptx/machine/", "^tests/ptx/(base/|text/|code/program.h$|machine/)"},
+            {"tests/ptx/operations/", "^tests/ptx/(base/|text/|code/instruction.h$|machine/|operations/)"},
+            {"tests/ptx/runtime/", "^tests/ptx/(base/|text/|code/decode.h$|machine/|runtime/)"},
+            {"tests/ptx/checks/", "^tests/(ptx|support)/|^render/"},
         };
         for (const QString& panel : kPanels)
             all << Wall{"ui/" + panel + "/", "^ui/(" + panel + "|view|annotation|widgets|text)/" + below};
@@ -91,7 +99,7 @@ class WallsTest : public QObject {
 
     static QStringList files() {
         QStringList found;
-        for (const char* room : {"render", "dicom", "ui", "app"}) {
+        for (const char* room : {"render", "dicom", "ui", "app", "tests/ptx"}) {
             QDirIterator walk(QStringLiteral(PDR_SOURCE_DIR "/") + room, {"*.h", "*.cpp", "*.cu", "*.cuh"}, QDir::Files,
                               QDirIterator::Subdirectories);
             while (walk.hasNext())
@@ -101,11 +109,11 @@ class WallsTest : public QObject {
     }
 
     static bool crosses(const QString& file, const QString& include) {
-        static const QRegularExpression ours("^(render|dicom|ui|app)/");
+        static const QRegularExpression ours("^(render|dicom|ui|app|tests/ptx)/");
         const auto matches = [](const QString& pattern, const QString& text) {
             return QRegularExpression(pattern).match(text).hasMatch();
         };
-        if (ours.match(include).hasMatch()) {
+        if (ours.match(include).hasMatch() || (file.startsWith("tests/ptx/") && include.startsWith("tests/"))) {
             static const QList<Wall> walls = rooms();
             const Wall* room = nullptr;
             for (const Wall& wall : walls)
@@ -124,11 +132,11 @@ class WallsTest : public QObject {
         if (matches("^nlohmann/", include))
             return !matches("^(render/scene/(json_fields|field_writer|slicer/vp_json)\\.|app/)", file);
         if (matches("^zstd", include))
-            return file != "app/wire/one_frame.cpp";
+            return file != "app/wire/one_frame.cpp" && file != "tests/ptx/text/fat_binary.cpp";
         if (matches("^openssl/", include))
             return !matches("^app/(wire|remote)/.*\\.cpp$", file);
         if (matches("^cuda", include))
-            return !matches("^(render/device/cuda/|render/base/portable.h)", file);
+            return !matches("^(render/device/cuda/|render/base/portable.h|tests/ptx/(runtime|checks)/)", file);
         return false;
     }
 
@@ -167,6 +175,8 @@ class WallsTest : public QObject {
         QCOMPARE(crossings("app/plan/history.h", "#include <QString>").size(), 1);
         QCOMPARE(crossings("ui/window/main_window.h", "#include \"ui/tissue/tissue_panel.h\"").size(), 1);
         QCOMPARE(crossings("app/presenters/presenter.h", "#include \"app/desktop/desktop.h\"").size(), 1);
+        QCOMPARE(crossings("tests/ptx/text/module.h", "#include \"tests/ptx/runtime/runtime.h\"").size(), 1);
+        QCOMPARE(crossings("tests/ptx/machine/warp.h", "#include \"tests/support/places.h\"").size(), 1);
     }
 
     /// A newcomer looks for a room first: no source file lies outside of one.

@@ -1,0 +1,51 @@
+/// Renders one small picture three times with the same device, and says of each whether it has the CPU's bits.
+///   ptx_pictures    prints "right" or an error's sentence for each; exit code 1: a picture is wrong
+
+#include <cstdio>
+#include <memory>
+
+#include "tests/ptx/small_scenes.h"
+
+using namespace pdr;
+
+namespace {
+
+constexpr int kPictures = 3;
+
+/// Returns the film and an image that was fetched beside the next sample, which must agree with it.
+Result<std::shared_ptr<const Film>> picture(Device& device, const Scene& scene) {
+    const auto live = startFilm(device, scene);
+    if (!live)
+        return live.error();
+    for (std::uint32_t n = 0; n < test::kSamples; ++n) {
+        if (const auto done = (*live)->accumulate(1, {}); !done)
+            return done.error();
+        if (const auto done = (*live)->resolve({}); !done)
+            return done.error();
+        if (const auto image = (*live)->readback(); !image)
+            return image.error();
+    }
+    return (*live)->film();
+}
+
+}  // namespace
+
+int main() {
+    Scene scene = test::sceneOf(kSurface | kEnvironment | kBounces);
+    const auto truth = picture(*makeCpuDevice(1), scene);
+    const auto device = openDevice("cuda");
+    if (!device) {
+        std::printf("%s\n", device.error().text().c_str());
+        return 0;
+    }
+    bool isWrong = false;
+    for (int n = 0; n < kPictures; ++n) {
+        scene.volume = std::make_shared<Volume>(*scene.volume);  // another one for the device
+        ++scene.revision;
+        const auto ours = picture(**device, scene);
+        const bool isRight = ours && sameBits((*truth)->content(), (*ours)->content());
+        isWrong = isWrong || (ours && !isRight);
+        std::printf("%s\n", isRight ? "right" : ours ? "wrong" : ours.error().text().c_str());
+    }
+    return isWrong ? 1 : 0;
+}
