@@ -8,6 +8,7 @@
 #include "app/plan/slice_region.h"
 #include "app/presenters/crosshair_presenter.h"
 #include "app/presenters/mark_places.h"
+#include "app/presenters/mark_profile.h"
 #include "app/presenters/slices_presenter.h"
 
 namespace pdr::app {
@@ -243,9 +244,18 @@ void MarksPresenter::show() {
         rows_.clear();
     panel_->setRows(rows_.rows());
     panel_->setSelected(selected_);
+    showProfile();
     for (ui::MarksLayer& layer : layers_)
         layer.setMarks(rows_.marks());
     inImage_.setMarks(rows_.marks());
+}
+
+/// Shows the HU along the selected measurement, if it is a distance.
+void MarksPresenter::showProfile() {
+    const std::vector<Measurement>& all = document().plan().measurements;
+    const auto chosen = find(all, selected_);
+    const bool shown = document().hasVolume() && chosen != all.end();
+    panel_->setProfile(shown ? profileOf(*chosen, *document().seen()) : std::nullopt);
 }
 
 }  // namespace pdr::app

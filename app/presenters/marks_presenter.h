@@ -48,6 +48,7 @@ class MarksPresenter : public Presenter {
     void remove(std::uint64_t id);
     void select(std::uint64_t id);
     void show();
+    void showProfile();
     void showDrawn();
 
     SlicesPresenter& slices_;

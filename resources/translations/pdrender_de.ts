@@ -270,6 +270,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 mm daneben</translation>
     </message>
     <message>
+        <source>%1 mm: %2 HU</source>
+        <translation>%1 mm: %2 HU</translation>
+    </message>
+    <message>
+        <source>%1 mm: nothing measured</source>
+        <translation>%1 mm: nichts gemessen</translation>
+    </message>
+    <message>
         <source>%1 mm²</source>
         <translation>%1 mm²</translation>
     </message>
@@ -948,6 +956,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>An IPv6 address stands in brackets: [%1] or [%1]:%2.</source>
         <translation>Eine IPv6-Adresse steht in Klammern: [%1] oder [%1]:%2.</translation>
+    </message>
+    <message>
+        <source>An end at an edge, at %1 HU.</source>
+        <translation>Ein Ende an einer Kante, bei %1 HU.</translation>
     </message>
     <message>
         <source>An image is still rendering. Quit and discard it?</source>
@@ -1850,6 +1862,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Freihandschnitte: %1</translation>
     </message>
     <message>
+        <source>From %1 to %2 HU over %3 mm.</source>
+        <translation>Von %1 bis %2 HU auf %3 mm.</translation>
+    </message>
+    <message>
         <source>From a question to its answer [milliseconds]</source>
         <translation>Von einer Frage bis zur Antwort [Millisekunden]</translation>
     </message>
@@ -1952,6 +1968,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>HU</source>
         <translation>HU</translation>
+    </message>
+    <message>
+        <source>HU along the distance</source>
+        <translation>HU entlang der Strecke</translation>
     </message>
     <message>
         <source>Hard bone</source>
@@ -3550,6 +3570,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Die CPU rechnet, da die Grafikkarte nicht verwendet werden kann: %1.</translation>
     </message>
     <message>
+        <source>The HU along the chosen distance, and beyond it. Dashed: its ends; dots: the half levels at which they lie. The pointer and the arrow keys read off values.</source>
+        <translation>Die HU entlang der gewählten Strecke und darüber hinaus. Gestrichelt: ihre Enden; Punkte: die halben Höhen, auf denen sie liegen. Mauszeiger und Pfeiltasten lesen Werte ab.</translation>
+    </message>
+    <message>
         <source>The HU that slices show at this place. One place has no ±: a ball has a mean with a ±.</source>
         <translation>Der HU-Wert, den Schichten an diesem Ort zeigen. Ein einzelner Ort hat kein ±: Eine Kugel hat einen Mittelwert mit ±.</translation>
     </message>
@@ -5094,6 +5118,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>mixed slice orientations</source>
         <translation>verschiedene Schichtrichtungen</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
     <message>
         <source>more than half of what is solid is thinner than 20 mm</source>

@@ -270,6 +270,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>a %1 mm</translation>
     </message>
     <message>
+        <source>%1 mm: %2 HU</source>
+        <translation>%1 mm: %2 UH</translation>
+    </message>
+    <message>
+        <source>%1 mm: nothing measured</source>
+        <translation>%1 mm: nada medido</translation>
+    </message>
+    <message>
         <source>%1 mm²</source>
         <translation>%1 mm²</translation>
     </message>
@@ -948,6 +956,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>An IPv6 address stands in brackets: [%1] or [%1]:%2.</source>
         <translation>Una dirección IPv6 va entre corchetes: [%1] o [%1]:%2.</translation>
+    </message>
+    <message>
+        <source>An end at an edge, at %1 HU.</source>
+        <translation>Un extremo en un borde, a %1 UH.</translation>
     </message>
     <message>
         <source>An image is still rendering. Quit and discard it?</source>
@@ -1850,6 +1862,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Cortes a mano alzada: %1</translation>
     </message>
     <message>
+        <source>From %1 to %2 HU over %3 mm.</source>
+        <translation>De %1 a %2 UH en %3 mm.</translation>
+    </message>
+    <message>
         <source>From a question to its answer [milliseconds]</source>
         <translation>De una pregunta a su respuesta [milisegundos]</translation>
     </message>
@@ -1952,6 +1968,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>HU</source>
         <translation>UH</translation>
+    </message>
+    <message>
+        <source>HU along the distance</source>
+        <translation>UH a lo largo de la distancia</translation>
     </message>
     <message>
         <source>Hard bone</source>
@@ -3550,6 +3570,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Calcula la CPU, pues la tarjeta gráfica no se puede usar: %1.</translation>
     </message>
     <message>
+        <source>The HU along the chosen distance, and beyond it. Dashed: its ends; dots: the half levels at which they lie. The pointer and the arrow keys read off values.</source>
+        <translation>Las UH a lo largo de la distancia elegida y más allá. Líneas discontinuas: sus extremos; puntos: los niveles medios en que están. El puntero y las teclas de flecha leen valores.</translation>
+    </message>
+    <message>
         <source>The HU that slices show at this place. One place has no ±: a ball has a mean with a ±.</source>
         <translation>El valor UH que muestran los cortes en este punto. Un solo punto no tiene ±: una esfera tiene una media con ±.</translation>
     </message>
@@ -5094,6 +5118,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>mixed slice orientations</source>
         <translation>orientaciones de corte mezcladas</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
     <message>
         <source>more than half of what is solid is thinner than 20 mm</source>

@@ -26,6 +26,7 @@ MarksPanel::MarksPanel(QWidget* parent) : QWidget(parent), buttons_(new QGridLay
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(buttons_);
     layout->addWidget(&list_, 1);
+    layout->addWidget(&chart_);
     layout->addWidget(&remove_, 0, Qt::AlignRight);
     remove_.setFocusPolicy(Qt::TabFocus);
 

@@ -1,5 +1,6 @@
 #pragma once
-/// The list of all measurements, with their values, and the buttons of the tools that measure. Setters emit no signals.
+/// The list of all measurements, with their values, the buttons of the tools that measure, and the HU along a distance.
+/// Setters emit no signals.
 
 #include <QGridLayout>
 #include <QToolButton>
@@ -7,6 +8,8 @@
 #include <QWidget>
 #include <cstdint>
 #include <vector>
+
+#include "ui/measure/profile_chart.h"
 
 namespace pdr::ui {
 
@@ -29,6 +32,8 @@ class MarksPanel : public QWidget {
     void addTool(QAction* action);
     void setRows(const std::vector<MarkRow>& rows);
     void setSelected(std::uint64_t id);
+    /// Sets the HU along the selected measurement; none: the list has the room.
+    void setProfile(const std::optional<ShownProfile>& profile) { chart_.setProfile(profile); }
     /// Opens the name of a row for typing.
     void editName(std::uint64_t id);
 
@@ -49,6 +54,7 @@ class MarksPanel : public QWidget {
     QGridLayout* buttons_;
     QToolButton remove_;
     QTreeWidget list_;
+    ProfileChart chart_;
     std::vector<MarkRow> rows_;
 };
 

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "app/plan/measured.h"
+#include "app/presenters/mark_profile.h"
 #include "app/presenters/marks_presenter.h"
 #include "app/presenters/slices_presenter.h"
 #include "dicom/write/export.h"
@@ -320,6 +321,28 @@ class MarksInWindowTest : public QObject {
         QCOMPARE(panel().findChild<QTreeWidget*>()->topLevelItem(0)->text(0), QString("plate"));
         document().undo();
         QVERIFY(measurements() == all);
+    }
+
+    /// From outside the plate into it and out again, with half levels between its HU and those around it.
+    void aDistanceShowsTheHuAlongIt() {
+        auto* chart = panel().findChild<ui::ProfileChart*>();
+        emit panel().selected(measurements()[0].id);
+        QVERIFY(chart && !chart->isHidden());
+        QVERIFY2(chart->accessibleDescription().startsWith("From 40 to 1,000 HU over "),
+                 qPrintable(chart->accessibleDescription()));
+        const auto shown = profileOf(measurements()[0], *document().seen());
+        QVERIFY(shown && shown->halfLevels[0] && shown->halfLevels[1]);
+        for (const std::optional<double>& level : shown->halfLevels)
+            QVERIFY2(std::abs(*level - 520) < 60, qPrintable(QString::number(*level)));
+        QVERIFY(std::abs(shown->samples.front().mm + 5) < 1e-9);
+        QVERIFY(std::abs(shown->samples.back().mm - shown->lengthMm - 5) < 1e-9);
+        const auto& samples = shown->samples;
+        const auto inside = std::ranges::find_if(samples, [](const auto& each) { return each.mm > 8; });
+        QVERIFY(inside->hu > 990 && samples.front().hu < 60 && samples.back().hu < 60);
+        const auto other = std::ranges::find_if(
+            measurements(), [](const Measurement& one) { return one.kind != MeasureKind::distance; });
+        emit panel().selected(other->id);
+        QVERIFY(chart->isHidden());
     }
 
     void choosingOneMovesTheSlicesThere() {
