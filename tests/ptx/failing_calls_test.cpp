@@ -50,8 +50,8 @@ class FailingCallsTest : public QObject {
                 const test::ProgramRun run = pictures(QString("FAIL=%1:%2").arg(n + 1).arg(error));
                 const QString what = names[n] + " " + QString::number(n + 1) + ": " + run.out + run.err;
                 QVERIFY2(run.code == 0 && !run.err.contains("ptx: "), qPrintable(what));
-                const bool opened = run.out.count('\n') == 3;
-                QVERIFY2(!opened || names[n] == "__cudaGetKernel" || run.out.endsWith("right\n"), qPrintable(what));
+                const bool isOpen = run.out.count('\n') == 3, isKept = names[n] == "__cudaGetKernel";
+                QVERIFY2(!isOpen || isKept || run.out.count("right\n") >= 2, qPrintable(what));  // all but its own
             }
     }
 
