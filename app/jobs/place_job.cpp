@@ -24,6 +24,7 @@ void PlaceJob::pick(const Scene& scene, QPointF place) {
 void PlaceJob::look(const Scene& scene, const std::vector<dvec3>& placesMm) {
     examine(scene, [this, placesMm](const PreparedScene& prepared) -> std::function<void()> {
         std::vector<std::optional<HiddenBy>> hidden;
+        hidden.reserve(placesMm.size());
         for (const dvec3& place : placesMm)
             hidden.push_back(hiddenBy(prepared, place));
         return [this, placesMm, hidden] { emit seen(placesMm, hidden); };
