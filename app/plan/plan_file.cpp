@@ -1,5 +1,6 @@
 #include "app/plan/plan_file.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -17,13 +18,23 @@ constexpr std::string_view kFormat = "pdrender-plan";
 constexpr std::uint64_t kMostBytes = 16 << 20;
 constexpr std::size_t kMostSliceDigits = 16 * 16384;  // of as many slices as a scan may have
 
-/// Returns whether a symmetric matrix can be a covariance: no direction has a negative variance. Rounding of 1e-9 of
-/// the largest variance is let pass.
-bool isCovariance(const dmat3& m) {
-    const double most = std::max({m[0][0], m[1][1], m[2][2]});
-    const dmat3 widened = m + dmat3(1e-9 * most + 1e-300);
-    const double minor = widened[0][0] * widened[1][1] - widened[0][1] * widened[1][0];
-    return widened[0][0] >= 0 && minor >= 0 && glm::determinant(widened) >= 0;
+/// Returns whether a symmetric matrix can be a covariance: no direction has a negative variance. Decomposes it
+/// (Cholesky with pivots), since its determinant is nothing but rounding where one direction is much less sure than the
+/// others. Rounding of 1e-9 of the largest variance is let pass.
+bool isCovariance(dmat3 m) {
+    const double slack = 1e-9 * std::max({m[0][0], m[1][1], m[2][2]});
+    for (int step = 0; step < 3; ++step) {
+        const dvec3 variances(m[0][0], m[1][1], m[2][2]);
+        const int pivot = int(std::max_element(&variances[0], &variances[0] + 3) - &variances[0]);
+        if (variances[pivot] <= slack)
+            break;
+        const dvec3 column = m[pivot];
+        m -= glm::outerProduct(column, column) / column[pivot];
+    }
+    const auto isZero = [slack](const dvec3& column) {
+        return glm::all(glm::lessThanEqual(glm::abs(column), dvec3(slack)));
+    };
+    return isZero(m[0]) && isZero(m[1]) && isZero(m[2]);
 }
 
 Result<void> check(const measure::Place& place, const std::string& where) {

@@ -4,6 +4,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <cmath>
+#include <random>
 #include <set>
 
 #include "app/plan/plan_fields.h"
@@ -137,6 +139,39 @@ class PlanFileTest : public QObject {
                 if (const auto read = planFromText(damaged, "p"); !read)
                     QVERIFY(!read.error().what.empty());
             }
+    }
+
+    /// A place seen through fog is far less sure along the ray than across it: still a covariance, whatever rounds.
+    void placesAsUnsureAsCanBeComeBack() {
+        std::mt19937_64 random(5);
+        std::normal_distribution<double> normal;
+        SavedPlan saved = smallPlan();
+        for (int trial = 0; trial < 300; ++trial) {
+            const dvec3 ray = glm::normalize(dvec3(normal(random), normal(random), normal(random)));
+            const double along = std::pow(10.0, normal(random)), across = trial % 2 * 0.05;
+            const dmat3 spread = along * along * glm::outerProduct(ray, ray) +
+                                 across * across * (dmat3(1) - glm::outerProduct(ray, ray));
+            measure::Place& place = saved.plan.measurements[0].places[0];
+            place.spread.of(measure::Cause::light) = 0.5 * (spread + glm::transpose(spread));
+            const auto read = planFromText(planText(saved), "p");
+            QVERIFY2(read, read ? "" : read.error().text().c_str());
+            QVERIFY(*read == saved);
+        }
+    }
+
+    /// One direction of negative variance, however the axes lie, is none that this program has written.
+    void aNegativeVarianceIsRefused() {
+        std::mt19937_64 random(6);
+        std::normal_distribution<double> normal;
+        SavedPlan saved = smallPlan();
+        for (int trial = 0; trial < 100; ++trial) {
+            const dvec3 a = glm::normalize(dvec3(normal(random), normal(random), normal(random)));
+            const dvec3 b = glm::normalize(glm::cross(a, dvec3(normal(random), normal(random), normal(random))));
+            const dmat3 spread = 100.0 * glm::outerProduct(a, a) - 1e-4 * glm::outerProduct(b, b);
+            measure::Place& place = saved.plan.measurements[0].places[0];
+            place.spread.of(measure::Cause::light) = 0.5 * (spread + glm::transpose(spread));
+            QVERIFY(!planFromText(planText(saved), "p"));
+        }
     }
 
     void aScanIsKnownByItsVoxelsAndPlaces() {
