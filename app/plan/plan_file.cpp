@@ -20,9 +20,9 @@ constexpr std::size_t kMostSliceDigits = 16 * 16384;  // of as many slices as a 
 
 /// Returns whether a symmetric matrix can be a covariance: no direction has a negative variance. Decomposes it
 /// (Cholesky with pivots), since its determinant is nothing but rounding where one direction is much less sure than the
-/// others. Rounding of 1e-9 of the largest variance is let pass.
+/// others. Rounding of 1e-6 of the largest variance is let pass: directions may come from numbers in float.
 bool isCovariance(dmat3 m) {
-    const double slack = 1e-9 * std::max({m[0][0], m[1][1], m[2][2]});
+    const double slack = 1e-6 * std::max({m[0][0], m[1][1], m[2][2]});
     for (int step = 0; step < 3; ++step) {
         const dvec3 variances(m[0][0], m[1][1], m[2][2]);
         const int pivot = int(std::max_element(&variances[0], &variances[0] + 3) - &variances[0]);

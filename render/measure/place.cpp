@@ -78,8 +78,9 @@ Place clickedPlace(const VolumeGeometry& geometry, dvec3 mm, const ClickedPlane&
 Place pickedPlace(const VolumeGeometry& geometry, dvec3 mm, dvec3 alongRay, double depthSigma, double pixelSigma) {
     Place place{.mm = mm, .found = Found::picked};
     place.spread.of(Cause::grid) = gridSpread(geometry);
-    place.spread.of(Cause::hand) = pixelSigma * pixelSigma * dmat3(1) - along(alongRay, pixelSigma);
-    place.spread.of(Cause::light) = along(alongRay, depthSigma);
+    const dvec3 ray = glm::normalize(alongRay);  // of rays in float, what is longer than 1 would be a negative variance
+    place.spread.of(Cause::hand) = pixelSigma * pixelSigma * dmat3(1) - along(ray, pixelSigma);
+    place.spread.of(Cause::light) = along(ray, depthSigma);
     return place;
 }
 

@@ -39,6 +39,18 @@ class PickedEdgeTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// Rays come from cameras in float, so they may be a little longer than 1; no variance is negative for that.
+    void aPickHasNoNegativeVariance() {
+        std::mt19937 random(2);
+        const VolumeGeometry grid = VolumeGeometry::aligned({4, 4, 4}, dvec3(1), dvec3(0));
+        for (int trial = 0; trial < 100; ++trial) {
+            const dvec3 ray = test::randomDirection(random) * (1 + 1e-7);
+            const Place place = pickedPlace(grid, dvec3(1), ray, 30, 0.06);
+            const double along = glm::dot(ray, place.spread.of(Cause::hand) * ray);
+            QVERIFY2(std::abs(along) < 1e-14, qPrintable(QString::number(along)));
+        }
+    }
+
     /// A look finds the surface up to 2 mm too deep or 0.5 mm too near; the edge is where the ray meets the half level.
     void aPlaceGoesAlongItsRayToTheEdge() {
         std::mt19937 random(3);
