@@ -1,5 +1,5 @@
-/// Each call of the CUDA runtime fails once: a sentence or the right picture comes of it, never a crash, a hang or a
-/// wrong picture, and the device then works again. And so on machines that are not as one would like them.
+/// Each call of the CUDA runtime fails once: a sentence or the right image comes of it, never a crash, a hang or a
+/// wrong image, and the device then works again. And so on machines that are not as one would like them.
 
 #include <QTest>
 
@@ -11,8 +11,8 @@ using namespace pdr;
 
 namespace {
 
-test::ProgramRun pictures(const QString& settings) {
-    return test::runProgram("../tests/ptx_pictures", {}, [&](QProcess& process) {
+test::ProgramRun images(const QString& settings) {
+    return test::runProgram("../tests/ptx_images", {}, [&](QProcess& process) {
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         for (const QString& setting : settings.split(' ', Qt::SkipEmptyParts))
             environment.insert("PDR_PTX_" + setting.section('=', 0, 0), setting.section('=', 1));
@@ -24,7 +24,7 @@ test::ProgramRun pictures(const QString& settings) {
 QStringList calls() {
     static const QRegularExpression line("^call \\d+ (\\w+): 0$", QRegularExpression::MultilineOption);
     QStringList names;
-    const QString told = pictures("TRACE=1").err;
+    const QString told = images("TRACE=1").err;
     for (auto each = line.globalMatch(told); each.hasNext();)
         names << each.next().captured(1);
     return names;
@@ -38,7 +38,7 @@ class FailingCallsTest : public QObject {
   private slots:
     void withoutFailuresAllPicturesAreRight() {
         for (const char* settings : {"", "STREAMS=late", "CAPABILITY=75", "CAPABILITY=120", "DEVICES=2"})
-            QCOMPARE(pictures(settings).out, QByteArray("right\nright\nright\n"));
+            QCOMPARE(images(settings).out, QByteArray("right\nright\nright\n"));
     }
 
     /// nvcc's own code asks for a kernel once in a process, so that a failure of that call alone stays.
@@ -47,7 +47,7 @@ class FailingCallsTest : public QObject {
         QVERIFY(names.size() > 200);
         for (const char* error : {"999", "2"})
             for (int n = 0; n < names.size(); ++n) {
-                const test::ProgramRun run = pictures(QString("FAIL=%1:%2").arg(n + 1).arg(error));
+                const test::ProgramRun run = images(QString("FAIL=%1:%2").arg(n + 1).arg(error));
                 const QString what = names[n] + " " + QString::number(n + 1) + ": " + run.out + run.err;
                 QVERIFY2(run.code == 0 && !run.err.contains("ptx: "), qPrintable(what));
                 const bool isOpen = run.out.count('\n') == 3, isKept = names[n] == "__cudaGetKernel";
@@ -58,16 +58,16 @@ class FailingCallsTest : public QObject {
     void aLostDeviceIsNeverAWrongPicture() {
         const qsizetype count = calls().size();
         for (qsizetype n = 1; n <= count; n += 7) {
-            const test::ProgramRun run = pictures(QString("FAIL=%1:719").arg(n));
+            const test::ProgramRun run = images(QString("FAIL=%1:719").arg(n));
             QVERIFY2(run.code == 0 && !run.err.contains("ptx: "), qPrintable(run.out + run.err));
         }
     }
 
     void whatTheMachineLacksIsSaid() {
-        QVERIFY(pictures("CAPABILITY=70").out.contains("too old"));
-        QVERIFY(pictures("DRIVER=12080").out.contains("12.8"));
-        QVERIFY(pictures("DEVICES=0").out.contains("no GPU"));
-        QVERIFY(pictures("MEMORY_MB=0").out.contains("memory"));
+        QVERIFY(images("CAPABILITY=70").out.contains("too old"));
+        QVERIFY(images("DRIVER=12080").out.contains("12.8"));
+        QVERIFY(images("DEVICES=0").out.contains("no GPU"));
+        QVERIFY(images("MEMORY_MB=0").out.contains("memory"));
     }
 };
 

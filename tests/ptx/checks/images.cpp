@@ -1,5 +1,5 @@
-/// Renders one small picture three times with the same device, and says of each whether it has the CPU's bits.
-///   ptx_pictures    prints "right" or an error's sentence for each; exit code 1: a picture is wrong
+/// Renders one small image three times with the same device, and says of each whether it has the CPU's bits.
+///   ptx_images    prints "right" or an error's sentence for each; exit code 1: an image is wrong
 
 #include <cstdio>
 #include <memory>
@@ -10,10 +10,10 @@ using namespace pdr;
 
 namespace {
 
-constexpr int kPictures = 3;
+constexpr int kImages = 3;
 
 /// Returns the film and an image that was fetched beside the next sample, which must agree with it.
-Result<std::shared_ptr<const Film>> picture(Device& device, const Scene& scene) {
+Result<std::shared_ptr<const Film>> filmOf(Device& device, const Scene& scene) {
     const auto live = startFilm(device, scene);
     if (!live)
         return live.error();
@@ -32,17 +32,17 @@ Result<std::shared_ptr<const Film>> picture(Device& device, const Scene& scene) 
 
 int main() {
     Scene scene = test::sceneOf(kSurface | kEnvironment | kBounces);
-    const auto truth = picture(*makeCpuDevice(1), scene);
+    const auto truth = filmOf(*makeCpuDevice(1), scene);
     const auto device = openDevice("cuda");
     if (!device) {
         std::printf("%s\n", device.error().text().c_str());
         return 0;
     }
     bool isWrong = false;
-    for (int n = 0; n < kPictures; ++n) {
+    for (int n = 0; n < kImages; ++n) {
         scene.volume = std::make_shared<Volume>(*scene.volume);  // another one for the device
         ++scene.revision;
-        const auto ours = picture(**device, scene);
+        const auto ours = filmOf(**device, scene);
         const bool isRight = ours && sameBits((*truth)->content(), (*ours)->content());
         isWrong = isWrong || (ours && !isRight);
         std::printf("%s\n", isRight ? "right" : ours ? "wrong" : ours.error().text().c_str());
