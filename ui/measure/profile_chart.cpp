@@ -37,6 +37,9 @@ ProfileChart::ProfileChart(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAccessibleName(tr("HU along the distance"));
+    setToolTip(
+        tr("The HU along the chosen distance, and beyond it. Dashed: its ends; dots: the half levels at which "
+           "they lie. The pointer and the arrow keys read off values."));
     hide();
 }
 
@@ -66,9 +69,6 @@ void ProfileChart::describe() {
     if (read_ >= 0)
         text = reading() + ". " + text;
     setAccessibleDescription(text);
-    setToolTip(
-        tr("The HU along the chosen distance, and beyond it. Dashed: its ends; dots: the half levels at which "
-           "they lie. The pointer and the arrow keys read off values."));
 }
 
 QString ProfileChart::reading() const {
