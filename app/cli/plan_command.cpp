@@ -41,9 +41,11 @@ Result<ReadPlan> readAll(const PlanOptions& options, const std::stop_token& stop
     auto scanned = scannedVolume(options.scan, options.seriesUid, Table::hidden, stop);
     if (!scanned)
         return scanned.error();
-    if (auto ok = checkFits(*saved, *scanned->seen); !ok)
+    if (auto ok = checkIsScanOf(saved->scan, *scanned->seen); !ok)
         return Error{ok.error().what, options.scan.string(), "Name the series on which the plan was made.",
                      ok.error().kind};
+    if (auto ok = checkPlaces(saved->plan, scanned->seen->geometry()); !ok)
+        return Error{ok.error().what, options.file.string(), ok.error().hint, ok.error().kind};
     scanned->files.push_back(options.file);
     return ReadPlan{*std::move(saved), *std::move(scanned)};
 }

@@ -29,7 +29,10 @@ void PlanJob::open(const QString& file, const std::shared_ptr<const Volume>& vol
         const auto read = readPlan(ui::fromQt(file));
         if (!read)
             return failure(read.error());
-        if (auto ok = checkFits(*read, *volume); !ok)
+        auto ok = checkIsScanOf(read->scan, *volume);
+        if (ok)
+            ok = checkPlaces(read->plan, volume->geometry());
+        if (!ok)
             return failure(Error{ok.error().what, file.toStdString(), ok.error().hint, ok.error().kind});
         return [this, plan = read->plan, file] { emit opened(plan, file); };
     });

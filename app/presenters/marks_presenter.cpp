@@ -4,12 +4,12 @@
 #include <random>
 #include <utility>
 
-#include "app/plan/scan_fit.h"
 #include "app/plan/slice_region.h"
 #include "app/presenters/crosshair_presenter.h"
 #include "app/presenters/mark_places.h"
 #include "app/presenters/mark_profile.h"
 #include "app/presenters/slices_presenter.h"
+#include "render/measure/trilinear.h"
 
 namespace pdr::app {
 namespace {
@@ -98,7 +98,7 @@ void MarksPresenter::draw(std::optional<MeasureKind> kind) {
 /// Sets the next place where a slice was clicked. What is flat stays in the plane of its first place, wherever the
 /// slices have gone since.
 void MarksPresenter::placeOn(const SlicePlane& plane, dvec3 placeMm, bool free) {
-    if (!drawing_ || !liesIn(document().seen()->geometry(), placeMm))
+    if (!drawing_ || !isInScan(placeMm))
         return;
     if (drawn_.empty())
         drawnNormal_ = plane.normal();
@@ -107,6 +107,10 @@ void MarksPresenter::placeOn(const SlicePlane& plane, dvec3 placeMm, bool free) 
         place(placeInPlane(*document().seen(), plane, placeMm, toEdge, drawn_[0].mm, drawnNormal_));
     else
         place(placeOnSlice(*document().seen(), plane, placeMm, toEdge));
+}
+
+bool MarksPresenter::isInScan(dvec3 placeMm) const {
+    return measure::GridPlace(document().seen()->geometry()).contains(placeMm);
 }
 
 void MarksPresenter::showDrawn() {
@@ -180,7 +184,7 @@ void MarksPresenter::askForName(std::uint64_t id) {
 void MarksPresenter::drag(const SlicePlane& plane, std::uint64_t id, int index, dvec3 placeMm, bool free, bool moving) {
     Plan plan = document().plan();
     const auto measurement = find(plan.measurements, id);
-    if (measurement == plan.measurements.end() || !liesIn(document().seen()->geometry(), placeMm))
+    if (measurement == plan.measurements.end() || !isInScan(placeMm))
         return;
     const bool toEdge = isBetweenEdges(measurement->kind) && !free && !moving;
     const auto normal = isFlat(measurement->kind) ? normalOf(measurement->places) : std::nullopt;

@@ -41,6 +41,7 @@ class MarksPresenter : public Presenter {
     void takeBack();
     void finish();
     bool mayClose() const;
+    bool isInScan(dvec3 placeMm) const;
     void drag(const SlicePlane& plane, std::uint64_t id, int index, dvec3 placeMm, bool free, bool moving);
     void add(Measurement measurement);
     void askForName(std::uint64_t id);

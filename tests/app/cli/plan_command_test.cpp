@@ -148,6 +148,17 @@ class PlanCommandTest : public QObject {
         QVERIFY2(voxels.err.contains("same voxels at another place"), voxels.err.constData());
     }
 
+    /// The plan is at fault, not the scan: it is named, and what to do about it.
+    void aPlaceOutsideTheScanIsThePlansFault() {
+        SavedPlan outside = saved_;
+        outside.plan.measurements[0].places[0].mm.x += 5000;
+        save(outside, at("outside.plan.json"));
+        const ProgramRun run = runPlan({at("outside.plan.json"), "--scan", series()});
+        QCOMPARE(run.code, 1);
+        QVERIFY2(run.err.contains("outside.plan.json: measurements[0].places[0].mm lies"), run.err.constData());
+        QVERIFY2(run.err.contains("Correct that place"), run.err.constData());
+    }
+
     /// With --json, the measurements alone are on standard output.
     void whatThePlanShowsIsRendered() {
         const QStringList command{plan(),      "--scan", series(),  "--render",  "-o",

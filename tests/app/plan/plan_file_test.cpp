@@ -223,7 +223,7 @@ class PlanFileTest : public QObject {
     void placesOutsideTheScanAreRefused() {
         SavedPlan saved = smallPlan();
         const auto said = [&] {
-            const auto ok = checkFits(saved, *scan());
+            const auto ok = checkPlaces(saved.plan, scan()->geometry());
             return ok ? std::string() : ok.error().text();
         };
         std::vector<measure::Place>& places = saved.plan.measurements[0].places;
