@@ -114,6 +114,11 @@ void RenderBridge::setUnseen(bool unseen) {
     session_.setPaused(paused_ || unseen_);
 }
 
+void RenderBridge::setYielding(bool yielding) {
+    if (std::exchange(yielding_, yielding) != yielding)
+        session_.setYielding(yielding);
+}
+
 void RenderBridge::clear() {
     session_.clear();
     oldestShown_ = newest_ + 1;

@@ -27,6 +27,8 @@ class RenderBridge : public QObject {
     explicit RenderBridge(std::unique_ptr<Device> device, int threads = 0);
 
     bool paused() const { return paused_; }
+    /// Whether the session leaves the processor to the window for now; see setYielding().
+    bool isYielding() const { return yielding_; }
     /// Whether rendering has stopped by itself, since the stop rule is met; setPaused(false) goes on.
     bool reached() const { return reached_; }
     /// The device that was passed to the constructor.
@@ -78,6 +80,8 @@ class RenderBridge : public QObject {
     void setPaused(bool paused);
     /// Also stops rendering while the user cannot see the image; paused() stays as it is.
     void setUnseen(bool unseen);
+    /// Sets whether the session leaves the processor to the window; see Session::setYielding().
+    void setYielding(bool yielding);
     /// Stops rendering and releases everything of the scenes so far.
     void clear();
 
@@ -111,6 +115,7 @@ class RenderBridge : public QObject {
     StopRule stop_;
     bool paused_ = false;
     bool unseen_ = false;
+    bool yielding_ = false;
     bool reached_ = false;
     DeviceInfo firstDevice_;
     QString device_;                 ///< name of the device that made the last frame

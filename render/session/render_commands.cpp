@@ -90,6 +90,12 @@ void RenderCommands::setPaused(bool paused) {
     changed_.notify_one();
 }
 
+void RenderCommands::setYielding(bool yielding) {
+    const std::lock_guard lock(mutex_);
+    yields_ = yielding;
+    changed_.notify_one();
+}
+
 void RenderCommands::setStop(const StopRule& rule) {
     const std::lock_guard lock(mutex_);
     if (rule == stop_.rule)
@@ -151,7 +157,7 @@ bool RenderCommands::asked(const LoopState& state) const {
 }
 
 bool RenderCommands::renders(const LoopState& state) const {
-    return !stop_.stopsAt(state.progress) || state.owed;
+    return !yields_ && (!stop_.stopsAt(state.progress) || state.owed);
 }
 
 std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& state, std::stop_token stop) {
@@ -162,7 +168,7 @@ std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& s
     const auto busy = [&] {
         return asked(state) || (state.film && (renders(state) || state.unshown || state.unjudged));
     };
-    changed_.wait(lock, stop, [&] { return busy() || watch_ || state.unmeasured; });
+    changed_.wait(lock, stop, [&] { return asked(state) || (!yields_ && (busy() || watch_ || state.unmeasured)); });
     if (stop.stop_requested())
         return std::nullopt;
     // Take all waiting requests

@@ -67,6 +67,7 @@ class RenderCommands {
     void setPace(const FrameBudget& pace);
     void setDevice(DeviceOpener open);
     void setPaused(bool paused);
+    void setYielding(bool yielding);
     /// Sets the stop rule, and shows the current image again with whether it meets the rule.
     void setStop(const StopRule& rule);
     /// Continues beyond the stop rule, until another scene or another rule is set.
@@ -112,6 +113,7 @@ class RenderCommands {
     std::optional<Region> region_;
     FrameBudget pace_;
     StopRequest stop_;
+    bool yields_ = false;  ///< nothing is done that no request asks for
     bool clear_ = false;
     std::vector<SnapshotRequest> looks_;
     std::stop_source running_, detour_;  ///< see Iteration

@@ -49,6 +49,10 @@ void Session::setPaused(bool paused) {
     loop_->commands.setPaused(paused);
 }
 
+void Session::setYielding(bool yielding) {
+    loop_->commands.setYielding(yielding);
+}
+
 void Session::setStop(const StopRule& rule) {
     loop_->commands.setStop(rule);
 }

@@ -136,6 +136,9 @@ class Session {
     void setDevice(DeviceOpener open);
     /// Pauses or resumes rendering.
     void setPaused(bool paused);
+    /// Sets whether rendering waits, after the running launch, since the processor is needed for something that must
+    /// not wait. Unlike with a pause, an incomplete image stays incomplete. Requests are still answered.
+    void setYielding(bool yielding);
     /// Sets when rendering stops by itself; initially within kFinestStep.
     void setStop(const StopRule& rule);
     /// Continues beyond the stop rule, until another scene or another rule is set.

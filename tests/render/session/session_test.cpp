@@ -139,6 +139,28 @@ class SessionTest : public QObject {
         QVERIFY(screen.await([](const Frame& f) { return f.status.samplesPerPixel > 3; }));
     }
 
+    void aYieldingSessionOnlyAnswers() {
+        test::Screen screen;
+        Session session(makeCpuDevice(), screen.sink());
+        session.submit(someScene(1), false);
+        QVERIFY(screen.await([](const Frame&) { return true; }));
+        session.setYielding(true);
+        const auto samplesNow = [&] {
+            std::promise<std::uint64_t> now;
+            session.requestSnapshot(1, [&](const Result<FilmView>& view) {
+                now.set_value(view ? view->film.samplesPerPixel() : 0);
+            });
+            return now.get_future().get();
+        };
+        samplesNow();  // it may be answered within the step that was running
+        const std::uint64_t before = samplesNow();
+        QVERIFY(before > 0);
+        std::this_thread::sleep_for(100ms);
+        QCOMPARE(samplesNow(), before);
+        session.setYielding(false);
+        QVERIFY(screen.await([&](const Frame& f) { return f.status.samplesPerPixel > before; }));
+    }
+
     void displayChangesWithoutARestart() {
         test::Screen screen;
         Session session(makeCpuDevice(), screen.sink());
