@@ -26,7 +26,7 @@ void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenT
     fitLooksTo(findings);
     plan_.image.camera = cameraOf(firstView(framed().box), {});
     plan_.measurements.clear();
-    plan_.navigation = {.crosshairMm = table_.bodyBox.centreMm(), .window = window};
+    plan_.navigation = {.crosshairMm = table_.bodyBox.centreMm(), .window = window, .layout = plan_.navigation.layout};
     show(false);
     report(before, Changes::series | Changes::looks);
 }
@@ -266,7 +266,7 @@ void Document::moveCrosshair(dvec3 placeMm) {
 }
 
 void Document::navigate(const Navigation& navigation) {
-    if (!hasVolume() || navigation == plan_.navigation)
+    if (navigation == plan_.navigation)
         return;
     Plan plan = plan_;
     plan.navigation = navigation;

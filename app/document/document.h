@@ -115,7 +115,8 @@ class Document : public QObject {
     void setSchedule(const pdr::Schedule& schedule);
     /// Moves the crosshair to a place of the patient (LPS) [mm]; see navigate().
     void moveCrosshair(pdr::dvec3 placeMm);
-    /// Moves through the slices; the image stays as it is. All moves between two other edits are one step to undo.
+    /// Moves through the slices, or sets their layout; the image stays as it is. All moves between two other edits are
+    /// one step to undo.
     void navigate(const pdr::app::Navigation& navigation);
     /// Sets the brightness [stops against the look's]. It changes the display only, not what is computed. One gesture
     /// is one step to undo.

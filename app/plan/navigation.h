@@ -1,11 +1,12 @@
 #pragma once
-/// What the slices show: one place of the patient that all views agree on, how each slice is framed, and the window
-/// through which they are seen.
+/// What the slices show: one place of the patient that all views agree on, how each slice is framed, the window through
+/// which they are seen, and where they are beside the image.
 
 #include <array>
 
 #include "render/base/portable.h"
 #include "render/slice/grey_window.h"
+#include "render/slice/view_layout.h"
 
 namespace pdr::app {
 
@@ -22,6 +23,7 @@ struct Navigation {
     dvec3 crosshairMm{0};                  ///< in the patient (LPS); each slice contains it
     std::array<SliceFraming, 3> framings;  ///< in the order of kAnatomicalPlanes
     GreyWindow window;
+    ViewLayout layout = ViewLayout::image;
     bool operator==(const Navigation&) const = default;
 };
 

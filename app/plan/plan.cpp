@@ -76,6 +76,9 @@ const std::vector<Part>& parts() {
         {Changes::window,
          [](const Plan& a, const Plan& b) { return a.navigation.window != b.navigation.window; },
          {phrase("Undo changing the window"), phrase("Redo changing the window")}},
+        {Changes::layout,
+         [](const Plan& a, const Plan& b) { return a.navigation.layout != b.navigation.layout; },
+         {phrase("Undo changing the layout"), phrase("Redo changing the layout")}},
         {Changes::measurements, [](const Plan& a, const Plan& b) { return a.measurements != b.measurements; }, {}},
     };
     return all;
@@ -138,7 +141,7 @@ StepName nameOf(const Plan& before, const Plan& after) {
         return nameOf(before.image.camera, after.image.camera);
     if (changes == Changes::measurements)
         return nameOf(before.measurements, after.measurements);
-    if (!has(changes, ~Changes::navigation) && changes != Changes::window)
+    if (!has(changes, ~Changes::navigation) && changes != Changes::window && changes != Changes::layout)
         return {phrase("Undo moving through the slices"), phrase("Redo moving through the slices")};
     if (changes == Changes::table && after.image.table == Table::shown)
         return {phrase("Undo showing the table"), phrase("Redo showing the table")};

@@ -35,6 +35,7 @@ enum class Changes : unsigned {
     framing = 1 << 13,  ///< zoom and place of the slices in their views
     window = 1 << 14,   ///< the grey window of the slices
     measurements = 1 << 15,
+    layout = 1 << 20,  ///< which views are shown, and where
     // What a document holds beside its plan
     series = 1 << 16,   ///< a volume has been opened or closed
     looks = 1 << 17,    ///< the list of looks
@@ -42,7 +43,7 @@ enum class Changes : unsigned {
     display = 1 << 19,  ///< whether the image is shown denoised
     // Groups
     look = lookName | tissue | light | visible | otherLook,
-    navigation = crosshair | framing | window,
+    navigation = crosshair | framing | window | layout,
     all = ~0u,
 };
 

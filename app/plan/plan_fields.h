@@ -10,6 +10,9 @@ namespace pdr {
 inline constexpr Words<VoiFunction, 3> kVoiWords{
     {{"linear", VoiFunction::linear}, {"linearExact", VoiFunction::linearExact}, {"sigmoid", VoiFunction::sigmoid}}};
 
+inline constexpr Words<ViewLayout, 3> kLayoutWords{
+    {{"image", ViewLayout::image}, {"beside", ViewLayout::beside}, {"quarters", ViewLayout::quarters}}};
+
 inline constexpr Words<app::MeasureKind, app::kMeasureKinds> kMeasureWords{{{"distance", app::MeasureKind::distance},
                                                                             {"angle", app::MeasureKind::angle},
                                                                             {"lines", app::MeasureKind::lines},
@@ -96,6 +99,7 @@ void describe(Visit& visit, Navigation& navigation) {
     visit.object({"coronal", "how the coronal slice lies in its view"}, navigation.framings[1]);
     visit.object({"sagittal", "how the sagittal slice lies in its view"}, navigation.framings[2]);
     visit.object({"window", "what is black and what is white", {}, kRequired}, navigation.window);
+    visit.word({"layout", "which of the image and the slices are shown"}, navigation.layout, kLayoutWords);
 }
 
 template <class Visit>

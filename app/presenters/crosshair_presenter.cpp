@@ -55,7 +55,7 @@ void CrosshairPresenter::showDocument(Changes changes) {
         action_->setEnabled(document().hasVolume());
         click_.setActive(false);
     }
-    const bool shown = document().hasVolume() && window().views().layout() != ui::ViewLayout::image;
+    const bool shown = document().hasVolume() && window().views().layout() != ViewLayout::image;
     layer_.setPlace(shown ? std::optional(document().plan().navigation.crosshairMm) : std::nullopt);
     if (shown && has(changes, kHides | Changes::crosshair))
         atRest_.start();

@@ -71,7 +71,7 @@ void SlicesPresenter::fillMenu(QMenu& menu) {
     auto* one = new QActionGroup(this);
     const std::array<QString, 3> names{Texts::tr("&Image alone"), Texts::tr("Slices &beside the image"),
                                        Texts::tr("Four &views")};
-    for (const ui::ViewLayout layout : ui::kViewLayouts) {
+    for (const ViewLayout layout : kViewLayouts) {
         QAction* action = layouts_[std::size_t(layout)] = one->addAction(menu.addAction(names[std::size_t(layout)]));
         action->setCheckable(true);
         action->setChecked(layout == window().views().layout());
@@ -81,9 +81,8 @@ void SlicesPresenter::fillMenu(QMenu& menu) {
     QAction* next = menu.addAction(Texts::tr("&Next layout"), QKeySequence(Qt::Key_L));
     next->setObjectName("nextLayout");
     next->setToolTip(Texts::tr("Shows the image alone, with slices beside it, or as one of four views."));
-    connect(next, &QAction::triggered, this, [this] {
-        setLayout(ui::ViewLayout((int(window().views().layout()) + 1) % int(std::size(ui::kViewLayouts))));
-    });
+    connect(next, &QAction::triggered, this,
+            [this] { setLayout(ViewLayout((int(window().views().layout()) + 1) % int(std::size(kViewLayouts)))); });
 }
 
 /// Adds the windows, which one key offers where the pointer is.
@@ -184,7 +183,14 @@ SliceFraming& SlicesPresenter::framingOf(Navigation& navigation, const Slice& sl
     return navigation.framings[std::size_t(slice.view->plane())];
 }
 
-void SlicesPresenter::setLayout(ui::ViewLayout layout) {
+void SlicesPresenter::setLayout(ViewLayout layout) {
+    showLayout(layout);  // also if it is that of the plan: no view is shown alone any more
+    Navigation navigation = document().plan().navigation;
+    navigation.layout = layout;
+    document().navigate(navigation);
+}
+
+void SlicesPresenter::showLayout(ViewLayout layout) {
     window().views().setLayout(layout);
     layouts_[std::size_t(layout)]->setChecked(true);
     requestAll(false);
@@ -192,7 +198,7 @@ void SlicesPresenter::setLayout(ui::ViewLayout layout) {
 
 void SlicesPresenter::showSlices() {
     if (!window().views().showsSlices())
-        setLayout(ui::ViewLayout::beside);
+        setLayout(ViewLayout::beside);
 }
 
 void SlicesPresenter::focusOne() {
@@ -212,6 +218,8 @@ void SlicesPresenter::showDocument(Changes changes) {
         for (Slice& slice : slices_)
             slice.stack = volume_ ? std::optional(SliceStack(volume_->geometry(), slice.view->plane())) : std::nullopt;
     }
+    if (has(changes, Changes::layout))
+        showLayout(document().plan().navigation.layout);
     if (!has(changes, Changes::series | Changes::table | Changes::navigation))
         return;
     for (Slice& slice : slices_)
@@ -225,6 +233,7 @@ void SlicesPresenter::showDocument(Changes changes) {
 
 void SlicesPresenter::releaseVolume() {
     atRest_.stop();
+    bridge().setYielding(false);
     for (Slice& slice : slices_) {
         slice.job.drop();
         slice.stack.reset();
@@ -242,17 +251,22 @@ std::optional<SlicePlane> SlicesPresenter::planeOf(const Slice& slice) const {
 }
 
 /// Computes the slice that the view should show, unless it is not on the screen. `moving`: a large one is coarse.
-void SlicesPresenter::request(Slice& slice, bool moving) {
+/// Returns whether it is.
+bool SlicesPresenter::request(Slice& slice, bool moving) {
     const auto plane = planeOf(slice);
     if (!plane || !volume_ || !slice.view->isVisible())
-        return;
+        return false;
     const bool coarse = moving && plane->size.x * plane->size.y > kMostMovingPixels;
     slice.job.make({volume_, *plane, document().plan().navigation.window, coarse});
+    return coarse;
 }
 
+/// Computes all slices that are on the screen. Large ones that move get the processor for themselves.
 void SlicesPresenter::requestAll(bool moving) {
+    bool large = false;
     for (Slice& slice : slices_)
-        request(slice, moving);
+        large = request(slice, moving) || large;
+    bridge().setYielding(large);
 }
 
 void SlicesPresenter::show(Slice& slice, const QImage& grey, const SlicePlane& plane, const GreyWindow& window) {

@@ -42,8 +42,9 @@ class SlicesPresenter : public Presenter {
     void openMenu(Slice& slice, QPoint place);
     void fit(const Slice& slice);
     void connectSlice(Slice& slice);
-    void setLayout(ui::ViewLayout layout);
-    void request(Slice& slice, bool moving = false);
+    void setLayout(ViewLayout layout);
+    void showLayout(ViewLayout layout);
+    bool request(Slice& slice, bool moving = false);
     void requestAll(bool moving);
     void copy(Slice& slice);
     void show(Slice& slice, const QImage& grey, const SlicePlane& plane, const GreyWindow& window);

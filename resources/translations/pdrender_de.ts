@@ -2934,6 +2934,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Wiederholen: Helligkeit ändern</translation>
     </message>
     <message>
+        <source>Redo changing the layout</source>
+        <translation>Wiederholen: Anordnung ändern</translation>
+    </message>
+    <message>
         <source>Redo changing the lens</source>
         <translation>Wiederholen: Linse ändern</translation>
     </message>
@@ -3838,6 +3842,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Undo changing the brightness</source>
         <translation>Rückgängig: Helligkeit ändern</translation>
+    </message>
+    <message>
+        <source>Undo changing the layout</source>
+        <translation>Rückgängig: Anordnung ändern</translation>
     </message>
     <message>
         <source>Undo changing the lens</source>

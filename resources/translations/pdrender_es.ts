@@ -2934,6 +2934,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Rehacer: cambiar el brillo</translation>
     </message>
     <message>
+        <source>Redo changing the layout</source>
+        <translation>Rehacer: cambiar la disposición</translation>
+    </message>
+    <message>
         <source>Redo changing the lens</source>
         <translation>Rehacer: cambiar la lente</translation>
     </message>
@@ -3838,6 +3842,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Undo changing the brightness</source>
         <translation>Deshacer: cambiar el brillo</translation>
+    </message>
+    <message>
+        <source>Undo changing the layout</source>
+        <translation>Deshacer: cambiar la disposición</translation>
     </message>
     <message>
         <source>Undo changing the lens</source>

@@ -6,14 +6,9 @@
 #include <QWidget>
 #include <vector>
 
-namespace pdr::ui {
+#include "render/slice/view_layout.h"
 
-enum class ViewLayout {
-    image,     ///< the image alone
-    beside,    ///< the image, and the slices in a column to its right
-    quarters,  ///< four views of the same size: the first slice and the image above, the other slices below
-};
-inline constexpr ViewLayout kViewLayouts[] = {ViewLayout::image, ViewLayout::beside, ViewLayout::quarters};
+namespace pdr::ui {
 
 class ViewGrid : public QWidget {
     Q_OBJECT
@@ -33,7 +28,7 @@ class ViewGrid : public QWidget {
     void toggleAlone(QWidget* view);
 
   signals:
-    void layoutChanged(pdr::ui::ViewLayout layout);
+    void layoutChanged(pdr::ViewLayout layout);
 
   private:
     void arrange();

@@ -43,6 +43,30 @@ class PlanCommandTest : public QObject {
     QString at(const QString& name) const { return folder_.filePath(name); }
     QString series() const { return at("series"); }
     QString plan() const { return at("head.plan.json"); }
+    static void compareRegion(const QJsonValue& region, const MarkRow& row) {
+        QCOMPARE(region.isNull(), !row.value || !row.value->region);
+        if (region.isNull())
+            return;
+        const measure::RegionStatistics& expected = *row.value->region;
+        QCOMPARE(region["voxels"].toInt(), int(expected.count));
+        QCOMPARE(region["millilitres"].toDouble(), expected.millilitres);
+        QCOMPARE(region["meanHu"].toDouble(), expected.meanHu);
+        QCOMPARE(region["meanPlusMinus95"].toDouble(-1), expected.meanPlusMinus.value_or(-1));
+        QCOMPARE(region["sdHu"].toDouble(), expected.sdHu);
+        QCOMPARE(region["medianHu"].toDouble(), expected.medianHu);
+        QCOMPARE(region["lowestHu"].toDouble(), expected.lowestHu);
+        QCOMPARE(region["highestHu"].toDouble(), expected.highestHu);
+    }
+    static void compareArea(const QJsonValue& area, const MarkRow& row) {
+        const bool isFlat = row.kind == MeasureKind::ellipse || row.kind == MeasureKind::polygon;
+        QCOMPARE(area.isNull(), !isFlat);
+        if (area.isNull())
+            return;
+        const measure::Stated& expected = *row.value->area;
+        QCOMPARE(area["mm2"].toDouble(), expected.value);
+        QCOMPARE(area["plusMinus95"].toDouble(-1), plusMinusOf(expected).value_or(-1));
+        QCOMPARE(area["bound"].toString().toStdString(), std::string(boundWord(expected.bound)));
+    }
     void save(const SavedPlan& saved, const QString& file) const { QVERIFY(writePlan(saved, file.toStdString())); }
 
   private slots:
@@ -84,8 +108,8 @@ class PlanCommandTest : public QObject {
                 QCOMPARE(mark["value"].toDouble(), row.value->value);
             if (row.value && row.value->plusMinus)
                 QCOMPARE(mark["plusMinus95"].toDouble(), *row.value->plusMinus);
-            if (row.value && row.value->region)
-                QCOMPARE(mark["region"]["voxels"].toInt(), int(row.value->region->count));
+            compareRegion(mark["region"], row);
+            compareArea(mark["area"], row);
             const QJsonArray places = mark["places"].toArray();
             QCOMPARE(places.size(), qsizetype(row.places.size()));
             for (qsizetype place = 0; place < places.size(); ++place)

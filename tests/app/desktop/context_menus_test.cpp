@@ -119,7 +119,7 @@ class ContextMenusTest : public QObject {
 
     /// With the tool, the next click sets the crosshair, also where the image is alone.
     void theToolSetsTheCrosshairOnce() {
-        window().views().setLayout(ui::ViewLayout::image);
+        window().views().setLayout(ViewLayout::image);
         const dvec3 before = crosshair();
         QAction& tool = *window().findChild<QAction*>("crosshair");
         tool.trigger();

@@ -192,7 +192,7 @@ class MarksInWindowTest : public QObject {
         begin();
         for (const dvec3& corner : {dvec3(-5, -5, 0), dvec3(5, -5, 0), dvec3(5, 5, 0)})
             click(centre_ + corner, Qt::AltModifier);
-        const ui::ViewLayout layout = trial_->desktop.window().views().layout();
+        const auto layout = trial_->desktop.window().views().layout();
         QTest::mouseDClick(&axial(), Qt::LeftButton, {}, pointOf(centre_ + dvec3(5, 5, 0)));
         QTest::mouseRelease(&axial(), Qt::LeftButton, {}, pointOf(centre_ + dvec3(5, 5, 0)));
         QVERIFY(trial_->desktop.window().views().layout() == layout && axial().width() < 1000);

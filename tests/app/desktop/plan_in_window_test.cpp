@@ -29,6 +29,10 @@ void measureIn(Document& document) {
     document.edit(plan);
 }
 
+void press(Trial& trial, const char* action) {
+    trial.desktop.window().findChild<QAction*>(action)->trigger();
+}
+
 /// Answers the next question, and counts it.
 struct Answer {
     int asked = 0;
@@ -65,6 +69,7 @@ class PlanInWindowTest : public QObject {
             evening.openAndWait(series_);
             measureIn(evening.desktop.document());
             evening.desktop.document().setView(StandardView::left);
+            press(evening, "nextLayout");
             saved = evening.desktop.document().plan();
             auto& plans = evening.desktop.presenter<PlanPresenter>();
             QSignalSpy done(&plans.job(), &PlanJob::saved);
@@ -81,10 +86,29 @@ class PlanInWindowTest : public QObject {
         QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, test::kPatience);
         QCOMPARE(planText({{}, document.plan()}), planText({{}, saved}));
         QVERIFY(document.plan().measurements == saved.measurements && document.plan().navigation == saved.navigation);
+        const ui::ViewGrid& views = morning.desktop.window().views();
+        QVERIFY(saved.navigation.layout == ViewLayout::beside && views.layout() == ViewLayout::beside);
         QVERIFY(morning.desktop.window().confirmsLoss());
         document.undo();  // opening is one step
         QVERIFY(document.plan().measurements.empty() && !document.canUndo());
+        QVERIFY(views.layout() == ViewLayout::image);
         morning.waitForNewest();
+    }
+
+    /// The next scan is shown as the one before, and so is the first one after a choice on the start screen.
+    void anotherScanKeepsTheLayout() {
+        Trial trial;
+        press(trial, "nextLayout");
+        for (int scan = 0; scan < 2; ++scan) {
+            trial.frames.clear();
+            trial.openAndWait(series_);
+            QVERIFY(trial.desktop.window().views().layout() == ViewLayout::beside);
+            QVERIFY(trial.desktop.document().plan().navigation.layout == ViewLayout::beside);
+        }
+        press(trial, "nextLayout");
+        QCOMPARE(trial.desktop.document().undoText(), Text("Undo changing the layout"));
+        trial.desktop.document().undo();
+        QVERIFY(trial.desktop.window().views().layout() == ViewLayout::beside);
     }
 
     void nothingOfThePatientIsInIt() {

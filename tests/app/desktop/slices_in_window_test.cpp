@@ -148,8 +148,12 @@ class SlicesInWindowTest : public QObject {
             QVERIFY(axial.slice()->isCoarse());
             QVERIFY(axial.slice()->plane.size == axial.sizeInPixels());
         };
+        RenderBridge& bridge = trial_->desktop.bridge();
+        QVERIFY(!bridge.isYielding());
         move();
+        QVERIFY(bridge.isYielding() && !bridge.paused());
         QTRY_VERIFY_WITH_TIMEOUT(isFull(axial), test::kPatience);
+        QVERIFY(!bridge.isYielding());
         const SlicePlane plane = axial.slice()->plane;
         QVERIFY(axial.slice()->image ==
                 SliceJob::madeNow({document().seen(), plane, document().plan().navigation.window}));

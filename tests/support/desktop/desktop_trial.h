@@ -36,9 +36,12 @@ struct Trial {
 
     static constexpr QSize kWindowSize{700, 420};  ///< small, since each pixel is rendered
 
+    /// Opens a series and waits for a full image of it. Frames of the one before may still arrive meanwhile.
     void openAndWait(const QString& series) {
+        const std::uint64_t before = desktop.document().scene().revision;
         desktop.open(series);
-        QTRY_VERIFY_WITH_TIMEOUT(!frames.empty() && !frames.back()->coarse, test::kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!frames.empty() && frames.back()->revision > before && !frames.back()->coarse,
+                                 test::kPatience);
     }
 
     /// Waits for a full image of the document's newest scene.
