@@ -132,10 +132,12 @@ def _is_closed(text: str) -> bool:
 
 
 def _is_expression(text: str) -> bool:
-    """Whether nothing speaks against it: no list, no open bracket, and at its begin no keyword of a statement, nor an
-    operator of what stands before it, nor braces or a line of the preprocessor's."""
+    """Whether nothing speaks against it: no list, no open bracket, at its begin no keyword of a statement, nor an operator
+    of what stands before it, nor braces or a line of the preprocessor's, and at its end no operator."""
     begins = r"[#{]|(if|for|while|switch|return)\b|&& |\|\| "
-    return text.strip() != "" and _is_closed(text) and not _is_list(text) and not re.match(begins, text)
+    ends = r".*(\s[<>]|[^<>\s&|]=|[|&^+\-*/%?:,])\s*$"
+    return (text.strip() != "" and _is_closed(text) and not _is_list(text) and not re.match(begins, text)
+            and not re.match(ends, text, re.DOTALL))
 
 
 def _is_declaration(text: str) -> bool:
