@@ -8,9 +8,11 @@
 ///   holds                       stated intervals that contain the truth [%]
 ///   bounds hold                 "at most" that are true [%]
 ///   untold                      stated values, without "at most", that are farther off than the ± that is printed
-/// Angles are those of two diameters of a ball, by four places on its edge; regions are balls in water.
+/// Angles are those of two diameters of a ball, by four places on its edge; regions are balls, ellipses and polygons in
+/// water, the flat ones across random axes of the patient.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -109,31 +111,73 @@ void angles(int trials) {
         }
 }
 
+MeasuredShape ball(double radius, std::mt19937&) {
+    return Ball{dvec3(0), radius};
+}
+
+/// Returns two unit vectors along a plane of slices.
+std::pair<dvec3, dvec3> alongSlices(std::mt19937& random) {
+    const auto axis = std::uniform_int_distribution<glm::length_t>(0, 2)(random);
+    dvec3 u(0), v(0);
+    u[(axis + 1) % 3] = v[(axis + 2) % 3] = 1;
+    return {u, v};
+}
+
+MeasuredShape ellipse(double radius, std::mt19937& random) {
+    const auto [u, v] = alongSlices(random);
+    return PlaneEllipse{dvec3(0), radius * u, 0.6 * radius * v};
+}
+
+/// Returns a polygon in the shape of an L.
+MeasuredShape polygon(double radius, std::mt19937& random) {
+    const auto [u, v] = alongSlices(random);
+    PlanePolygon shape{{}, glm::cross(u, v)};
+    for (const dvec2 corner :
+         {dvec2(-1, -1), dvec2(0.6, -1), dvec2(0.6, -0.3), dvec2(0, -0.3), dvec2(0, 0.9), dvec2(-1, 0.9)})
+        shape.corners.push_back(0.9 * radius * (corner.x * u + corner.y * v));
+    return shape;
+}
+
+struct Region {
+    const char* name;
+    MeasuredShape (*make)(double radius, std::mt19937& random);
+    std::array<double, 4> radiiMm;
+};
+const Region kRegions[]{
+    {"ball", ball, {3, 5, 8, 12}}, {"ellipse", ellipse, {6, 10, 15, 25}}, {"polygon", polygon, {6, 10, 15, 25}}};
+
+/// Prints how often the mean of water lies in its interval, in trials in which there is one.
+void meansOf(const Region& region, double radius, const Scanner& scanner, int trials, std::mt19937& random) {
+    int stated = 0, held = 0, naive = 0;
+    Sample count;
+    for (int trial = 0; trial < trials; ++trial) {
+        const Volume scan =
+            scanned(gridAround(scanner, radius + 3, random), scanner, [](dvec3) { return 0.0; }, random);
+        const auto found = regionStatistics(scan, region.make(radius, random));
+        if (!found || !found->meanPlusMinus)
+            continue;
+        ++stated;
+        count.add(double(found->count));
+        held += std::abs(found->meanHu) <= *found->meanPlusMinus;
+        naive += std::abs(found->meanHu) <= 1.96 * found->sdHu / std::sqrt(double(found->count));
+    }
+    std::printf("%-8s %-4g%-4g%-6g %-12s %4.0f mm %7.0f %7d %6.1f %6.1f\n", region.name, scanner.spacingMm.x,
+                scanner.spacingMm.y, scanner.spacingMm.z, scanner.noiseGrainMm > 0 ? "correlated" : "white", radius,
+                count.mean(), stated, percent(held, stated), percent(naive, stated));
+    std::fflush(stdout);
+}
+
 void regions(int trials) {
-    std::printf("means of balls in water, noise 20 HU: grid, radius [mm], voxels, holds [%%], SD/sqrt(n) holds [%%]\n");
+    std::printf("means in water, noise 20 HU: region, grid [mm], noise, size, voxels, trials with a ±, holds [%%], "
+                "SD/sqrt(n) holds [%%]\n");
     unsigned seed = 2000;
-    for (const Grid& grid : kGrids)
-        for (const double grain : {0.0, 0.7})
-            for (const double radius : {3.0, 5.0, 8.0, 12.0}) {
-                std::mt19937 random(++seed);
-                int held = 0, naive = 0;
-                Sample count;
-                for (int trial = 0; trial < trials; ++trial) {
-                    const Scanner scanner{grid.spacingMm, grid.blurMm, 20, grain};
-                    const Volume scan = scanned(
-                        gridAround(scanner, radius + 3, random), scanner, [](dvec3) { return 0.0; }, random);
-                    const auto found = regionStatistics(scan, Ball{dvec3(0), radius});
-                    if (!found || !found->meanPlusMinus)
-                        continue;
-                    count.add(double(found->count));
-                    held += std::abs(found->meanHu) <= *found->meanPlusMinus;
-                    naive += std::abs(found->meanHu) <= 1.96 * found->sdHu / std::sqrt(double(found->count));
+    for (const Region& region : kRegions)
+        for (const Grid& grid : kGrids)
+            for (const double grain : {0.0, 0.7})
+                for (const double radius : region.radiiMm) {
+                    std::mt19937 random(++seed);
+                    meansOf(region, radius, {grid.spacingMm, grid.blurMm, 20, grain}, trials, random);
                 }
-                std::printf("%-4g%-4g%-6g %-12s %4.0f mm %7.0f %6.1f %6.1f\n", grid.spacingMm.x, grid.spacingMm.y,
-                            grid.spacingMm.z, grain > 0 ? "correlated" : "white", radius, count.mean(),
-                            percent(held, trials), percent(naive, trials));
-                std::fflush(stdout);
-            }
 }
 
 }  // namespace

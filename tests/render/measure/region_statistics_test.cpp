@@ -135,11 +135,18 @@ class RegionStatisticsTest : public QObject {
     /// SD / sqrt(n) holds the truth in half of the cases: neighbours in a slice deviate together.
     void theMeanLiesInItsInterval() {
         std::mt19937 random(3);
-        for (const double radius : {6.0, 10.0}) {
+        const PlanePolygon corner{{{-17, -17, 0}, {17, -17, 0}, {-5, -5, 0}, {-17, 17, 0}}, {0, 0, 1}};
+        const std::pair<MeasuredShape, double> shapes[]{
+            {Ball{dvec3(0), 6}, 6},
+            {Ball{dvec3(0), 10}, 10},
+            {PlaneEllipse{dvec3(0), {15, 0, 0}, {0, 12, 0}}, 15},
+            {corner, 17},
+        };
+        for (const auto& [shape, reach] : shapes) {
             int held = 0, naive = 0;
             const int trials = 200;
             for (int trial = 0; trial < trials; ++trial) {
-                const auto found = regionStatistics(noisyWater(kScanner, radius + 3, random), Ball{dvec3(0), radius});
+                const auto found = regionStatistics(noisyWater(kScanner, reach + 3, random), shape);
                 QVERIFY(found && found->count >= 200 && found->meanPlusMinus);
                 held += std::abs(found->meanHu - 100) <= *found->meanPlusMinus;
                 naive += std::abs(found->meanHu - 100) <= 1.96 * found->sdHu / std::sqrt(double(found->count));
