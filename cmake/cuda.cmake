@@ -1,16 +1,27 @@
 # Sets PDR_HAS_CUDA and, where it is on, enables CUDA. Builds for the GPU that is here; where there is none, for the
 # oldest architecture that the compiler knows, which newer drivers translate. The preset cuda-release names them all.
+# PDR_NO_CUDA: why it is off.
 set(PDR_HAS_CUDA OFF)
 if(PDR_CUDA STREQUAL "off")
+  set(PDR_NO_CUDA "PDR_CUDA is off")
   return()
 endif()
-find_program(PDR_NVCC nvcc HINTS /usr/local/cuda/bin ENV CUDA_PATH PATH_SUFFIXES bin)
-if(NOT PDR_NVCC)
-  if(PDR_CUDA STREQUAL "on")
-    message(FATAL_ERROR "PDR_CUDA is on, but no CUDA compiler (nvcc) was found. "
-                        "Install the CUDA Toolkit or put nvcc on the PATH.")
+# CUDA 12 packs what it embeds in another way, and CUDA 11 knows no C++20: both are passed over.
+function(pdr_is_new_enough answer compiler)
+  execute_process(COMMAND ${compiler} --version OUTPUT_VARIABLE told ERROR_QUIET)
+  if(NOT told MATCHES "release ([0-9]+)" OR CMAKE_MATCH_1 LESS 13)
+    set(${answer} FALSE PARENT_SCOPE)
   endif()
-  message(STATUS "CUDA: no compiler (nvcc) found; pictures are rendered by the CPU")
+endfunction()
+# build/nvcc: what ./bootstrap test fetches.
+find_program(PDR_NVCC nvcc HINTS /usr/local/cuda/bin ENV CUDA_PATH PATH_SUFFIXES bin
+  PATHS ${PROJECT_SOURCE_DIR}/build/nvcc/nvidia/cu13/bin VALIDATOR pdr_is_new_enough)
+if(NOT PDR_NVCC)
+  set(PDR_NO_CUDA "no compiler of CUDA 13 (nvcc) was found")
+  if(PDR_CUDA STREQUAL "on")
+    message(FATAL_ERROR "PDR_CUDA is on, but ${PDR_NO_CUDA}. Install the CUDA Toolkit or put nvcc on the PATH.")
+  endif()
+  message(STATUS "CUDA: ${PDR_NO_CUDA}; images are rendered by the CPU")
   return()
 endif()
 set(CMAKE_CUDA_COMPILER ${PDR_NVCC})
