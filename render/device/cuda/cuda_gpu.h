@@ -88,26 +88,32 @@ class CudaGpu {
     void launch(const Program& program, std::int64_t count, GpuStream stream) {
         if (!ready() || count <= 0)
             return;
-        const auto blocks = unsigned((count + kThreads - 1) / kThreads);
-        forEachIndex<<<blocks, kThreads, 0, of(stream)>>>(program, count);
-        check(cudaGetLastError(), "a launch");
+        start(forEachIndex<Program>, blocksFor(count), stream, program, count);
     }
 
     template <class Program>
     void launchQueued(const Program& program, std::int64_t count, GpuStream stream) {
         if (!ready() || count <= 0)
             return;
-        const auto needed = unsigned((count + kThreads - 1) / kThreads);
-        const unsigned blocks = std::min(needed, residentBlocks(reinterpret_cast<const void*>(walkQueued<Program>)));
-        if (blocks == 0 || !check(cudaMemsetAsync(next_, 0, sizeof *next_, of(stream)), "a launch"))
-            return;
-        walkQueued<<<blocks, kThreads, 0, of(stream)>>>(program, count, next_);
-        check(cudaGetLastError(), "a launch");
+        const void* kernel = reinterpret_cast<const void*>(walkQueued<Program>);
+        const unsigned blocks = std::min(blocksFor(count), residentBlocks(kernel));
+        if (blocks > 0 && check(cudaMemsetAsync(next_, 0, sizeof *next_, of(stream)), "a launch"))
+            start(walkQueued<Program>, blocks, stream, program, count, next_);
     }
 
   private:
     static constexpr int kThreads = 128;
 
+    /// Returns the number of blocks that have a thread for each index.
+    static unsigned blocksFor(std::int64_t count) { return unsigned((count + kThreads - 1) / kThreads); }
+    /// Launches a kernel with `arguments`. The code that nvcc makes of <<<>>> asks for each kernel once in a process,
+    /// and cannot launch it any more if that fails once; this function of the runtime asks each time.
+    template <class... Arguments>
+    void start(void (*kernel)(Arguments...), unsigned blocks, GpuStream stream, Arguments... arguments) {
+        void* places[] = {&arguments...};
+        check(cudaLaunchKernel(reinterpret_cast<const void*>(kernel), blocks, kThreads, places, 0, of(stream)),
+              "a launch");
+    }
     /// Returns whether calls may be made: no error is stored. This thread's calls then go to this GPU.
     bool ready();
     /// Stores the first error and returns whether there was none; `doing`: what was tried, "a launch".
