@@ -130,12 +130,13 @@ template <class Take>
 struct TraceKernel {
     FlatScene scene;
     TraceTarget target;
+    std::int64_t first;  ///< number of the first of these samples in the target
 
     struct Walk {
         TracedSample sample;
     };
 
-    PDR_HD bool start(std::int64_t index, Walk& walk) const { return target.at(index, walk.sample); }
+    PDR_HD bool start(std::int64_t i, Walk& walk) const { return target.at(first + i, walk.sample); }
     PDR_HD bool step(Walk& walk) const {
         target.keep(scene, walk.sample, Take::sample(scene, walk.sample.from));
         return false;

@@ -15,9 +15,23 @@ namespace pdr {
 template <Gpu G>
 using TraceLaunch = void (*)(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& lists);
 
+/// Calls launch(first, count) for parts of [0, all) of at most `most` each. One launch for a very large film would take
+/// seconds; drivers end what keeps a display waiting so long.
+template <class Launch>
+void inParts(std::int64_t all, std::int64_t most, const Launch& launch) {
+    for (std::int64_t first = 0; first < all; first += most)
+        launch(first, std::min(all - first, most));
+}
+
+/// Number of rays that a launch traces at most where a ray needs no memory of its own.
+template <Gpu G>
+inline constexpr std::int64_t kRaysTogether = 16 * G::kPathsTogether;
+
 template <Gpu G, class Take>
 void launchTrace(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>&) {
-    gpu.launchQueued(TraceKernel<Take>{scene, target}, target.grid.count(), GpuStream::compute);
+    inParts(target.grid.count(), kRaysTogether<G>, [&](std::int64_t first, std::int64_t rays) {
+        gpu.launchQueued(TraceKernel<Take>{scene, target, first}, rays, GpuStream::compute);
+    });
 }
 
 /// Launch the path kernels that are the same for all effects. They are specialized where the compiler takes long over
@@ -34,10 +48,8 @@ void launchShadow(G& gpu, const ShadowKernel<Masked>& kernel, std::int64_t sampl
 /// Launches all kernels of paths. Masked: isMasked() of the scene.
 template <Gpu G, std::uint32_t F, bool Masked>
 void launchPathsOf(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& memory) {
-    const std::int64_t all = target.grid.count(), most = G::kPathsTogether;
     const bool onward = has(F, kBounces) && scene.maxBounces > 1;
-    for (std::int64_t first = 0; first < all; first += most) {
-        const std::int64_t samples = std::min(all - first, most);
+    inParts(target.grid.count(), G::kPathsTogether, [&](std::int64_t first, std::int64_t samples) {
         const PathLists lists = memory.emptied(samples, onward);
         launchCamera(gpu, CameraKernel<Masked>{scene, target, lists, first}, samples);
         gpu.launch(ShadeKernel<F>{scene, target, lists}, samples, GpuStream::compute);
@@ -45,7 +57,7 @@ void launchPathsOf(G& gpu, const FlatScene& scene, const TraceTarget& target, Pa
         if constexpr (has(F, kBounces))
             if (onward)
                 gpu.launchQueued(OnwardKernel<F>{scene, target, lists}, samples, GpuStream::compute);
-    }
+    });
 }
 
 template <Gpu G, std::uint32_t F>

@@ -123,6 +123,28 @@ class GpuDeviceTest : public QObject {
         });
     }
 
+    /// A driver ends a launch that keeps a display waiting for seconds, as one for 16384 x 16384 pixels might.
+    void aLargeFilmIsTracedInSeveralLaunches() {
+        const auto plan = std::make_shared<test::FaultPlan>();
+        GpuDevice<test::FaultyGpu> gpu({"counting", "", false}, plan);
+        const auto cpu = makeCpuDevice();
+        for (const Model model : kModels)
+            for (const Estimator estimator : {Estimator::unbiased, Estimator::kroesMarch}) {
+                Scene scene = bumpyScene();
+                scene.film = {200, 100};
+                scene.model = model;
+                scene.estimator = estimator;
+                if (!scene.check())
+                    continue;
+                plan->longestQueue = 0;
+                const auto ours = lived(gpu, scene, 1, 1);
+                QVERIFY2(ours && same(test::render(scene, 1, *cpu), *ours), modelName(model));
+                const bool hasLists = !isProjection(model) && estimator == Estimator::unbiased;
+                QCOMPARE(plan->longestQueue,
+                         hasLists ? test::FaultyGpu::kPathsTogether : kRaysTogether<test::FaultyGpu>);
+            }
+    }
+
     void aFilmGrownOnTheDeviceIsTheCpusBitByBit() {
         const auto gpu = hostDevice();
         const auto cpu = makeCpuDevice();

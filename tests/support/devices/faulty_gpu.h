@@ -1,6 +1,8 @@
 #pragma once
 /// A GPU emulated on the CPU whose calls fail when a test says so.
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -9,7 +11,7 @@
 
 namespace pdr::test {
 
-/// The call that is to fail, and a count of calls. The test shares it with the FaultyGpu.
+/// The call that is to fail, and what was called. The test shares it with the FaultyGpu.
 struct FaultPlan {
     enum class Call { any, allocate, pinned, texture, copy, clear, launch, event, await };
     static constexpr int kNever = -1;
@@ -19,6 +21,8 @@ struct FaultPlan {
     bool lost = false;      ///< after the failure every call fails: the device is gone
     int calls = 0;          ///< number of calls of that kind so far
     bool failed = false;    ///< the failure has happened
+
+    std::int64_t longestQueue = 0;  ///< most indices of a queued launch so far
 };
 
 /// Fails as its plan says. Errors: "it failed on purpose", where "faulty".
@@ -65,6 +69,7 @@ class FaultyGpu : public HostGpu {
     template <class Program>
     void launchQueued(Program program, std::int64_t indices, GpuStream stream) {
         count(FaultPlan::Call::launch);
+        plan_->longestQueue = std::max(plan_->longestQueue, indices);
         HostGpu::launchQueued(program, indices, stream);
     }
     void record(Event& event, GpuStream stream) {
