@@ -11,11 +11,35 @@
 #include <dcmtk/dcmjpls/djdecode.h>
 #include <dcmtk/oflog/oflog.h>
 
+#include <algorithm>
 #include <mutex>
 
 #include "dicom/read/decoder_warnings.h"
 
 namespace pdr::dicom {
+namespace {
+
+struct Jpeg2000Syntax {
+    const char* uid;
+    const char* name;
+    bool isLossless;
+};
+/// The transfer syntaxes of DICOM PS3.5, A.4.4 and A.4.12; the toolkit does not know all of them.
+constexpr Jpeg2000Syntax kJpeg2000[]{
+    {"1.2.840.10008.1.2.4.90", "JPEG 2000 (lossless only)", true},
+    {"1.2.840.10008.1.2.4.91", "JPEG 2000", false},
+    {"1.2.840.10008.1.2.4.201", "High-Throughput JPEG 2000 (lossless only)", true},
+    {"1.2.840.10008.1.2.4.202", "High-Throughput JPEG 2000 (RPCL, lossless only)", true},
+    {"1.2.840.10008.1.2.4.203", "High-Throughput JPEG 2000", false},
+};
+
+/// Returns the entry of a transfer syntax; null: it is not JPEG 2000.
+const Jpeg2000Syntax* jpeg2000(const std::string& uid) {
+    const auto* found = std::ranges::find(kJpeg2000, uid, &Jpeg2000Syntax::uid);
+    return found == std::end(kJpeg2000) ? nullptr : found;
+}
+
+}  // namespace
 
 void prepareToolkit() {
     static std::once_flag once;
@@ -37,11 +61,22 @@ bool dictionaryIsThere() {
     return dcmDataDict.isDictionaryLoaded();
 }
 
+bool isJpeg2000(const std::string& transferSyntaxUid) {
+    return jpeg2000(transferSyntaxUid) != nullptr;
+}
+
+bool codingMayLose(const std::string& transferSyntaxUid) {
+    const Jpeg2000Syntax* syntax = jpeg2000(transferSyntaxUid);
+    return syntax && !syntax->isLossless;
+}
+
 bool isCompressed(const std::string& transferSyntaxUid) {
-    return DcmXfer(transferSyntaxUid.c_str()).isEncapsulated();
+    return isJpeg2000(transferSyntaxUid) || DcmXfer(transferSyntaxUid.c_str()).isEncapsulated();
 }
 
 bool canDecode(const std::string& transferSyntaxUid) {
+    if (isJpeg2000(transferSyntaxUid))
+        return true;
     switch (DcmXfer(transferSyntaxUid.c_str()).getXfer()) {
         case EXS_LittleEndianImplicit:
         case EXS_LittleEndianExplicit:
@@ -76,6 +111,8 @@ bool codingIsLossy(const std::string& transferSyntaxUid) {
 }
 
 std::string transferSyntaxName(const std::string& transferSyntaxUid) {
+    if (const Jpeg2000Syntax* jpeg = jpeg2000(transferSyntaxUid))
+        return jpeg->name;
     const DcmXfer syntax(transferSyntaxUid.c_str());
     return syntax.getXfer() == EXS_Unknown ? transferSyntaxUid : std::string(syntax.getXferName());
 }

@@ -18,10 +18,16 @@ bool canDecode(const std::string& transferSyntaxUid);
 /// Returns whether pixels in this transfer syntax are compressed.
 bool isCompressed(const std::string& transferSyntaxUid);
 
-/// Returns whether pixels in this transfer syntax may differ from what was measured.
+/// Returns whether this transfer syntax is JPEG 2000 or High-Throughput JPEG 2000, which the toolkit does not decode.
+bool isJpeg2000(const std::string& transferSyntaxUid);
+
+/// Returns whether this transfer syntax may have lost something, but need not: images say so themselves.
+bool codingMayLose(const std::string& transferSyntaxUid);
+
+/// Returns whether pixels in this transfer syntax differ from what was measured.
 bool codingIsLossy(const std::string& transferSyntaxUid);
 
-/// Returns the name of a transfer syntax: "JPEG 2000 (Lossless only)", or the UID itself if it is unknown.
+/// Returns the name of a transfer syntax: "JPEG 2000 (lossless only)", or the UID itself if it is unknown.
 std::string transferSyntaxName(const std::string& transferSyntaxUid);
 
 }  // namespace pdr::dicom

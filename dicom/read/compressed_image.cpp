@@ -10,6 +10,7 @@
 
 #include "dicom/read/codecs.h"
 #include "dicom/read/decoder_warnings.h"
+#include "dicom/read/j2k_decoder.h"
 #include "dicom/read/jpeg_scan.h"
 #include "dicom/read/rle_stream.h"
 
@@ -66,11 +67,9 @@ bool hasOverlayInPixels(DcmDataset& data) {
     return data.findAndGetUint16(DcmTagKey(0x6000, 0x0102), bit).good() && bit > 0;
 }
 
-std::size_t impossiblePixels(DcmDataset& data, const SliceHeader& header) {
-    const PixelFormat& format = header.format;
-    // Lossy coding may overshoot beside sharp edges without being damaged.
-    if (codingIsLossy(header.transferSyntaxUid) || format.highBit != format.bitsStored - 1 ||
-        format.bitsStored == format.bitsAllocated || hasOverlayInPixels(data))
+std::size_t impossiblePixels(DcmDataset& data, const PixelFormat& format) {
+    if (format.highBit != format.bitsStored - 1 || format.bitsStored == format.bitsAllocated ||
+        hasOverlayInPixels(data))
         return 0;
     unsigned long count = 0;
     const Uint16* words = nullptr;
@@ -82,25 +81,61 @@ std::size_t impossiblePixels(DcmDataset& data, const SliceHeader& header) {
     return 0;
 }
 
-}  // namespace
+/// Returns the format of a decoded JPEG 2000 image. Where its samples are signed, the stream is believed; else it may
+/// hold them in more bits than are stored, and the header says which.
+PixelFormat formatOf(const J2kStream& stream, PixelFormat stated) {
+    stated.bitsAllocated = 16;
+    if (stream.isSigned) {
+        stated.bitsStored = stream.precision;
+        stated.highBit = stream.precision - 1;
+        stated.isSigned = true;
+    }
+    return stated;
+}
 
-Text decompress(DcmDataset& data, const SliceHeader& header) {
+Decoding decompressJ2k(DcmDataset& data, const SliceHeader& header) {
+    const J2kImage image = decodeJ2k(joinedFragments(data), {header.columns, header.rows});
+    Decoding decoding{{}, formatOf(image.stream, header.format), !image.stream.isReversible, image.isMended};
+    if (!image.stream.damage.empty()) {
+        decoding.damage = phrase("the compressed image is damaged: %1", image.stream.damage);
+        return decoding;
+    }
+    const std::vector<Uint16> words(image.values.begin(), image.values.end());
+    if (data.putAndInsertUint16Array(DCM_PixelData, words.data(), static_cast<unsigned long>(words.size())).bad())
+        decoding.damage = phrase("the compressed image cannot be decoded");
+    return decoding;
+}
+
+/// Decodes what the toolkit has a decoder for, or nothing if the pixels are not compressed.
+Decoding decompressByToolkit(DcmDataset& data, const SliceHeader& header) {
+    Decoding decoding{.format = header.format};
     const bool isCompressed = DcmXfer(data.getOriginalXfer()).isEncapsulated();
-    if (isCompressed) {
-        if (const Text damage = streamDamage(data, header); !damage.empty())
-            return phrase("the compressed image is damaged: %1", damage);
+    if (const Text damage = isCompressed ? streamDamage(data, header) : Text(); !damage.empty()) {
+        decoding.damage = phrase("the compressed image is damaged: %1", damage);
+        return decoding;
     }
     const DecoderWarnings warnings;
     if (data.chooseRepresentation(EXS_LittleEndianExplicit, nullptr).bad())
-        return phrase("the compressed image cannot be decoded");
-    if (!isCompressed)
-        return {};
-    if (warnings.count() > 0)
-        return phrase("the compressed image is damaged: its decoder says \"%1\"", warnings.first());
-    if (const std::size_t count = impossiblePixels(data, header); count > 0)
-        return phrase("the compressed image is damaged: %1 of its pixels hold numbers that %2 bits cannot", count,
-                      header.format.bitsStored);
-    return {};
+        decoding.damage = phrase("the compressed image cannot be decoded");
+    else if (isCompressed && warnings.count() > 0)
+        decoding.damage = phrase("the compressed image is damaged: its decoder says \"%1\"", warnings.first());
+    return decoding;
+}
+
+}  // namespace
+
+Decoding decompress(DcmDataset& data, const SliceHeader& header) {
+    Decoding decoding =
+        isJpeg2000(header.transferSyntaxUid) ? decompressJ2k(data, header) : decompressByToolkit(data, header);
+    // Lossy coding may overshoot beside sharp edges without being damaged.
+    const bool isExact =
+        isCompressed(header.transferSyntaxUid) && !codingIsLossy(header.transferSyntaxUid) && !decoding.hasLost;
+    if (!decoding.damage.empty() || !isExact)
+        return decoding;
+    if (const std::size_t count = impossiblePixels(data, decoding.format); count > 0)
+        decoding.damage = phrase("the compressed image is damaged: %1 of its pixels hold numbers that %2 bits cannot",
+                                 count, decoding.format.bitsStored);
+    return decoding;
 }
 
 }  // namespace pdr::dicom

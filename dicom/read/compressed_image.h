@@ -7,8 +7,15 @@ class DcmDataset;
 
 namespace pdr::dicom {
 
-/// Decodes the pixel data of `data` in place if it is compressed. Returns what is wrong with it, as a phrase ("the
-/// compressed image cannot be decoded"); empty if nothing can be seen from the outside. Thread-safe.
-Text decompress(DcmDataset& data, const SliceHeader& header);
+/// What decoding has shown.
+struct Decoding {
+    Text damage;            ///< a phrase ("the compressed image cannot be decoded"), or empty: none can be seen
+    PixelFormat format;     ///< of the decoded pixels; a JPEG 2000 stream may state another than the header
+    bool hasLost = false;   ///< whether the stream says that its coding has lost something, whatever the header says
+    bool isMended = false;  ///< whether a wrong length in the stream was put right
+};
+
+/// Decodes the pixel data of `data` in place if it is compressed. Thread-safe.
+Decoding decompress(DcmDataset& data, const SliceHeader& header);
 
 }  // namespace pdr::dicom

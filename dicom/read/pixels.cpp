@@ -126,12 +126,14 @@ class Rescale {
 };
 
 template <class Raw>
-DecodedSlice toHu(const Raw* raw, const SliceHeader& header, Padding padding) {
-    const StoredValue storedValue(header.format);
+DecodedSlice toHu(const Raw* raw, const SliceHeader& header, const Decoding& decoding, Padding padding) {
+    const StoredValue storedValue(decoding.format);
     const PaddingRule rule(header.meaning, storedValue, padding);
     const Rescale rescale(header.meaning);
     DecodedSlice slice;
     slice.size = {header.columns, header.rows};
+    slice.hasLost = decoding.hasLost && !header.isLossy;
+    slice.isMended = decoding.isMended;
     slice.hu.resize(std::size_t(header.columns) * std::size_t(header.rows));
     for (std::size_t i = 0; i < slice.hu.size(); ++i) {
         const int stored = storedValue.of(raw[i]);
@@ -155,19 +157,20 @@ Result<DecodedSlice> decodePixels(const NamedBytes& object, const SliceHeader& h
     if (!parseObject(object, header, Extent::all, content))
         return damaged(object, phrase("the file is damaged: it cannot be parsed to its end"));
     DcmDataset& data = *content.getDataset();
-    if (const Text damage = decompress(data, header); !damage.empty())
-        return damaged(object, damage);
+    const Decoding decoding = decompress(data, header);
+    if (!decoding.damage.empty())
+        return damaged(object, decoding.damage);
 
     const unsigned long expected = static_cast<unsigned long>(header.columns) * static_cast<unsigned long>(header.rows);
     unsigned long count = 0;
-    if (header.format.bitsAllocated == 16) {
+    if (decoding.format.bitsAllocated == 16) {
         const Uint16* raw = nullptr;
         if (data.findAndGetUint16Array(DCM_PixelData, raw, &count).good() && raw && count >= expected)
-            return toHu(raw, header, padding);
+            return toHu(raw, header, decoding, padding);
     } else {
         const Uint8* raw = nullptr;
         if (data.findAndGetUint8Array(DCM_PixelData, raw, &count).good() && raw && count >= expected)
-            return toHu(raw, header, padding);
+            return toHu(raw, header, decoding, padding);
     }
     return damaged(object, phrase("the image holds fewer pixels than its header says"));
 }

@@ -14,6 +14,8 @@ struct DecodedSlice {
     ivec2 size{0};                      ///< columns, rows
     std::vector<std::int16_t> hu;       ///< x fastest; rounded and clamped to int16
     std::size_t clipped = 0;            ///< number of pixels whose HU lie outside int16
+    bool hasLost = false;               ///< whether the coding has lost something, and the header does not say so
+    bool isMended = false;              ///< whether a wrong length in the coding was put right
     SliceIdentity identity;             ///< what the file said when its pixels were read
     std::vector<std::uint8_t> padding;  ///< 1 = nothing measured; empty if there is no such pixel
 };

@@ -185,7 +185,9 @@ bool parseHeader(const NamedBytes& object, SliceHeader& header, bool& isDirector
     header.frameOfReferenceUid = text(item, DCM_FrameOfReferenceUID);
     if (const auto instance = numbers<1>(item, DCM_InstanceNumber))
         header.instanceNumber = int(std::clamp((*instance)[0], -1e9, 1e9));
-    header.isLossy = codingIsLossy(header.transferSyntaxUid) || text(item, DCM_LossyImageCompression) == "01";
+    const std::string stated = text(item, DCM_LossyImageCompression);
+    header.isLossy = codingIsLossy(header.transferSyntaxUid) || stated == "01";
+    header.mayBeLossy = codingMayLose(header.transferSyntaxUid) && stated.empty();
     if (const auto ratio = numbers<1>(item, DCM_LossyImageCompressionRatio))
         header.lossyRatio = (*ratio)[0];
     readFacts(item, header);

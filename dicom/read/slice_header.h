@@ -38,6 +38,7 @@ struct SliceHeader {
     std::string imageType;  ///< values joined by a backslash: "ORIGINAL\PRIMARY\AXIAL"
     std::optional<int> instanceNumber;
     bool isLossy = false;              ///< whether the pixels went through a lossy coding, now or earlier
+    bool mayBeLossy = false;           ///< whether their coding may have lost something, and nothing is stated
     std::optional<double> lossyRatio;  ///< how much smaller that made them, if it is stated
 
     bool hasMetaHeader = false;

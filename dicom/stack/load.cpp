@@ -42,6 +42,8 @@ class Filling {
         std::copy(slice->hu.begin(), slice->hu.end(), hu_.begin() + std::ptrdiff_t(k * sliceVoxels_));
         masks_[k] = std::move(slice->padding);
         clipped_ += slice->clipped;
+        lossy_ += slice->hasLost;
+        mended_ += slice->isMended;
     }
 
     bool failed() {
@@ -52,13 +54,26 @@ class Filling {
 
     /// Returns what only the pixels show.
     std::vector<Note> notes() const {
-        if (clipped_ == 0)
-            return {};
-        return {{"clipped",
-                 phrase(clipped_ == 1
-                            ? "1 voxel lies beyond what 16 bits hold and was put at their end (-32768 or 32767 HU)"
-                            : "%1 voxels lie beyond what 16 bits hold and were put at their end (-32768 or 32767 HU)",
-                        clipped_.load())}};
+        std::vector<Note> notes;
+        if (const std::size_t count = clipped_; count > 0)
+            notes.push_back({"clipped", phrase(count == 1 ? "1 voxel lies beyond what 16 bits hold and was put at "
+                                                            "their end (-32768 or 32767 HU)"
+                                                          : "%1 voxels lie beyond what 16 bits hold and were put at "
+                                                            "their end (-32768 or 32767 HU)",
+                                               count)});
+        if (const std::size_t count = lossy_; count > 0)
+            notes.push_back({"lossy", phrase(count == 1 ? "1 slice was compressed with loss, which its file does not "
+                                                          "say: the HU are not those that were measured"
+                                                        : "%1 slices were compressed with loss, which their files do "
+                                                          "not say: the HU are not those that were measured",
+                                             count)});
+        if (const std::size_t count = mended_; count > 0)
+            notes.push_back({"mended", phrase(count == 1 ? "1 slice states a wrong length in its coding; it is "
+                                                           "complete, and was read to its end"
+                                                         : "%1 slices state a wrong length in their coding; they are "
+                                                           "complete, and were read to their end",
+                                              count)});
+        return notes;
     }
 
     Volume finish() {
@@ -98,7 +113,8 @@ class Filling {
     const std::size_t sliceVoxels_;
     Voxels hu_;
     std::vector<std::vector<std::uint8_t>> masks_;
-    std::atomic<std::size_t> clipped_ = 0;
+    std::atomic<std::size_t> clipped_ = 0;             ///< voxels
+    std::atomic<std::size_t> lossy_ = 0, mended_ = 0;  ///< slices; see DecodedSlice
     std::mutex mutex_;
     std::optional<Error> error_;
 };

@@ -38,11 +38,18 @@ void noteMeaning(const Slices& slices, std::vector<Note>& notes) {
 void noteLoss(const Slices& slices, std::vector<Note>& notes) {
     const auto isLossy = [](const SliceHeader* slice) { return slice->isLossy; };
     const auto lossy = std::size_t(std::count_if(slices.begin(), slices.end(), isLossy));
+    const auto unsure = std::size_t(std::ranges::count(slices, true, &SliceHeader::mayBeLossy));
+    if (unsure > 0)
+        notes.push_back({"maybe-lossy", phrase(unsure == 1 ? "1 slice may have been compressed with loss: its coding "
+                                                             "allows that, and its file does not say"
+                                                           : "%1 slices may have been compressed with loss: their "
+                                                             "coding allows that, and their files do not say",
+                                               unsure)});
     if (lossy == 0)
         return;
     const SliceHeader& first = **std::find_if(slices.begin(), slices.end(), isLossy);
-    Text how = codingIsLossy(first.transferSyntaxUid) ? Text(transferSyntaxName(first.transferSyntaxUid))
-                                                      : phrase("an earlier coding");
+    const bool byItsCoding = codingIsLossy(first.transferSyntaxUid) || codingMayLose(first.transferSyntaxUid);
+    Text how = byItsCoding ? Text(transferSyntaxName(first.transferSyntaxUid)) : phrase("an earlier coding");
     if (first.lossyRatio)
         how = phrase("%1, %2:1", how, numberOf(*first.lossyRatio, 3));
     notes.push_back(

@@ -330,8 +330,16 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 Schichten fehlen vielleicht: Die Dateien sind bis %2 nummeriert, und Nummer %3 und weitere sind nicht da</translation>
     </message>
     <message>
+        <source>%1 slices may have been compressed with loss: their coding allows that, and their files do not say</source>
+        <translation>%1 Schichten wurden vielleicht mit Verlust komprimiert: Ihre Codierung erlaubt das, und ihre Dateien sagen nichts dazu</translation>
+    </message>
+    <message>
         <source>%1 slices of this series on another grid listed apart</source>
         <translation>%1 Schichten dieser Serie auf einem anderen Gitter getrennt aufgeführt</translation>
+    </message>
+    <message>
+        <source>%1 slices state a wrong length in their coding; they are complete, and were read to their end</source>
+        <translation>%1 Schichten geben in ihrer Codierung eine falsche Länge an; sie sind vollständig und wurden bis zum Ende gelesen</translation>
     </message>
     <message>
         <source>%1 slices state no rescale; stored values are taken as HU</source>
@@ -340,6 +348,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1 slices were compressed with loss (%2): the HU are not those that were measured</source>
         <translation>%1 Schichten wurden mit Verlust komprimiert (%2): Die HU sind nicht die gemessenen</translation>
+    </message>
+    <message>
+        <source>%1 slices were compressed with loss, which their files do not say: the HU are not those that were measured</source>
+        <translation>%1 Schichten wurden mit Verlust komprimiert, ohne dass ihre Dateien es angeben: Die HU sind nicht die gemessenen</translation>
     </message>
     <message>
         <source>%1 states a pixel spacing of %2 mm x %3 mm</source>
@@ -766,8 +778,16 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>1 Schicht fehlt vielleicht: Die Dateien sind bis %2 nummeriert, und Nummer %3 ist nicht da</translation>
     </message>
     <message>
+        <source>1 slice may have been compressed with loss: its coding allows that, and its file does not say</source>
+        <translation>1 Schicht wurde vielleicht mit Verlust komprimiert: Ihre Codierung erlaubt das, und ihre Datei sagt nichts dazu</translation>
+    </message>
+    <message>
         <source>1 slice of this series on another grid listed apart</source>
         <translation>1 Schicht dieser Serie auf einem anderen Gitter getrennt aufgeführt</translation>
+    </message>
+    <message>
+        <source>1 slice states a wrong length in its coding; it is complete, and was read to its end</source>
+        <translation>1 Schicht gibt in ihrer Codierung eine falsche Länge an; sie ist vollständig und wurde bis zum Ende gelesen</translation>
     </message>
     <message>
         <source>1 slice states no rescale; stored values are taken as HU</source>
@@ -776,6 +796,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>1 slice was compressed with loss (%2): the HU are not those that were measured</source>
         <translation>1 Schicht wurde mit Verlust komprimiert (%2): Die HU sind nicht die gemessenen</translation>
+    </message>
+    <message>
+        <source>1 slice was compressed with loss, which its file does not say: the HU are not those that were measured</source>
+        <translation>1 Schicht wurde mit Verlust komprimiert, ohne dass ihre Datei es angibt: Die HU sind nicht die gemessenen</translation>
     </message>
     <message>
         <source>1 voxel lies beyond what 16 bits hold and was put at their end (-32768 or 32767 HU)</source>
@@ -4872,12 +4896,24 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>sie heißt wie die Schichten daneben, enthält aber kein DICOM</translation>
     </message>
     <message>
+        <source>it is divided into more than %1 blocks</source>
+        <translation>es ist in mehr als %1 Blöcke geteilt</translation>
+    </message>
+    <message>
         <source>it is empty</source>
         <translation>sie ist leer</translation>
     </message>
     <message>
         <source>it is longer than such a message is</source>
         <translation>sie ist länger, als eine solche Nachricht ist</translation>
+    </message>
+    <message>
+        <source>it is no JPEG 2000 codestream</source>
+        <translation>es ist kein JPEG-2000-Datenstrom</translation>
+    </message>
+    <message>
+        <source>it is no grey image of at most 16 bits</source>
+        <translation>es ist kein Graustufenbild mit höchstens 16 Bit</translation>
     </message>
     <message>
         <source>it is no message of PD-Render's</source>
@@ -4936,6 +4972,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>ihr komprimiertes Bild besteht nicht aus Stücken</translation>
     </message>
     <message>
+        <source>its decoder says "%1"</source>
+        <translation>sein Decoder meldet „%1“</translation>
+    </message>
+    <message>
         <source>its deflated content is damaged, or larger than %1 MB</source>
         <translation>ihr gepackter Inhalt ist beschädigt oder größer als %1 MB</translation>
     </message>
@@ -4946,6 +4986,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>its header cannot be read</source>
         <translation>ihr Kopf kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>its header is broken</source>
+        <translation>sein Kopf ist fehlerhaft</translation>
     </message>
     <message>
         <source>its header places segments where none can be</source>

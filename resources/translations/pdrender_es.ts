@@ -330,8 +330,16 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>pueden faltar %1 cortes: los archivos están numerados hasta %2, y faltan el número %3 y otros</translation>
     </message>
     <message>
+        <source>%1 slices may have been compressed with loss: their coding allows that, and their files do not say</source>
+        <translation>%1 cortes quizá se comprimieron con pérdida: su codificación lo permite y sus archivos no lo indican</translation>
+    </message>
+    <message>
         <source>%1 slices of this series on another grid listed apart</source>
         <translation>%1 cortes de esta serie en otra rejilla se listan aparte</translation>
+    </message>
+    <message>
+        <source>%1 slices state a wrong length in their coding; they are complete, and were read to their end</source>
+        <translation>%1 cortes indican una longitud errónea en su codificación; están completos y se leyeron hasta el final</translation>
     </message>
     <message>
         <source>%1 slices state no rescale; stored values are taken as HU</source>
@@ -340,6 +348,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1 slices were compressed with loss (%2): the HU are not those that were measured</source>
         <translation>%1 cortes se comprimieron con pérdida (%2): los HU no son los medidos</translation>
+    </message>
+    <message>
+        <source>%1 slices were compressed with loss, which their files do not say: the HU are not those that were measured</source>
+        <translation>%1 cortes se comprimieron con pérdida, y sus archivos no lo indican: las HU no son las medidas</translation>
     </message>
     <message>
         <source>%1 states a pixel spacing of %2 mm x %3 mm</source>
@@ -766,8 +778,16 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>puede faltar 1 corte: los archivos están numerados hasta %2, y falta el número %3</translation>
     </message>
     <message>
+        <source>1 slice may have been compressed with loss: its coding allows that, and its file does not say</source>
+        <translation>1 corte quizá se comprimió con pérdida: su codificación lo permite y su archivo no lo indica</translation>
+    </message>
+    <message>
         <source>1 slice of this series on another grid listed apart</source>
         <translation>1 corte de esta serie en otra rejilla se lista aparte</translation>
+    </message>
+    <message>
+        <source>1 slice states a wrong length in its coding; it is complete, and was read to its end</source>
+        <translation>1 corte indica una longitud errónea en su codificación; está completo y se leyó hasta el final</translation>
     </message>
     <message>
         <source>1 slice states no rescale; stored values are taken as HU</source>
@@ -776,6 +796,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>1 slice was compressed with loss (%2): the HU are not those that were measured</source>
         <translation>1 corte se comprimió con pérdida (%2): los HU no son los medidos</translation>
+    </message>
+    <message>
+        <source>1 slice was compressed with loss, which its file does not say: the HU are not those that were measured</source>
+        <translation>1 corte se comprimió con pérdida, y su archivo no lo indica: las HU no son las medidas</translation>
     </message>
     <message>
         <source>1 voxel lies beyond what 16 bits hold and was put at their end (-32768 or 32767 HU)</source>
@@ -4872,12 +4896,24 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>se llama como los cortes de al lado, pero no contiene DICOM</translation>
     </message>
     <message>
+        <source>it is divided into more than %1 blocks</source>
+        <translation>está dividida en más de %1 bloques</translation>
+    </message>
+    <message>
         <source>it is empty</source>
         <translation>está vacío</translation>
     </message>
     <message>
         <source>it is longer than such a message is</source>
         <translation>es más largo de lo que es un mensaje así</translation>
+    </message>
+    <message>
+        <source>it is no JPEG 2000 codestream</source>
+        <translation>no es un flujo JPEG 2000</translation>
+    </message>
+    <message>
+        <source>it is no grey image of at most 16 bits</source>
+        <translation>no es una imagen en grises de 16 bits como máximo</translation>
     </message>
     <message>
         <source>it is no message of PD-Render's</source>
@@ -4936,6 +4972,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>su imagen comprimida no está hecha de fragmentos</translation>
     </message>
     <message>
+        <source>its decoder says "%1"</source>
+        <translation>su decodificador dice «%1»</translation>
+    </message>
+    <message>
         <source>its deflated content is damaged, or larger than %1 MB</source>
         <translation>su contenido comprimido está dañado o supera %1 MB</translation>
     </message>
@@ -4946,6 +4986,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>its header cannot be read</source>
         <translation>no se puede leer su cabecera</translation>
+    </message>
+    <message>
+        <source>its header is broken</source>
+        <translation>su cabecera está dañada</translation>
     </message>
     <message>
         <source>its header places segments where none can be</source>
