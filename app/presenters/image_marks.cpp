@@ -28,13 +28,25 @@ std::vector<dvec3> placesOf(const ui::ShownMark& mark, const Camera& camera) {
 
 }  // namespace
 
-ImageMarks::ImageMarks(const Workspace& workspace, PlaceScenes& scenes) : workspace_(workspace), job_(scenes) {
+ImageMarks::ImageMarks(const Workspace& workspace, PlaceScenes& scenes)
+    : workspace_(workspace), job_(scenes), drops_(workspace, scenes) {
     workspace_.window.viewport().tools().add(layer_);
     atRest_.setSingleShot(true);
     atRest_.setInterval(kAtRest);
     connect(&atRest_, &QTimer::timeout, this, &ImageMarks::look);
     connect(&job_, &PlaceJob::seen, this,
             [this](const std::vector<dvec3>&, const std::vector<std::optional<HiddenBy>>& hidden) { show(hidden); });
+    connectDrags();
+}
+
+void ImageMarks::connectDrags() {
+    connect(&layer_, &ui::MarksLayer::dropped, this, [this](std::uint64_t id, int index, QPointF at) {
+        dropped_ = {id, index};
+        drops_.pick(at);
+    });
+    connect(&drops_, &ImagePick::picked, this,
+            [this](const PickedPlace& place) { emit moved(dropped_.id, dropped_.index, place); });
+    connect(&drops_, &ImagePick::unclear, &layer_, &ui::MarksLayer::putBack);
 }
 
 void ImageMarks::setMarks(const std::vector<ui::ShownMark>& marks) {
@@ -50,6 +62,7 @@ void ImageMarks::showDocument(Changes changes) {
 void ImageMarks::releaseVolume() {
     atRest_.stop();
     job_.drop();
+    drops_.drop();
     layer_.setHidden({});
 }
 

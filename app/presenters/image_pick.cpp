@@ -33,6 +33,7 @@ void ImagePick::drop() {
 void ImagePick::take(const LayersUnder& under) {
     if (under.seen == SeenAt::place)
         return emit picked({under.layers.front(), under.direction, free_});
+    emit unclear();
     if (under.seen == SeenAt::choice)
         return offer(under);
     workspace_.window.status().showForAWhile(ui::sentence(layersText(under)));

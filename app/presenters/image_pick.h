@@ -21,14 +21,16 @@ class ImagePick : public QObject {
     /// `workspace` and `scenes` must outlive this object.
     ImagePick(const Workspace& workspace, PlaceScenes& scenes);
 
-    /// Finds what the image shows at `place`, in fractions of its width and height. Ends with picked(), a menu or a
-    /// sentence.
+    /// Finds what the image shows at `place`, in fractions of its width and height. Ends with picked(), a menu that
+    /// offers several places, or a sentence.
     void pick(QPointF place);
     /// Gives up, and releases the volume.
     void drop();
 
   signals:
     void picked(const pdr::app::PickedPlace& place);
+    /// Reports that the image shows no place there, or several, of which the user may choose one.
+    void unclear();
 
   private:
     void take(const LayersUnder& under);

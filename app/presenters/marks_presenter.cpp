@@ -44,7 +44,8 @@ MarksPresenter::MarksPresenter(const Workspace& workspace, SlicesPresenter& slic
     connect(tools_, &MarkTools::chosen, this, &MarksPresenter::draw);
     for (const AnatomicalPlane plane : kAnatomicalPlanes)
         connectLayer(plane);
-    connect(&inImage(), &ui::MarksLayer::drawingCancelled, this, [this] { draw(std::nullopt); });
+    connectChoices(inImage());
+    connect(&inImage_, &ImageMarks::moved, this, &MarksPresenter::moveInImage);
     connect(&crosshair.picks(), &ImagePick::picked, this, [this](const PickedPlace& picked) {
         if (drawing_ && !isFlat(*drawing_))
             place(placeInImage(*document().seen(), picked, isBetweenEdges(*drawing_) && !picked.free));
@@ -67,6 +68,15 @@ void MarksPresenter::connectLayer(AnatomicalPlane plane) {
                 if (view.slice())
                     drag(view.slice()->plane, id, index, placeMm, free, moving);
             });
+    connect(&layer, &ui::MarksLayer::dragCancelled, this, [this] {
+        moving_ = 0;
+        document().giveUpGesture();
+    });
+    connectChoices(layer);
+}
+
+/// Connects what the layers of slices and of the image have in common.
+void MarksPresenter::connectChoices(ui::MarksLayer& layer) {
     connect(&layer, &ui::MarksLayer::selected, this, [this](std::uint64_t id) {
         selected_ = id;
         show();
@@ -195,6 +205,17 @@ void MarksPresenter::drag(const SlicePlane& plane, std::uint64_t id, int index, 
     document().edit(std::move(plan), Changes::measurements, moving);
     if (!moving)
         show();  // also if it ended where it was
+}
+
+void MarksPresenter::moveInImage(std::uint64_t id, int index, const PickedPlace& picked) {
+    Plan plan = document().plan();
+    const auto measurement = find(plan.measurements, id);
+    if (measurement == plan.measurements.end())
+        return;
+    const bool toEdge = isBetweenEdges(measurement->kind) && !picked.free;
+    movePlace(*measurement, std::size_t(index), placeInImage(*document().seen(), picked, toEdge));
+    document().edit(std::move(plan));
+    show();  // also if it ended where it was
 }
 
 void MarksPresenter::rename(std::uint64_t id, const QString& name) {

@@ -34,6 +34,7 @@ class MarksPresenter : public Presenter {
 
   private:
     void connectLayer(AnatomicalPlane plane);
+    void connectChoices(ui::MarksLayer& layer);
     void connectPanel();
     void draw(std::optional<MeasureKind> kind);
     void placeOn(const SlicePlane& plane, dvec3 placeMm, bool free);
@@ -43,6 +44,7 @@ class MarksPresenter : public Presenter {
     bool mayClose() const;
     bool isInScan(dvec3 placeMm) const;
     void drag(const SlicePlane& plane, std::uint64_t id, int index, dvec3 placeMm, bool free, bool moving);
+    void moveInImage(std::uint64_t id, int index, const PickedPlace& picked);
     void add(Measurement measurement);
     void askForName(std::uint64_t id);
     void rename(std::uint64_t id, const QString& name);

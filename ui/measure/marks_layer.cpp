@@ -7,17 +7,17 @@
 #include "ui/view/view_places.h"
 
 namespace pdr::ui {
-namespace {
-
-constexpr double kNearPx = 9;  ///< how near the pointer takes hold of a handle [px]
-
-}  // namespace
-
 void MarksLayer::setMarks(std::vector<ShownMark> marks) {
-    if (marks == marks_)
+    if (marks == marks_ && !loose_)
         return;
     marks_ = std::move(marks);
     lit_.reset();
+    loose_.reset();
+    emit changed();
+}
+
+void MarksLayer::putBack() {
+    loose_.reset();
     emit changed();
 }
 
@@ -44,29 +44,24 @@ void MarksLayer::setHidden(std::map<std::uint64_t, MarkHidden> hidden) {
     emit changed();
 }
 
-/// Returns the handle within reach of the pointer, in a slice only if it lies in the slice.
-std::optional<MarksLayer::Handle> MarksLayer::handleAt(const ViewPointer& pointer) const {
-    if (!slice_ || !pointer.image.camera)
+/// Returns the handle within reach of the pointer. Whoever drags a place sees it: what lies off a slice, or is hidden
+/// in the image, has none. In the image there is none while something is drawn, since clicks set its places.
+std::optional<MarkHandle> MarksLayer::handleAt(const ViewPointer& pointer) const {
+    if (!pointer.image.camera || (drawing_ && !slice_))
         return std::nullopt;
-    std::optional<Handle> nearest;
-    double reach = kNearPx;
-    for (const ShownMark& mark : marks_)
-        for (std::size_t i = 0; i < mark.placesMm.size(); ++i) {
-            const auto at = seenAt(pointer.image, mark.placesMm[i]);
-            if (!at || std::abs(depthMm(pointer.image, mark.placesMm[i])) > kInSliceMm)
-                continue;
-            if (const double distance = QLineF(*at, pointer.at).length(); distance <= reach) {
-                reach = distance;
-                nearest = Handle{mark.id, int(i)};
-            }
-        }
-    return nearest;
+    return ui::handleAt(marks_, pointer, [&](const ShownMark& mark, std::size_t index) {
+        if (slice_)
+            return std::abs(depthMm(pointer.image, mark.placesMm[index])) <= kInSliceMm;
+        const auto hidden = hidden_.find(mark.id);
+        const bool known = hidden != hidden_.end() && index < hidden->second.places.size();
+        return !isFlat(mark.shape) && !(known && hidden->second.places[index]);
+    });
 }
 
 bool MarksLayer::takes(const ViewPointer& pointer) const {
     const bool plain = !(pointer.modifiers & ~Qt::AltModifier);
-    return slice_ && pointer.image.camera && pointer.button == Qt::LeftButton && plain &&
-           (drawing_ || handleAt(pointer));
+    return pointer.image.camera && pointer.button == Qt::LeftButton && plain &&
+           ((drawing_ && slice_) || handleAt(pointer));
 }
 
 /// Returns whether a press closes what is being drawn. The first press of a double click has set its last place.
@@ -74,7 +69,7 @@ bool MarksLayer::closes(const ViewPointer& pointer) const {
     if (!closable_ || drawn_.placesMm.empty())
         return false;
     const auto first = seenAt(pointer.image, drawn_.placesMm.front());
-    return pointer.twice || (first && QLineF(*first, pointer.at).length() <= kNearPx);
+    return pointer.twice || (first && QLineF(*first, pointer.at).length() <= kHandleReach);
 }
 
 void MarksLayer::press(const ViewPointer& pointer) {
@@ -87,6 +82,7 @@ void MarksLayer::press(const ViewPointer& pointer) {
     dragged_ = handleAt(pointer);
     pressed_ = pointer.at;
     dragging_ = false;
+    loose_.reset();
     if (dragged_)
         emit selected(dragged_->id);
 }
@@ -98,20 +94,30 @@ void MarksLayer::move(const ViewPointer& pointer) {
     }
     dragging_ = dragging_ || QLineF(pressed_, pointer.at).length() > kTremble;
     if (dragging_)
-        reportDrag(pointer, true);
+        drag(pointer, true);
 }
 
 /// Ends a drag. A click on a handle has selected its measurement, and moves nothing.
 void MarksLayer::release(const ViewPointer& pointer) {
     if (std::exchange(dragging_, false))
-        reportDrag(pointer, false);
+        drag(pointer, false);
     dragged_.reset();
 }
 
-void MarksLayer::reportDrag(const ViewPointer& pointer, bool moving) {
-    if (dragged_)
-        emit dragged(dragged_->id, dragged_->index, placeUnder(pointer.image, pointer.at),
-                     pointer.modifiers.testFlag(Qt::AltModifier), moving);
+/// Moves the place that was pressed. In the image it follows the pointer beside its surface, at the depth that it had:
+/// which place the image shows is asked once it is dropped, since the answer may be a choice, or none.
+void MarksLayer::drag(const ViewPointer& pointer, bool moving) {
+    if (!dragged_ || !pointer.image.camera)
+        return;
+    const auto [id, index] = *dragged_;
+    if (slice_)
+        return emit dragged(id, index, placeUnder(pointer.image, pointer.at),
+                            pointer.modifiers.testFlag(Qt::AltModifier), moving);
+    loose_ = dragged_;
+    looseAt_ = pointer.at;
+    emit changed();
+    if (!moving)
+        emit dropped(id, index, pointer.fractions());
 }
 
 bool MarksLayer::hover(const ViewPointer& pointer) {
@@ -129,7 +135,7 @@ void MarksLayer::leave() {
     light(std::nullopt);
 }
 
-void MarksLayer::light(const std::optional<Handle>& handle) {
+void MarksLayer::light(const std::optional<MarkHandle>& handle) {
     if (std::exchange(lit_, handle) != handle)
         emit changed();
 }
@@ -148,9 +154,15 @@ bool MarksLayer::key(const QKeyEvent& event) {
 }
 
 bool MarksLayer::cancel() {
-    if (!drawing_)
+    if (drawing_) {
+        emit drawingCancelled();
+        return true;
+    }
+    if (!std::exchange(dragged_, std::nullopt))
         return false;
-    emit drawingCancelled();
+    putBack();
+    if (std::exchange(dragging_, false) && slice_)
+        emit dragCancelled();
     return true;
 }
 
@@ -166,7 +178,8 @@ void MarksLayer::paint(QPainter& painter, const ImagePlace& image) const {
     MarkPainter marks(painter, image, slice_);
     for (const ShownMark& mark : marks_) {
         const auto hidden = hidden_.find(mark.id);
-        marks.paint(mark, lit_ && lit_->id == mark.id ? lit_->index : -1,
+        marks.paint(loose_ ? movedTo(mark, *loose_, image, looseAt_) : mark,
+                    lit_ && lit_->id == mark.id ? lit_->index : -1,
                     hidden == hidden_.end() ? MarkHidden() : hidden->second);
     }
     marks.paintLabels();

@@ -18,6 +18,11 @@ enum class MarkShape {
     polygon,  ///< lines from each place to the next, and from the last to the first
 };
 
+/// Returns whether a mark of that shape lies in one slice.
+constexpr bool isFlat(MarkShape shape) {
+    return shape == MarkShape::ellipse || shape == MarkShape::polygon;
+}
+
 struct ShownMark {
     std::uint64_t id = 0;
     MarkShape shape = MarkShape::path;

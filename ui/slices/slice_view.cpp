@@ -48,7 +48,7 @@ void SliceView::bindTools() {
     tools_.bind(Qt::MiddleButton, Qt::NoModifier, pan_);
     tools_.bind(Qt::RightButton, Qt::NoModifier, window_);
     tools_.bind(Qt::RightButton, Qt::ControlModifier, zoom_);
-    connect(&tools_, &ViewTools::changed, this, qOverload<>(&QWidget::update));
+    connect(&tools_, &ViewTools::changed, this, &SliceView::followTools);
     connect(&keys_, &SliceKeys::stepped, this, &SliceView::stepped);
     connect(&keys_, &SliceKeys::nudged, this, &SliceView::nudged);
     connect(&keys_, &SliceKeys::clicked, this, &SliceView::clickCrosshair);
@@ -74,6 +74,12 @@ void SliceView::bindTools() {
         if (slice_)
             emit zoomed(std::exp(-4 * step.y()), slice_->plane.middleMm());
     });
+}
+
+void SliceView::followTools() {
+    if (cursor().shape() != tools_.cursor())
+        setCursor(tools_.cursor());
+    update();
 }
 
 ivec2 SliceView::sizeInPixels() const {

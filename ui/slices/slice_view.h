@@ -74,6 +74,7 @@ class SliceView : public QWidget {
 
   private:
     void bindTools();
+    void followTools();
     ImagePlace place() const;
     dvec3 mmAt(QPointF fractions) const;
     void clickCrosshair(Qt::KeyboardModifiers modifiers);

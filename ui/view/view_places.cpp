@@ -20,12 +20,12 @@ std::optional<QPointF> seenAt(const ImagePlace& image, dvec3 placeMm) {
     return image.inPixels(QRectF(at->x, at->y, 0, 0)).topLeft();
 }
 
-dvec3 placeUnder(const ImagePlace& image, QPointF point) {
+dvec3 placeUnder(const ImagePlace& image, QPointF point, double depthMm) {
     const QPointF fractions = image.fractionsAt(point);
     const SightLine line = geometryOf(image).under({fractions.x(), fractions.y()});
     const dvec3 forward = image.camera->forward();
-    const double along = glm::dot(image.camera->targetMm - line.originMm, forward) / glm::dot(line.direction, forward);
-    return line.originMm + along * line.direction;
+    const double away = glm::dot(image.camera->targetMm - line.originMm, forward) + depthMm;
+    return line.originMm + away / glm::dot(line.direction, forward) * line.direction;
 }
 
 double mmPerPixel(const ImagePlace& image, dvec3 placeMm) {

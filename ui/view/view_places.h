@@ -9,9 +9,9 @@ namespace pdr::ui {
 
 /// Returns where a place is seen in the view [px]; none: behind the eye, or the view has no image.
 std::optional<QPointF> seenAt(const ImagePlace& image, dvec3 placeMm);
-/// Returns the place in the plane of the view's target under a point of the view [px]: in a slice, the place of the
-/// slice. The view must have an image.
-dvec3 placeUnder(const ImagePlace& image, QPointF point);
+/// Returns the place under a point of the view [px] at `depthMm` behind the plane of the view's target: in a slice, at
+/// 0, the place of the slice. The view must have an image.
+dvec3 placeUnder(const ImagePlace& image, QPointF point, double depthMm = 0);
 /// Returns the length that a pixel of the view shows at a place's depth [mm]; 0 at and behind the eye. The view must
 /// have an image.
 double mmPerPixel(const ImagePlace& image, dvec3 placeMm);

@@ -1,10 +1,13 @@
 /// Measuring on the image: places that are picked, dragged, and hidden.
 
+#include <QLineF>
+#include <QSignalSpy>
 #include <algorithm>
 #include <cmath>
 
 #include "app/plan/measured.h"
 #include "tests/support/desktop/plate_trial.h"
+#include "ui/view/view_places.h"
 
 namespace pdr::app {
 
@@ -48,6 +51,51 @@ class MarksInImageTest : public QObject, PlateTrial {
         QTRY_VERIFY_WITH_TIMEOUT((places() == std::vector<bool>{false, true}), test::kPatience);
     }
 
+    /// The handle of what is seen, along the face of the plate: its new place is at the edge there, too.
+    void anEndIsDraggedAlongItsSurface() {
+        const Measurement before = measurements().back();
+        showFromTheRight();
+        const Camera camera = document().setup().camera;
+        const QPoint from = pointOf(before.places[1].mm), to = from + QPoint(0, 40);
+        test::dragOn(viewport(), from, Qt::NoButton);  // hovers
+        QTRY_COMPARE(viewport().cursor().shape(), Qt::SizeAllCursor);
+        dragInImage(from, to);
+        QTRY_VERIFY_WITH_TIMEOUT(measurements().back() != before, test::kPatience);
+        const Measurement& moved = measurements().back();
+        QVERIFY(moved.places[0] == before.places[0] && moved.places[1].found == measure::Found::pickedEdge);
+        QVERIFY(std::abs(moved.places[1].mm.x - before.places[1].mm.x) < 0.2);
+        QVERIFY(QLineF(pointOf(moved.places[1].mm), to).length() < 2);
+        QVERIFY(document().setup().camera == camera);
+        QCOMPARE(document().undoText(), Text("Undo changing a measurement"));
+        document().undo();
+        QVERIFY(measurements().back() == before);
+    }
+
+    /// Where the image shows no place, the end goes back to where it was, and the window says why.
+    void anEndStaysWhereNothingIsSeen() {
+        const Measurement before = measurements().back();
+        const QPoint from = pointOf(before.places[1].mm);
+        dragInImage(from, {12, viewport().height() / 2});
+        QTRY_VERIFY_WITH_TIMEOUT(trial_->said().contains("No tissue at this point"), test::kPatience);
+        QVERIFY(measurements().back() == before);
+        test::dragOn(viewport(), from, Qt::NoButton);  // hovers
+        QTRY_COMPARE(viewport().cursor().shape(), Qt::SizeAllCursor);
+    }
+
+    void escapeGivesBackWhatWasDragged() {
+        const Measurement before = measurements().back();
+        const Text step = document().undoText();
+        const QPoint from = pointOf(before.places[1].mm);
+        QSignalSpy dropped(&presenter().inImage(), &ui::MarksLayer::dropped);
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, from);
+        test::dragOn(viewport(), from + QPoint(0, 30));
+        key(Qt::Key_Escape);
+        test::dragOn(viewport(), from + QPoint(0, 40));
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, from + QPoint(0, 40));
+        QVERIFY(dropped.isEmpty() && measurements().back() == before);
+        QCOMPARE(document().undoText(), step);
+    }
+
     /// Only a press and a release at one place is a click: a drag turns the image, also while something is drawn.
     void whileDrawingTheImageStillTurns() {
         const std::size_t before = measurements().size();
@@ -60,6 +108,28 @@ class MarksInImageTest : public QObject, PlateTrial {
         QVERIFY(document().setup().camera.eyeMm != eye);
         key(Qt::Key_Escape);
         QCOMPARE(measurements().size(), before);
+    }
+
+  private:
+    /// Shows the face of the plate on which the second place lies, and waits until what hides the first is known.
+    void showFromTheRight() {
+        document().setView(StandardView::right);
+        waitForImage();
+        const std::uint64_t id = measurements().back().id;
+        const auto& hidden = presenter().inImage().hidden();
+        QTRY_VERIFY_WITH_TIMEOUT(hidden.contains(id) && hidden.at(id).places.at(0) && !hidden.at(id).places.at(1),
+                                 test::kPatience);
+    }
+    /// Returns where `placeMm` is seen in the image [px].
+    QPoint pointOf(dvec3 placeMm) {
+        const ui::ImagePlace image{viewport().size(), QRectF(viewport().rect()), document().setup().camera};
+        return ui::seenAt(image, placeMm)->toPoint();
+    }
+    void dragInImage(QPoint from, QPoint to) {
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, from);
+        test::dragOn(viewport(), (from + to) / 2);
+        test::dragOn(viewport(), to);
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, to);
     }
 };
 

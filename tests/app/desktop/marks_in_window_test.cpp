@@ -186,6 +186,23 @@ class MarksInWindowTest : public QObject, PlateTrial {
         QCOMPARE(measurements().size(), std::size_t(3));
     }
 
+    /// What was dragged goes back, whatever the hand does until it lets go.
+    void escapeGivesBackWhatWasDragged() {
+        const std::vector<Measurement> all = measurements();
+        showAxialAt(all[0].places[0].mm);
+        const QPoint from = pointOn(axial(), all[0].places[0].mm);
+        test::dragOn(axial(), from, Qt::NoButton);  // hovers
+        QCOMPARE(axial().cursor().shape(), Qt::SizeAllCursor);
+        QTest::mousePress(&axial(), Qt::LeftButton, {}, from);
+        test::dragOn(axial(), from + QPoint(20, 0));
+        QVERIFY(measurements() != all);
+        key(Qt::Key_Escape);
+        QVERIFY(measurements() == all);
+        test::dragOn(axial(), from + QPoint(40, 0));
+        QTest::mouseRelease(&axial(), Qt::LeftButton, {}, from + QPoint(40, 0));
+        QVERIFY(measurements() == all);
+    }
+
     /// The measurements belong to the patient.
     void anotherSeriesHasNone() {
         while (document().canUndo())

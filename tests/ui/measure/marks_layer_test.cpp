@@ -37,11 +37,12 @@ struct Over {
         return {point, Qt::LeftButton, Qt::LeftButton, modifiers, false, image};
     }
     dvec3 under(QPointF point) const { return plane.mmAt(dvec2(point.x(), point.y()) - 0.5); }
-    QImage painted() const {
+    QImage painted() const { return paintedBy(layer); }
+    QImage paintedBy(const MarksLayer& shown) const {
         QImage painting(400, 300, QImage::Format_RGB32);
         painting.fill(Qt::black);
         QPainter painter(&painting);
-        layer.paint(painter, image);
+        shown.paint(painter, image);
         return painting;
     }
 };
@@ -157,7 +158,58 @@ class MarksLayerTest : public QObject {
         QVERIFY(!over.layer.takes(over.at({200, 150})));
     }
 
-    void theImagesMarksCannotBeDragged() {
+    /// The end follows the pointer without its text, and is dropped as a point of the image: which place that is, is
+    /// not known here. What is hidden, or lies in a slice, has no handle.
+    void inTheImageAnEndIsDropped() {
+        Over over;
+        MarksLayer image(false);
+        QSignalSpy dropped(&image, &MarksLayer::dropped), dragged(&image, &MarksLayer::dragged);
+        const std::vector<dvec3> ends{over.under({100, 100}), over.under({200, 150}) + dvec3(0, 0, 9)};
+        image.setMarks({{7, MarkShape::path, ends, "56 mm"}});
+        const auto painted = [&] { return over.paintedBy(image); };
+        const QImage before = painted();
+        image.press(over.at({200, 150}));
+        image.move(over.at({240, 170}));
+        const MarkHandle end{7, 1};
+        const ShownMark moved = movedTo(image.marks()[0], end, over.image, {240, 170});
+        QVERIFY(near(moved.placesMm[1], over.under({240, 170}) + dvec3(0, 0, 9)) && moved.text.isEmpty());
+        QVERIFY(near(moved.placesMm[0], ends[0]));
+        QVERIFY(painted() != before);
+        image.release(over.at({240, 170}));
+        QVERIFY(dragged.isEmpty());
+        QCOMPARE(dropped.size(), 1);
+        QCOMPARE(dropped[0][2].toPointF(), QPointF(240 / 400.0, 170 / 300.0));
+        QVERIFY(painted() != before);  // until its place is known
+        image.putBack();
+        QVERIFY(painted() == before);
+        image.setHidden({{7, {{false, true}, {}}}});
+        QVERIFY(image.takes(over.at({100, 100})) && !image.takes(over.at({200, 150})));
+        image.setMarks({{7, MarkShape::polygon, {ends[0], ends[1], over.under({100, 200})}, ""}});
+        QVERIFY(!image.takes(over.at({100, 100})));
+    }
+
+    /// Esc ends a drag; the rest of its moves do nothing. In a slice, where the measurement has moved already, its
+    /// owner is asked to restore it.
+    void escapeEndsADrag() {
+        Over over;
+        for (const bool slice : {true, false}) {
+            MarksLayer layer(slice);
+            QSignalSpy cancelled(&layer, &MarksLayer::dragCancelled), dragged(&layer, &MarksLayer::dragged),
+                dropped(&layer, &MarksLayer::dropped);
+            layer.setMarks({{7, MarkShape::path, {over.under({100, 100}), over.under({200, 150})}, ""}});
+            const QImage before = over.paintedBy(layer);
+            layer.press(over.at({200, 150}));
+            layer.move(over.at({240, 150}));
+            QVERIFY(layer.cancel());
+            layer.move(over.at({250, 150}));
+            layer.release(over.at({250, 150}));
+            QVERIFY(over.paintedBy(layer) == before);
+            QVERIFY(cancelled.size() == slice && dragged.size() == slice && dropped.isEmpty());
+            QVERIFY(!layer.cancel());
+        }
+    }
+
+    void whileDrawingTheImagesMarksCannotBeDragged() {
         Over over;
         MarksLayer image(false);
         image.setMarks({{7, MarkShape::path, {over.under({100, 100}), over.under({200, 150})}, ""}});
@@ -230,19 +282,12 @@ class MarksLayerTest : public QObject {
         Over over;
         MarksLayer layer(false);
         layer.setMarks({{7, MarkShape::path, {over.under({100, 200}), over.under({299, 200})}, ""}});
-        const auto painted = [&] {
-            QImage painting(400, 300, QImage::Format_RGB32);
-            painting.fill(Qt::black);
-            QPainter painter(&painting);
-            layer.paint(painter, over.image);
-            return painting;
-        };
         MarkHidden hidden{{true, true}, {std::vector<bool>(kCurveParts)}};
         std::fill_n(hidden.parts[0].begin(), kCurveParts / 2, true);  // the left half
         QSignalSpy changed(&layer, &MarksLayer::changed);
         layer.setHidden({{7, hidden}});
         QCOMPARE(changed.size(), 1);
-        const QImage dotted = painted();
+        const QImage dotted = over.paintedBy(layer);
         const auto brightness = [&](int from) {  // of 80 pixels of the line
             int sum = 0;
             for (int x = from; x < from + 80; ++x)
