@@ -25,8 +25,8 @@ struct Measured {
 std::optional<double> plusMinusOf(const measure::Stated& stated);
 
 /// Returns what `measurement`, which has the places of its kind, says of `volume`. Fails if the places do not measure
-/// anything: the ends of an angle's line are too close to each other, a place lies where the scanner measured nothing,
-/// a region holds no voxel, or more than kMostRegionVoxels.
+/// anything: the ends of an angle's line are too close to each other, or not known well enough, a place lies where the
+/// scanner measured nothing, a region holds no voxel, or more than kMostRegionVoxels.
 Result<Measured> measured(const Measurement& measurement, const Volume& volume);
 
 /// Returns what a measurement without a name is called: "Distance 2". `number` counts those of its kind from 1.

@@ -24,17 +24,51 @@ struct Arm {
     double sigmaMm;  ///< spread of its ends across it
 };
 
+/// Which places of a measurement the ends of a line are, in the order in which they were set, from 0.
+struct Order {
+    int from, to;
+};
+
+Text isKnownTo(int place, const Text& plusMinus) {
+    switch (place) {
+        case 0:
+            return phrase("the first place is known only to ± %1 mm", plusMinus);
+        case 1:
+            return phrase("the second place is known only to ± %1 mm", plusMinus);
+        case 2:
+            return phrase("the third place is known only to ± %1 mm", plusMinus);
+        default:
+            return phrase("the fourth place is known only to ± %1 mm", plusMinus);
+    }
+}
+
+/// Returns why a line has no direction though its ends lie far apart: light leaves open how deep the end lies that is
+/// less sure.
+Error unsureEnd(const DrawnLine& line, const Order& order) {
+    const double from = largestVariance(line.from.spread.total()), to = largestVariance(line.to.spread.total());
+    const Text plusMinus = fixedNumber(std::ceil(kSigmas95 * std::sqrt(std::max(from, to))), 0);
+    return {isKnownTo(from > to ? order.from : order.to, plusMinus), "",
+            phrase("It was seen through translucent tissue. Drag it to where it belongs on a slice."),
+            ErrorKind::refused};
+}
+
 /// Returns the arm between two places, projected by `projection`.
-Result<Arm> armOf(const DrawnLine& line, const dmat3& projection) {
+Result<Arm> armOf(const DrawnLine& line, const dmat3& projection, const Order& order) {
     const dvec3 reach = projection * (line.to.mm - line.from.mm);
     const double length = glm::length(reach);
     const dvec3 direction = length > 0 ? reach / length : dvec3(0);
-    const dmat3 spread = projection * (line.from.spread.total() + line.to.spread.total()) * projection;
-    const Arm arm{direction, length, std::sqrt(varianceAcross(spread, direction))};
-    if (length <= kShortestSpreads * arm.sigmaMm || length == 0)
-        return Error{phrase("a line is too short to have a direction"), "", phrase("Put its ends farther apart."),
-                     ErrorKind::refused};
-    return arm;
+    const auto sigmaAcross = [&](const dmat3& spread) {
+        return std::sqrt(varianceAcross(projection * spread * projection, direction));
+    };
+    const dmat3 spread = line.from.spread.total() + line.to.spread.total();
+    const dmat3 byLight = line.from.spread.of(Cause::light) + line.to.spread.of(Cause::light);
+    const Arm arm{direction, length, sigmaAcross(spread)};
+    if (length > kShortestSpreads * arm.sigmaMm)
+        return arm;
+    if (length > kShortestSpreads * sigmaAcross(spread - byLight))
+        return unsureEnd(line, order);
+    return Error{phrase("a line is too short to have a direction"), "", phrase("Put its ends farther apart."),
+                 ErrorKind::refused};
 }
 
 /// Returns the derivative of the angle [radians] with respect to the end of arm `u`: across it, away from arm `v`.
@@ -55,8 +89,10 @@ Stated judged(const Stated& stated, double sigma) {
     return stated;
 }
 
+/// Returns the angle of two lines. `joined`: both begin in one place, the second of three.
 Result<Stated> angleOf(const DrawnLine& first, const DrawnLine& second, const dmat3& projection, bool joined) {
-    const Result<Arm> u = armOf(first, projection), v = armOf(second, projection);
+    const Result<Arm> u = armOf(first, projection, joined ? Order{1, 0} : Order{0, 1}),
+                      v = armOf(second, projection, joined ? Order{1, 2} : Order{2, 3});
     if (!u || !v)
         return !u ? u.error() : v.error();
     const double radians = std::atan2(glm::length(glm::cross(u->direction, v->direction)),  // exact near 0 and 180, too

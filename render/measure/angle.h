@@ -13,7 +13,8 @@ struct DrawnLine {
 
 /// Returns the angle at `apex` between the places `a` and `b`. Near 0 and 180 degrees, where spread can only open or
 /// close it, it is a bound: within 5 degrees, or three standard deviations. Fails if an arm is no longer than three
-/// times the spread of its ends.
+/// times the spread of its ends; where that is the light's fault, the error names the place that is less sure, in the
+/// order of the parameters.
 Result<Stated> angle(const Place& a, const Place& apex, const Place& b);
 
 /// Returns the angle between two lines in space as they were drawn, by the rules of angle().

@@ -1707,7 +1707,7 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     </message>
     <message>
         <source>Ellipse %1</source>
-        <translation>Ellipse Nr. %1</translation>
+        <translation>Ellipse %1</translation>
     </message>
     <message>
         <source>Encrypted, and each side proves who it is, by the certificates in %1</source>
@@ -2144,6 +2144,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>It was refused, or the device failed before.</source>
         <translation>Sie wurde abgelehnt, oder das Gerät hat vorher versagt.</translation>
+    </message>
+    <message>
+        <source>It was seen through translucent tissue. Drag it to where it belongs on a slice.</source>
+        <translation>Er wurde durch durchscheinendes Gewebe hindurch gesehen. Ziehen Sie ihn auf einer Schicht dorthin, wo er hingehört.</translation>
     </message>
     <message>
         <source>Iterations computed before the image is updated. More is slightly faster, fewer responds sooner; the result is the same.</source>
@@ -5828,6 +5832,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die Dateien nennen als Einheit ihrer Werte „%1“; sie werden als HU genommen</translation>
     </message>
     <message>
+        <source>the first place is known only to ± %1 mm</source>
+        <translation>der erste Punkt ist nur auf ± %1 mm bekannt</translation>
+    </message>
+    <message>
         <source>the folder cannot be created (%1)</source>
         <translation>der Ordner lässt sich nicht anlegen (%1)</translation>
     </message>
@@ -5854,6 +5862,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the folder is not empty</source>
         <translation>der Ordner ist nicht leer</translation>
+    </message>
+    <message>
+        <source>the fourth place is known only to ± %1 mm</source>
+        <translation>der vierte Punkt ist nur auf ± %1 mm bekannt</translation>
     </message>
     <message>
         <source>the gradient factor is 0</source>
@@ -6056,6 +6068,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die bestellte Szene kann nicht gerechnet werden: %1</translation>
     </message>
     <message>
+        <source>the second place is known only to ± %1 mm</source>
+        <translation>der zweite Punkt ist nur auf ± %1 mm bekannt</translation>
+    </message>
+    <message>
         <source>the slices differ in size: %1</source>
         <translation>die Schichten sind verschieden groß: %1</translation>
     </message>
@@ -6078,6 +6094,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the text %1 is longer than %2 kB</source>
         <translation>der Text %1 ist länger als %2 kB</translation>
+    </message>
+    <message>
+        <source>the third place is known only to ± %1 mm</source>
+        <translation>der dritte Punkt ist nur auf ± %1 mm bekannt</translation>
     </message>
     <message>
         <source>the threads of a warp have lost each other</source>

@@ -2146,6 +2146,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Se rechazó o el dispositivo falló antes.</translation>
     </message>
     <message>
+        <source>It was seen through translucent tissue. Drag it to where it belongs on a slice.</source>
+        <translation>Se vio a través de tejido translúcido. Arrástrelo en un corte hasta donde corresponde.</translation>
+    </message>
+    <message>
         <source>Iterations computed before the image is updated. More is slightly faster, fewer responds sooner; the result is the same.</source>
         <translation>Cuántas iteraciones se calculan antes de mostrar la imagen de nuevo. Más es algo más rápido, menos es más vivo; el resultado es el mismo.</translation>
     </message>
@@ -5828,6 +5832,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>los archivos dicen que sus valores están en «%1»; se toman como HU</translation>
     </message>
     <message>
+        <source>the first place is known only to ± %1 mm</source>
+        <translation>el primer punto solo se conoce con ± %1 mm</translation>
+    </message>
+    <message>
         <source>the folder cannot be created (%1)</source>
         <translation>no se puede crear la carpeta (%1)</translation>
     </message>
@@ -5854,6 +5862,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the folder is not empty</source>
         <translation>la carpeta no está vacía</translation>
+    </message>
+    <message>
+        <source>the fourth place is known only to ± %1 mm</source>
+        <translation>el cuarto punto solo se conoce con ± %1 mm</translation>
     </message>
     <message>
         <source>the gradient factor is 0</source>
@@ -6056,6 +6068,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>la escena pedida no se puede calcular: %1</translation>
     </message>
     <message>
+        <source>the second place is known only to ± %1 mm</source>
+        <translation>el segundo punto solo se conoce con ± %1 mm</translation>
+    </message>
+    <message>
         <source>the slices differ in size: %1</source>
         <translation>los cortes tienen distinto tamaño: %1</translation>
     </message>
@@ -6078,6 +6094,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the text %1 is longer than %2 kB</source>
         <translation>el texto %1 supera %2 kB</translation>
+    </message>
+    <message>
+        <source>the third place is known only to ± %1 mm</source>
+        <translation>el tercer punto solo se conoce con ± %1 mm</translation>
     </message>
     <message>
         <source>the threads of a warp have lost each other</source>

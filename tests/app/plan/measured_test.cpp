@@ -101,6 +101,30 @@ class MeasuredTest : public QObject {
         QVERIFY(!none && said(none.error().what).contains("too short"));
     }
 
+    /// An end that is seen through fog takes its line's direction, however long the line is: the end is named.
+    void anAngleNamesTheEndThatIsNotKnownWellEnough() {
+        const auto refused = [](MeasureKind kind, std::vector<dvec3> places, std::size_t unsure) {
+            Measurement measurement = measurementOf(kind, places, 0.1);
+            for (measure::Place& place : measurement.places)  // all were picked, and one of them through fog
+                place.spread.of(measure::Cause::light)[2][2] = &place == &measurement.places[unsure] ? 100 : 1;
+            const auto found = measured(measurement, *ramp());
+            return found ? QString() : said(found.error().what) + ". " + said(found.error().hint);
+        };
+        const QString why =
+            " place is known only to ± 20 mm. It was seen through translucent tissue. "
+            "Drag it to where it belongs on a slice.";
+        const QStringList names{"the first", "the second", "the third", "the fourth"};
+        for (std::size_t unsure = 0; unsure < 4; ++unsure) {
+            const QString sentence = names[int(unsure)] + why;
+            QCOMPARE(refused(MeasureKind::lines, twoLines(60), unsure), sentence);
+            if (unsure < 3)
+                QCOMPARE(refused(MeasureKind::angle, {{20, 0, 0}, {0, 0, 0}, {0, 20, 0}}, unsure), sentence);
+        }
+        // A line without a length has no direction, however sure its ends are.
+        QVERIFY(refused(MeasureKind::angle, {{20, 0, 0}, {0, 0, 0}, {0, 0, 0}}, 0).contains("the first"));
+        QVERIFY(refused(MeasureKind::angle, {{20, 0, 0}, {20, 0, 0}, {0, 20, 0}}, 0).contains("too short"));
+    }
+
     /// What is stated at a place is what a slice shows there.
     void aPointSaysTheHuThere() {
         const auto volume = ramp();
