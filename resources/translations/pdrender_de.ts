@@ -1422,6 +1422,18 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Bereich schließen</translation>
     </message>
     <message>
+        <source>Close programs that use the GPU, make the image smaller, or render on the CPU.</source>
+        <translation>Programme schließen, die die GPU benutzen, das Bild verkleinern oder auf der CPU rechnen.</translation>
+    </message>
+    <message>
+        <source>Close programs, or make the image smaller.</source>
+        <translation>Programme schließen oder das Bild verkleinern.</translation>
+    </message>
+    <message>
+        <source>Close that program, or ask who looks after the computer; until then only the CPU can render.</source>
+        <translation>Dieses Programm schließen oder fragen, wer den Computer betreut; bis dahin kann nur die CPU rechnen.</translation>
+    </message>
+    <message>
         <source>Close the message</source>
         <translation>Meldung schließen</translation>
     </message>
@@ -2114,8 +2126,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Im Bereich: %1</translation>
     </message>
     <message>
-        <source>Install a newer driver, or render on the CPU.</source>
-        <translation>Einen neueren Treiber installieren oder auf der CPU rechnen.</translation>
+        <source>Install a newer driver, or a build of this program for this GPU; until then only the CPU can render.</source>
+        <translation>Einen neueren Treiber oder eine für diese GPU gebaute Fassung des Programms installieren; bis dahin kann nur die CPU rechnen.</translation>
+    </message>
+    <message>
+        <source>Install a newer driver; until then only the CPU can render.</source>
+        <translation>Einen neueren Treiber installieren; bis dahin kann nur die CPU rechnen.</translation>
     </message>
     <message>
         <source>Install libdcmtk17 again.</source>
@@ -2628,6 +2644,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Only bones are shown, as far as they hold dense bone.</source>
         <translation>Nur Knochen sind zu sehen, soweit sie dichten Knochen enthalten.</translation>
+    </message>
+    <message>
+        <source>Only the CPU or a newer GPU can render.</source>
+        <translation>Nur die CPU oder eine neuere GPU kann rechnen.</translation>
     </message>
     <message>
         <source>Only the first of the dropped folders is opened.</source>
@@ -3154,10 +3174,6 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Auf der CPU rechnen oder dort bauen, wo das CUDA-Toolkit ist.</translation>
     </message>
     <message>
-        <source>Render on the CPU, or start the program anew; a newer driver or a restart of the computer may help.</source>
-        <translation>Auf der CPU rechnen oder das Programm neu starten; ein neuerer Treiber oder ein Neustart des Rechners kann helfen.</translation>
-    </message>
-    <message>
         <source>Render on the CPU.</source>
         <translation>Auf der CPU rechnen.</translation>
     </message>
@@ -3200,6 +3216,14 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Reset the view</source>
         <translation>Ansicht zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Restart the computer to use the GPU; if it happens again, have the GPU replaced.</source>
+        <translation>Den Computer neu starten, um die GPU zu benutzen; geschieht es wieder, die GPU austauschen lassen.</translation>
+    </message>
+    <message>
+        <source>Restart the computer; until then only the CPU can render.</source>
+        <translation>Den Computer neu starten; bis dahin kann nur die CPU rechnen.</translation>
     </message>
     <message>
         <source>Returns to the page that was read before.</source>
@@ -3534,6 +3558,14 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Weichgewebe ist nicht zu sehen. Verkalkter Knorpel sieht aus wie Knochen.</translation>
     </message>
     <message>
+        <source>Start the program again to use the GPU, with a smaller image, or use one that has no display.</source>
+        <translation>Das Programm neu starten, um die GPU zu benutzen, mit einem kleineren Bild, oder eine GPU ohne Anzeige benutzen.</translation>
+    </message>
+    <message>
+        <source>Start the program again to use the GPU; if it is lost again, install a newer driver or restart the computer.</source>
+        <translation>Das Programm neu starten, um die GPU zu benutzen; geht sie wieder verloren, einen neueren Treiber installieren oder den Computer neu starten.</translation>
+    </message>
+    <message>
         <source>State</source>
         <translation>Zustand</translation>
     </message>
@@ -3806,6 +3838,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Try again.</source>
         <translation>Noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>Try again; if it fails again, start the program again, or render on the CPU.</source>
+        <translation>Noch einmal versuchen; versagt sie wieder, das Programm neu starten oder auf der CPU rechnen.</translation>
     </message>
     <message>
         <source>Turn off</source>
@@ -4416,6 +4452,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>ein anderes Bild wird gerade gemacht</translation>
     </message>
     <message>
+        <source>another program has the GPU to itself, or nobody may compute on it</source>
+        <translation>ein anderes Programm hat die GPU für sich allein, oder niemand darf auf ihr rechnen</translation>
+    </message>
+    <message>
         <source>at least %1</source>
         <translation>mindestens %1</translation>
     </message>
@@ -4626,6 +4666,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>for highlights, which cannot show: could be left out</source>
         <translation>für Glanzlichter, die nicht zu sehen sein können: könnte wegbleiben</translation>
+    </message>
+    <message>
+        <source>for images that come from the GPU</source>
+        <translation>für Bilder, die von der GPU kommen</translation>
     </message>
     <message>
         <source>for the scene</source>
@@ -5300,6 +5344,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>braucht entweder einen DICOM-Ordner (dicom) oder eine Rohdatei (raw)</translation>
     </message>
     <message>
+        <source>neither this program nor the driver has code for the GPU (%1)</source>
+        <translation>weder dieses Programm noch der Treiber hat Code für die GPU (%1)</translation>
+    </message>
+    <message>
         <source>no answer</source>
         <translation>keine Antwort</translation>
     </message>
@@ -5504,6 +5552,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>außerhalb der Aufnahme</translation>
     </message>
     <message>
+        <source>parts of the driver are of different versions: it was updated while the computer ran</source>
+        <translation>Teile des Treibers sind verschiedener Version: Er wurde aktualisiert, während der Computer lief</translation>
+    </message>
+    <message>
         <source>paused</source>
         <translation>angehalten</translation>
     </message>
@@ -5692,16 +5744,16 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die GPU %1</translation>
     </message>
     <message>
-        <source>the GPU cannot be used (%1)</source>
-        <translation>die GPU kann nicht benutzt werden (%1)</translation>
+        <source>the GPU failed (%1)</source>
+        <translation>die GPU hat versagt (%1)</translation>
     </message>
     <message>
-        <source>the GPU failed at %1 (%2)</source>
-        <translation>die GPU hat versagt bei: %1 (%2)</translation>
+        <source>the GPU is too old for this program: it is of compute capability %1, %2 or later is needed</source>
+        <translation>die GPU ist zu alt für dieses Programm: Sie hat Compute Capability %1, %2 oder neuer ist nötig</translation>
     </message>
     <message>
-        <source>the GPU is too old for this program: it is of compute capability %1.%2, 7.5 or later is needed</source>
-        <translation>die GPU ist zu alt für dieses Programm: Sie hat Compute Capability %1.%2, 7.5 oder neuer ist nötig</translation>
+        <source>the GPU was lost (%1)</source>
+        <translation>die GPU ging verloren (%1)</translation>
     </message>
     <message>
         <source>the aperture is 0</source>
@@ -5762,6 +5814,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the driver is too old: it knows CUDA %1, %2 is needed</source>
         <translation>der Treiber ist zu alt: Er kennt CUDA %1, gebraucht wird %2</translation>
+    </message>
+    <message>
+        <source>the driver stopped the GPU, since the display had to wait for it</source>
+        <translation>der Treiber hat die GPU angehalten, weil die Anzeige auf sie warten musste</translation>
     </message>
     <message>
         <source>the environment image is not complete</source>
@@ -5954,6 +6010,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the measurements do not tell the parts of a frame's time apart</source>
         <translation>die Messungen trennen die Teile der Zeit eines Bildes nicht</translation>
+    </message>
+    <message>
+        <source>the memory of the GPU has lost bits</source>
+        <translation>der Speicher der GPU hat Bits verloren</translation>
+    </message>
+    <message>
+        <source>the memory of the GPU is taken: %1 are free</source>
+        <translation>der Speicher der GPU ist belegt: %1 sind frei</translation>
     </message>
     <message>
         <source>the model asks for no light</source>

@@ -1422,6 +1422,18 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Cerrar panel</translation>
     </message>
     <message>
+        <source>Close programs that use the GPU, make the image smaller, or render on the CPU.</source>
+        <translation>Cierre programas que usen la GPU, haga la imagen más pequeña o calcule en la CPU.</translation>
+    </message>
+    <message>
+        <source>Close programs, or make the image smaller.</source>
+        <translation>Cierre programas o haga la imagen más pequeña.</translation>
+    </message>
+    <message>
+        <source>Close that program, or ask who looks after the computer; until then only the CPU can render.</source>
+        <translation>Cierre ese programa o pregunte a quien mantiene el ordenador; hasta entonces solo puede calcular la CPU.</translation>
+    </message>
+    <message>
         <source>Close the message</source>
         <translation>Cerrar el mensaje</translation>
     </message>
@@ -2114,8 +2126,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>En la región: %1</translation>
     </message>
     <message>
-        <source>Install a newer driver, or render on the CPU.</source>
-        <translation>Instale un controlador más nuevo o calcule en la CPU.</translation>
+        <source>Install a newer driver, or a build of this program for this GPU; until then only the CPU can render.</source>
+        <translation>Instale un controlador más nuevo o una versión del programa compilada para esta GPU; hasta entonces solo puede calcular la CPU.</translation>
+    </message>
+    <message>
+        <source>Install a newer driver; until then only the CPU can render.</source>
+        <translation>Instale un controlador más nuevo; hasta entonces solo puede calcular la CPU.</translation>
     </message>
     <message>
         <source>Install libdcmtk17 again.</source>
@@ -2628,6 +2644,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Only bones are shown, as far as they hold dense bone.</source>
         <translation>Solo se muestran huesos que contienen hueso denso.</translation>
+    </message>
+    <message>
+        <source>Only the CPU or a newer GPU can render.</source>
+        <translation>Solo la CPU o una GPU más nueva puede calcular.</translation>
     </message>
     <message>
         <source>Only the first of the dropped folders is opened.</source>
@@ -3154,10 +3174,6 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Calcule en la CPU o compile donde esté el CUDA Toolkit.</translation>
     </message>
     <message>
-        <source>Render on the CPU, or start the program anew; a newer driver or a restart of the computer may help.</source>
-        <translation>Calcule en la CPU o reinicie el programa; puede ayudar un controlador más nuevo o reiniciar el equipo.</translation>
-    </message>
-    <message>
         <source>Render on the CPU.</source>
         <translation>Calcule en la CPU.</translation>
     </message>
@@ -3200,6 +3216,14 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Reset the view</source>
         <translation>Restablecer la vista</translation>
+    </message>
+    <message>
+        <source>Restart the computer to use the GPU; if it happens again, have the GPU replaced.</source>
+        <translation>Reinicie el ordenador para usar la GPU; si vuelve a ocurrir, haga cambiar la GPU.</translation>
+    </message>
+    <message>
+        <source>Restart the computer; until then only the CPU can render.</source>
+        <translation>Reinicie el ordenador; hasta entonces solo puede calcular la CPU.</translation>
     </message>
     <message>
         <source>Returns to the page that was read before.</source>
@@ -3534,6 +3558,14 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>No se ven los tejidos blandos. El cartílago calcificado parece hueso.</translation>
     </message>
     <message>
+        <source>Start the program again to use the GPU, with a smaller image, or use one that has no display.</source>
+        <translation>Inicie de nuevo el programa para usar la GPU, con una imagen más pequeña, o use una GPU sin pantalla.</translation>
+    </message>
+    <message>
+        <source>Start the program again to use the GPU; if it is lost again, install a newer driver or restart the computer.</source>
+        <translation>Inicie de nuevo el programa para usar la GPU; si vuelve a perderse, instale un controlador más nuevo o reinicie el ordenador.</translation>
+    </message>
+    <message>
         <source>State</source>
         <translation>Estado</translation>
     </message>
@@ -3806,6 +3838,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Try again.</source>
         <translation>Vuelva a intentarlo.</translation>
+    </message>
+    <message>
+        <source>Try again; if it fails again, start the program again, or render on the CPU.</source>
+        <translation>Inténtelo de nuevo; si vuelve a fallar, inicie de nuevo el programa o calcule en la CPU.</translation>
     </message>
     <message>
         <source>Turn off</source>
@@ -4416,6 +4452,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>se está haciendo otra imagen</translation>
     </message>
     <message>
+        <source>another program has the GPU to itself, or nobody may compute on it</source>
+        <translation>otro programa tiene la GPU para él solo, o nadie puede calcular en ella</translation>
+    </message>
+    <message>
         <source>at least %1</source>
         <translation>al menos %1</translation>
     </message>
@@ -4626,6 +4666,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>for highlights, which cannot show: could be left out</source>
         <translation>para brillos que no se pueden ver: se podría omitir</translation>
+    </message>
+    <message>
+        <source>for images that come from the GPU</source>
+        <translation>para las imágenes que vienen de la GPU</translation>
     </message>
     <message>
         <source>for the scene</source>
@@ -5300,6 +5344,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>necesita una carpeta DICOM (dicom) o un archivo en bruto (raw)</translation>
     </message>
     <message>
+        <source>neither this program nor the driver has code for the GPU (%1)</source>
+        <translation>ni este programa ni el controlador tienen código para la GPU (%1)</translation>
+    </message>
+    <message>
         <source>no answer</source>
         <translation>sin respuesta</translation>
     </message>
@@ -5504,6 +5552,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>fuera del estudio</translation>
     </message>
     <message>
+        <source>parts of the driver are of different versions: it was updated while the computer ran</source>
+        <translation>hay partes del controlador de versiones distintas: se actualizó con el ordenador en marcha</translation>
+    </message>
+    <message>
         <source>paused</source>
         <translation>en pausa</translation>
     </message>
@@ -5692,16 +5744,16 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>la GPU %1</translation>
     </message>
     <message>
-        <source>the GPU cannot be used (%1)</source>
-        <translation>no se puede usar la GPU (%1)</translation>
+        <source>the GPU failed (%1)</source>
+        <translation>la GPU falló (%1)</translation>
     </message>
     <message>
-        <source>the GPU failed at %1 (%2)</source>
-        <translation>la GPU falló en: %1 (%2)</translation>
+        <source>the GPU is too old for this program: it is of compute capability %1, %2 or later is needed</source>
+        <translation>la GPU es demasiado antigua para este programa: es de compute capability %1 y se necesita %2 o posterior</translation>
     </message>
     <message>
-        <source>the GPU is too old for this program: it is of compute capability %1.%2, 7.5 or later is needed</source>
-        <translation>la GPU es demasiado antigua para este programa: es de compute capability %1.%2 y se necesita 7.5 o posterior</translation>
+        <source>the GPU was lost (%1)</source>
+        <translation>se perdió la GPU (%1)</translation>
     </message>
     <message>
         <source>the aperture is 0</source>
@@ -5762,6 +5814,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the driver is too old: it knows CUDA %1, %2 is needed</source>
         <translation>el controlador es demasiado antiguo: conoce CUDA %1 y se necesita %2</translation>
+    </message>
+    <message>
+        <source>the driver stopped the GPU, since the display had to wait for it</source>
+        <translation>el controlador detuvo la GPU, porque la pantalla tenía que esperarla</translation>
     </message>
     <message>
         <source>the environment image is not complete</source>
@@ -5954,6 +6010,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the measurements do not tell the parts of a frame's time apart</source>
         <translation>las mediciones no distinguen las partes del tiempo de una imagen</translation>
+    </message>
+    <message>
+        <source>the memory of the GPU has lost bits</source>
+        <translation>la memoria de la GPU ha perdido bits</translation>
+    </message>
+    <message>
+        <source>the memory of the GPU is taken: %1 are free</source>
+        <translation>la memoria de la GPU está ocupada: quedan libres %1</translation>
     </message>
     <message>
         <source>the model asks for no light</source>

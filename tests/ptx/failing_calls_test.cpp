@@ -5,20 +5,12 @@
 
 #include <QRegularExpression>
 
-#include "tests/support/program_run.h"
+#include "tests/ptx/image_run.h"
 
 using namespace pdr;
+using test::images;
 
 namespace {
-
-test::ProgramRun images(const QString& settings) {
-    return test::runProgram("../tests/ptx_images", {}, [&](QProcess& process) {
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        for (const QString& setting : settings.split(' ', Qt::SkipEmptyParts))
-            environment.insert("PDR_PTX_" + setting.section('=', 0, 0), setting.section('=', 1));
-        process.setProcessEnvironment(environment);
-    });
-}
 
 /// Returns the names of all calls, in order.
 QStringList calls() {
@@ -60,13 +52,6 @@ class FailingCallsTest : public QObject {
             const test::ProgramRun run = images(QString("FAIL=%1:719").arg(n));
             QVERIFY2(run.code == 0 && !run.err.contains("ptx: "), qPrintable(run.out + run.err));
         }
-    }
-
-    void whatTheMachineLacksIsSaid() {
-        QVERIFY(images("CAPABILITY=70").out.contains("too old"));
-        QVERIFY(images("DRIVER=12080").out.contains("12.8"));
-        QVERIFY(images("DEVICES=0").out.contains("no GPU"));
-        QVERIFY(images("MEMORY_MB=0").out.contains("memory"));
     }
 };
 

@@ -1,7 +1,9 @@
 #include "render/device/cuda/cuda_device.h"
 
+#include "render/device/cuda/cuda_errors.h"
 #include "render/device/cuda/cuda_gpu.h"
 #include "render/device/cuda/trace_kernels.h"
+#include "render/device/gpu/gpu_failures.h"
 #include "render/device/gpu_device.h"
 
 namespace pdr {
@@ -34,78 +36,77 @@ namespace {
 
 constexpr const char* kName = "cuda";
 
-std::string versionText(int version) {
-    return std::to_string(version / 1000) + "." + std::to_string(version % 1000 / 10);
-}
-
-/// Returns the reason why no GPU can be used.
-Error noGpu(cudaError_t status) {
-    int driver = 0, runtime = 0;
-    cudaDriverGetVersion(&driver);
-    cudaRuntimeGetVersion(&runtime);
-    if (status == cudaErrorInsufficientDriver && driver == 0)
-        return {phrase("there is no driver for a GPU of NVIDIA's"), kName, phrase("Install one, or render on the CPU."),
-                ErrorKind::refused};
-    if (status == cudaErrorInsufficientDriver)
-        return {
-            phrase("the driver is too old: it knows CUDA %1, %2 is needed", versionText(driver), versionText(runtime)),
-            kName, phrase("Install a newer driver, or render on the CPU.")};
-    if (status == cudaErrorNoDevice)
-        return {phrase("there is no GPU of NVIDIA's"), kName, phrase("Render on the CPU."), ErrorKind::refused};
-    return {phrase("the GPU cannot be used (%1)", std::string(cudaGetErrorString(status))), kName,
-            phrase("Render on the CPU.")};
-}
-
 /// First compute capability that nvcc compiles for: 7.5, Turing.
-constexpr int kOldest = 75;
+constexpr int kOldest[] = {7, 5};
+
+std::string nameOf(int index) {
+    return index == 0 ? kName : kName + (":" + std::to_string(index));
+}
+
+/// Returns the number of GPUs. Errors: why there is none.
+Result<int> countGpus() {
+    int count = 0, driver = 0;
+    const cudaError_t status = cudaGetDeviceCount(&count);
+    cudaGetLastError();  // otherwise the next launch would report this error
+    cudaDriverGetVersion(&driver);
+    if (status == cudaErrorInsufficientDriver && driver == 0)
+        return Error{phrase("there is no driver for a GPU of NVIDIA's"), kName,
+                     phrase("Install one, or render on the CPU."), ErrorKind::refused};
+    if (status == cudaErrorNoDevice || (status == cudaSuccess && count == 0))
+        return Error{phrase("there is no GPU of NVIDIA's"), kName, phrase("Render on the CPU."), ErrorKind::refused};
+    if (status != cudaSuccess)
+        return cudaFailure(status, kName, "looking for GPUs");
+    return count;
+}
+
+Result<cudaDeviceProp> propertiesOf(int index) {
+    cudaDeviceProp properties{};
+    const cudaError_t status = cudaGetDeviceProperties(&properties, index);
+    if (status == cudaSuccess)
+        return properties;
+    const Error error = cudaFailure(status, nameOf(index), "asking what it is");
+    cudaGetLastError();
+    return error;
+}
 
 /// Checks that this program has machine code for the GPU, or code that its driver can translate.
-Result<void> checkAge(int index) {
-    int major = 0, minor = 0;
-    const cudaError_t status[] = {cudaDeviceGetAttribute(&major, cudaDevAttrComputeCapabilityMajor, index),
-                                  cudaDeviceGetAttribute(&minor, cudaDevAttrComputeCapabilityMinor, index)};
-    cudaGetLastError();
-    const bool isKnown = status[0] == cudaSuccess && status[1] == cudaSuccess;
-    if (!isKnown || 10 * major + minor >= kOldest)
+Result<void> checkAge(const cudaDeviceProp& gpu) {
+    const auto text = [](int major, int minor) { return std::to_string(major) + "." + std::to_string(minor); };
+    if (gpu.major > kOldest[0] || (gpu.major == kOldest[0] && gpu.minor >= kOldest[1]))
         return {};
-    return Error{
-        phrase("the GPU is too old for this program: it is of compute capability %1.%2, 7.5 or later is needed", major,
-               minor),
-        kName, phrase("Render on the CPU.")};
+    return gpuTooOld(gpu.name, text(gpu.major, gpu.minor), text(kOldest[0], kOldest[1]));
 }
 
-DeviceInfo infoOf(int index) {
-    cudaDeviceProp properties{};
-    if (cudaGetDeviceProperties(&properties, index) != cudaSuccess)
-        cudaGetLastError();  // otherwise the next launch would report this error
-    return {index == 0 ? kName : kName + (":" + std::to_string(index)),
-            std::string(properties.name) + ", " + bytesText(properties.totalGlobalMem)};
+DeviceInfo infoOf(int index, const Result<cudaDeviceProp>& gpu) {
+    return {nameOf(index),
+            gpu ? std::string(gpu->name) + ", " + bytesText(gpu->totalGlobalMem) : gpu.error().what.c_str()};
 }
 
 }  // namespace
 
 Result<std::vector<DeviceInfo>> cudaDevices() {
-    int count = 0;
-    const cudaError_t status = cudaGetDeviceCount(&count);
-    cudaGetLastError();
-    if (status != cudaSuccess || count == 0)
-        return noGpu(status == cudaSuccess ? cudaErrorNoDevice : status);
+    const Result<int> count = countGpus();
+    if (!count)
+        return count.error();
     std::vector<DeviceInfo> infos;
-    for (int i = 0; i < count; ++i)
-        infos.push_back(infoOf(i));
+    for (int i = 0; i < *count; ++i)
+        infos.push_back(infoOf(i, propertiesOf(i)));
     return Result<std::vector<DeviceInfo>>(std::move(infos));
 }
 
 Result<std::unique_ptr<Device>> makeCudaDevice(int index) {
-    const Result<std::vector<DeviceInfo>> known = cudaDevices();
-    if (!known)
-        return known.error();
-    if (index < 0 || std::size_t(index) >= known->size())
+    const Result<int> count = countGpus();
+    if (!count)
+        return count.error();
+    if (index < 0 || index >= *count)
         return Error{phrase("there is no such GPU"), "cuda:" + std::to_string(index),
-                     phrase("The last one is cuda:%1.", known->size() - 1)};
-    if (Result<void> isNew = checkAge(index); !isNew)
+                     phrase("The last one is cuda:%1.", *count - 1)};
+    const Result<cudaDeviceProp> gpu = propertiesOf(index);
+    if (!gpu)
+        return gpu.error();
+    if (Result<void> isNew = checkAge(*gpu); !isNew)
         return isNew.error();
-    auto device = std::make_unique<GpuDevice<CudaGpu>>((*known)[std::size_t(index)], index);
+    auto device = std::make_unique<GpuDevice<CudaGpu>>(infoOf(index, gpu), index, std::string(gpu->name));
     if (Result<void> works = takeStatus(device->gpu()); !works)
         return works.error();
     return Result<std::unique_ptr<Device>>(std::move(device));

@@ -1,6 +1,7 @@
 #include "render/device/cuda/cuda_gpu.h"
 
 #include "render/base/errors.h"
+#include "render/device/cuda/cuda_errors.h"
 
 namespace pdr {
 namespace {
@@ -19,11 +20,9 @@ CudaGpu::Event::~Event() {
         ignore(cudaEventDestroy(event_));
 }
 
-CudaGpu::CudaGpu(int index) : index_(index), name_("cuda:" + std::to_string(index)) {
-    cudaDeviceProp properties{};
-    if (!check(cudaGetDeviceProperties(&properties, index), "the first call") || !ready())
+CudaGpu::CudaGpu(int index, std::string name) : index_(index), name_(std::move(name)) {
+    if (!ready())
         return;
-    name_ = properties.name;
     for (cudaStream_t& stream : streams_)
         check(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking), "making a stream");
     next_ = static_cast<std::uint64_t*>(allocate(sizeof *next_));
@@ -45,11 +44,7 @@ bool CudaGpu::check(cudaError_t status, const char* doing) {
     if (status == cudaSuccess)
         return true;
     if (!error_)
-        error_ = Error{
-            phrase("the GPU failed at %1 (%2)", doing, std::string(cudaGetErrorString(status))), name_,
-            phrase(
-                "Render on the CPU, or start the program anew; a newer driver or a restart of the computer may help."),
-            ErrorKind::deviceLost};
+        error_ = cudaFailure(status, name_, doing);
     return false;
 }
 
@@ -88,9 +83,15 @@ void CudaGpu::release(void* memory) {
 
 void* CudaGpu::allocatePinned(std::size_t bytes) {
     void* memory = nullptr;
-    if (!ready() || !check(cudaHostAlloc(&memory, bytes, cudaHostAllocDefault), "taking memory of the host"))
+    if (!ready())
         return nullptr;
-    return memory;
+    const cudaError_t status = cudaHostAlloc(&memory, bytes, cudaHostAllocDefault);
+    if (status == cudaErrorMemoryAllocation)
+        error_ = notEnoughMemory(phrase("for images that come from the GPU"), "",
+                                 phrase("Close programs, or make the image smaller."));
+    else
+        check(status, "taking memory of the computer");
+    return status == cudaSuccess ? memory : nullptr;
 }
 
 void CudaGpu::releasePinned(void* memory) {

@@ -59,8 +59,8 @@ class CudaGpu {
     static constexpr std::uint32_t kSpecializedFeatures = kFeatureMasks - 1;
     static constexpr std::int64_t kPathsTogether = 1 << 20;
 
-    /// Opens GPU number `index`, from 0.
-    explicit CudaGpu(int index);
+    /// Opens GPU number `index`, from 0. `name`: as errors call it.
+    CudaGpu(int index, std::string name);
     ~CudaGpu();
     CudaGpu(const CudaGpu&) = delete;
     CudaGpu& operator=(const CudaGpu&) = delete;

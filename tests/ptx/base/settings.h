@@ -29,7 +29,7 @@ struct Settings {
     bool byAddress = false;             ///< PDR_PTX_BY_ADDRESS: parted lanes go on at the lowest address first
     bool races = false;                 ///< PDR_PTX_RACES: threads, and streams, that meet at a byte are told
     bool unset = false;                 ///< PDR_PTX_UNSET: reads of what nobody has written are told
-    bool trace = false;                 ///< PDR_PTX_TRACE: every call of the runtime is told
+    bool trace = false;                 ///< PDR_PTX_TRACE: every call of the runtime and every launch is told
     u32 seed = 1;                       ///< PDR_PTX_SEED
     std::string fail;                   ///< PDR_PTX_FAIL: the call that fails, see runtime/failures.h
     u64 memoryBytes = u64(8) << 30;     ///< PDR_PTX_MEMORY_MB

@@ -1,5 +1,6 @@
 /// Renders one small image three times with the same device, and says of each whether it has the CPU's bits.
-///   ptx_images    prints "right" or an error's sentence for each; exit code 1: an image is wrong
+///   ptx_images [DEVICE]    prints "right" or an error's sentences for each, and first why "auto" is the CPU; exit code
+///                          1: an image is wrong. DEVICE: "cuda" by default
 
 #include <cstdio>
 #include <memory>
@@ -30,10 +31,12 @@ Result<std::shared_ptr<const Film>> filmOf(Device& device, const Scene& scene) {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
     Scene scene = test::sceneOf(kSurface | kEnvironment | kBounces);
     const auto truth = filmOf(*makeCpuDevice(1), scene);
-    const auto device = openDevice("cuda");
+    const auto device = openDeviceToTheEnd(argc > 1 ? argv[1] : "cuda", 1, [](const Error& why) {
+        std::printf("the CPU instead: %s\n", why.text().c_str());
+    });
     if (!device) {
         std::printf("%s\n", device.error().text().c_str());
         return 0;

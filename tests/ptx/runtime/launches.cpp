@@ -1,5 +1,6 @@
 /// CUDA's functions that register and launch kernels. nvcc's code calls those that begin with two underscores.
 
+#include <cstdio>
 #include <cstring>
 #include <vector>
 
@@ -60,6 +61,8 @@ cudaError_t launch(Runtime& r, const void* host, const Configuration& how, void*
         return cudaErrorLaunchOutOfResources;
     const Program& program = kernel->decoded(r.settings);
     ++kernel->launches;
+    if (r.settings.trace)
+        std::fprintf(stderr, "launch %s: %u x %u\n", kernel->name.c_str(), how.grid.x, how.block.x);
     const u32 number = ++r.launches;
     const auto run = [&r, &program, kernel, grid, block, number,
                       parameters = parametersOf(program.text, arguments)](const Work& work) mutable {
