@@ -10,7 +10,7 @@ namespace pdr::dicom {
 /// What decoding has shown.
 struct Decoding {
     Text damage;            ///< a phrase ("the compressed image cannot be decoded"), or empty: none can be seen
-    PixelFormat format;     ///< of the decoded pixels; a JPEG 2000 stream may state another than the header
+    PixelFormat format;     ///< how decoded pixels are stored; a JPEG 2000 stream may state otherwise than the header
     bool hasLost = false;   ///< whether the stream says that its coding has lost something, whatever the header says
     bool isMended = false;  ///< whether a wrong length in the stream was put right
 };

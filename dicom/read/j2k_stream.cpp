@@ -13,7 +13,7 @@ using Bytes = std::span<const std::uint8_t>;
 // Markers (table A.2)
 constexpr unsigned kStart = 0xFF4F, kSize = 0xFF51, kCoding = 0xFF52, kComponentCoding = 0xFF53, kTilePart = 0xFF90,
                    kData = 0xFF93, kEnd = 0xFFD9;
-constexpr std::size_t kTilePartBytes = 12;  ///< of the segment that begins a tile part, with its marker
+constexpr std::size_t kTilePartBytes = 12;  ///< length of the segment that begins a tile part, with its marker
 constexpr std::size_t kLengthInTilePart = 6;
 /// A slice of 512 x 512 pixels has some hundred code blocks; OpenJPEG spends some hundred bytes on each.
 constexpr std::int64_t kMostBlocks = 1 << 20;
