@@ -36,7 +36,8 @@ class BackgroundJob : public QObject {
 
   protected:
     /// The work of a job; returns a function that is called with its result. The work ends soon after a stop request,
-    /// which `progress` reports, too.
+    /// which `progress` reports, too. It uses no member of the job, only what it holds itself or shares: members of a
+    /// derived class are gone before this class's destructor waits for the thread.
     using Work = std::function<std::function<void()>(const Progress& progress, const std::stop_token& stop)>;
     /// Runs `work` on the thread. The function that it returns is called on the caller's thread, unless the job was
     /// cancelled or a newer one has begun. An exception from `work`, or a thread that the system refuses, ends with

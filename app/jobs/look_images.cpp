@@ -78,7 +78,7 @@ void LookImages::make(const std::shared_ptr<const Volume>& volume,
     volume_ = volume;
     tasks_ = tasks;
     // Make the coarse copy, then one image after the other
-    start([this, first, volume, parts, coarse = coarse_, body, tasks](
+    start([this, first, volume, parts, coarse = coarse_, body, tasks, imageStands = imageStands_](
               const Progress&, const std::stop_token& stop) mutable -> std::function<void()> {
         if (!first && !waitFor(kRestMs, stop))
             return [] {};
@@ -99,7 +99,7 @@ void LookImages::make(const std::shared_ptr<const Volume>& volume,
                     coarse_ = coarse;
                     emit made(look, picture.image, picture.stops);
                 });
-            if (!(first ? waitUntil(imageStands_, stop) : waitFor(kRestsPerWork * clock.elapsed(), stop)))
+            if (!(first ? waitUntil(*imageStands, stop) : waitFor(kRestsPerWork * clock.elapsed(), stop)))
                 return [] {};
         }
         parts->forgetDistances();

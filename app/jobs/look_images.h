@@ -36,7 +36,7 @@ class LookImages : public BackgroundJob {
     void forget();
 
     /// Sets whether there is a large image of the volume: until then the CPU is left to it. True before the first call.
-    void setImageStands(bool stands) { imageStands_ = stands; }
+    void setImageStands(bool stands) { *imageStands_ = stands; }
 
   signals:
     /// Reports an image. `stops`: the brightness at which it is shown, and which suits the look.
@@ -55,7 +55,7 @@ class LookImages : public BackgroundJob {
     std::weak_ptr<const Volume> volume_;  ///< volume of the newest tasks
     std::vector<LookTask> tasks_;
     Coarse coarse_;  ///< coarse copy and masks of that volume, as far as they have been computed
-    std::atomic<bool> imageStands_ = true;
+    std::shared_ptr<std::atomic<bool>> imageStands_ = std::make_shared<std::atomic<bool>>(true);
 };
 
 }  // namespace pdr::app

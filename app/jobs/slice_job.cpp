@@ -66,12 +66,13 @@ void SliceJob::drop() {
 }
 
 void SliceJob::begin(Request request) {
-    start([this, request = std::move(request)](const Progress&, const std::stop_token& stop) -> std::function<void()> {
-        auto slice = reslice(*request.volume, planeOf(request), {}, stop, std::move(memory_));
+    start([this, request = std::move(request), memory = memory_](const Progress&,
+                                                                 const std::stop_token& stop) -> std::function<void()> {
+        auto slice = reslice(*request.volume, planeOf(request), {}, stop, std::move(*memory));
         if (!slice)
             return [] {};
         const QImage grey = greyImage(*slice, request.window);
-        memory_ = std::move(slice->hu);
+        *memory = std::move(slice->hu);
         return [this, grey, plane = request.plane, window = request.window] { emit made(grey, plane, window); };
     });
 }

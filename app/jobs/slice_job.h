@@ -45,7 +45,8 @@ class SliceJob : public BackgroundJob {
 
     std::optional<Request> newest_;  ///< none before the first, and after one that failed
     bool waits_ = false;             ///< the newest request waits for the one in progress
-    std::vector<float> memory_;      ///< the HU of the slice before, for the next one; used on the job's thread alone
+    /// The HU of the slice before, for the next one; used on the job's thread alone.
+    std::shared_ptr<std::vector<float>> memory_ = std::make_shared<std::vector<float>>();
 };
 
 }  // namespace pdr::app

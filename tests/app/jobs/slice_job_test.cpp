@@ -37,6 +37,21 @@ class SliceJobTest : public QObject {
         QVERIFY(made.front() == requestOf(volume, 0).plane);
     }
 
+    /// The window may be closed at any moment. Slices are large, so that work is in progress then.
+    void aJobEndsInTheMiddleOfItsWork() {
+        const auto volume = ramp();
+        SliceJob::Request large = requestOf(volume, 3);
+        large.plane.size = {1600, 1600};
+        for (int trial = 0; trial < 20; ++trial) {
+            SliceJob job;
+            QSignalSpy made(&job, &SliceJob::made);
+            job.make(large);
+            QTRY_COMPARE_WITH_TIMEOUT(made.size(), 1, test::kPatience);
+            large.plane.originMm.z += 0.01;
+            job.make(large);
+        }
+    }
+
     void theSameRequestIsAnsweredOnce() {
         SliceJob job;
         const auto volume = ramp();
