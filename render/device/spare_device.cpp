@@ -1,9 +1,7 @@
 #include "render/device/spare_device.h"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "render/scene/scene.h"
 
@@ -27,7 +25,8 @@ class SpareDevice final : public Device {
     }
     Result<void> unload() override {
         scene_.reset();
-        return device_->unload();
+        const Result<void> unloaded = device_->unload();
+        return unloaded || takeOver(unloaded.error()) ? Result<void>() : unloaded;
     }
     Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
                                               const Schedule& schedule) override;
@@ -46,7 +45,6 @@ class SpareDevice final : public Device {
     Spare spare_;
     WhySpare told_;
     std::optional<Scene> scene_;
-    bool hasTraced_ = false;
 };
 
 class SpareFilm final : public Accumulator {
@@ -132,21 +130,10 @@ Result<std::unique_ptr<Accumulator>> SpareDevice::film(const Tile& area, std::ui
     return std::unique_ptr<Accumulator>(std::make_unique<SpareFilm>(*this, *std::move(film), revision, schedule));
 }
 
-/// Saves the sums until a launch has succeeded, since it is unknown what a failed launch leaves of them.
 Result<void> SpareDevice::trace(const Tile& tile, SampleRange samples, TileSums sums, const std::stop_token& stop) {
-    std::vector<PixelSums> before;
-    const Health health = *sums.health;
-    const auto row = [&](int y) { return sums.pixels + std::ptrdiff_t(y) * sums.stride; };
-    for (int y = 0; y < tile.height && !hasTraced_; ++y)
-        before.insert(before.end(), row(y), row(y) + tile.width);
     Result<void> traced = device_->trace(tile, samples, sums, stop);
-    if (!traced && !hasTraced_ && takeOver(traced.error())) {
-        for (int y = 0; y < tile.height; ++y)
-            std::copy_n(before.begin() + std::ptrdiff_t(y) * tile.width, tile.width, row(y));
-        *sums.health = health;
-        traced = device_->trace(tile, samples, sums, stop);
-    }
-    hasTraced_ = hasTraced_ || traced;
+    if (!traced && takeOver(traced.error()))
+        return device_->trace(tile, samples, sums, stop);
     return traced;
 }
 
