@@ -130,9 +130,11 @@ constexpr Command kCommands[] = {
      "  --plots DIR      write rate.svg, latency.svg, efficiency.svg and bytes.svg there\n"
      "  --measured FILE  compare with runs of real nodes: JSON, see the manual's nodes-scaling.md\n"},
     {"warps", warps, "SCENE.json [--samples N] [--width N] [--height N]",
-     "Says how full a GPU's warps are in the queues that they walk, without a GPU: walks and steps for each sample, "
-     "of\n"
-     "lanes and of warps, and how many of a warp's 32 lanes are busy in each.\n",
+     "Says how full a GPU's queues are, without a GPU: walks and steps for each sample, of lanes and of warps, and "
+     "how\n"
+     "many of a warp's 32 lanes take part in a step. Within a step they part, so far fewer are busy in each "
+     "instruction:\n"
+     "tools/measure/gpu_instructions.py.\n",
      "  --samples N   samples per pixel, from 1; default 1\n"
      "  --width N     pixels of the image, from 1; default 480\n"
      "  --height N    from 1; default 270\n"},

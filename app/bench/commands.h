@@ -80,8 +80,10 @@ int prediction(const Arguments& arguments);
 /// with each part of the window that is opened.
 int accuracyCost(const Arguments& arguments);
 
-/// warps SCENE.json [--samples N] [--width N] [--height N]: measures how full a GPU's warps are in the queues that they
-/// walk, with warps that are simulated on the CPU: walks and steps per sample, of lanes and of warps.
+/// warps SCENE.json [--samples N] [--width N] [--height N]: measures how many lanes of a GPU's warps take part in each
+/// step of the queues that they walk, with warps that are simulated on the CPU: walks and steps per sample, of lanes
+/// and of warps. Within a step lanes part: tools/measure/gpu_instructions.py counts those that are busy in an
+/// instruction.
 int warps(const Arguments& arguments);
 
 /// smoothing SCENE.json [--samples N] [--reference N] [--rounds N] [--threads N] [--width N] [--height N] [--exposure

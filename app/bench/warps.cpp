@@ -16,7 +16,7 @@ void print(const std::string& kernel, const WarpCounts& counts, double samples) 
     const auto share = [](std::uint64_t walks, std::uint64_t warps) {
         return warps > 0 ? double(walks) / double(warps) : 0;
     };
-    std::printf("%-8s %12.3f %12.3f %12.1f %14.3f %12.3f %12.1f\n", kernel.c_str(), double(counts.started) / samples,
+    std::printf("%-8s %12.3f %12.3f %13.1f %13.3f %12.3f %12.1f\n", kernel.c_str(), double(counts.started) / samples,
                 double(counts.starts) / samples, share(counts.started, counts.starts), double(counts.stepped) / samples,
                 double(counts.steps) / samples, share(counts.stepped, counts.steps));
 }
@@ -46,8 +46,8 @@ int warps(const Arguments& arguments) {
         return fail(done.error());
     const double all = double(*samples) * scene->film.x * scene->film.y;
     std::printf("per sample of %d x %d pixels; of %d lanes each\n", scene->film.x, scene->film.y, kWarp);
-    std::printf("%-8s %12s %12s %12s %14s %12s %12s\n", "kernel", "walks", "warp starts", "lanes busy", "steps",
-                "warp steps", "lanes busy");
+    std::printf("%-8s %12s %12s %13s %13s %12s %12s\n", "kernel", "walks", "warp starts", "lanes a start", "steps",
+                "warp steps", "lanes a step");
     for (const auto& [kernel, counts] : device.gpu().warpCounts())
         print(kernel, counts, all);
     return 0;

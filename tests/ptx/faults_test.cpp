@@ -1,5 +1,6 @@
 /// What this room watches, it sees: each planted fault of checks/faults.cu is told, and sound programs are not.
 
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "tests/support/program_run.h"
@@ -72,6 +73,28 @@ class FaultsTest : public QObject {
         QFETCH(QString, text);
         const QString all = told(name, settings);
         QVERIFY2(all.startsWith(text), qPrintable(all));
+    }
+
+    /// Four warps of addOne begin with 128 lanes, and 100 go on behind the branch.
+    void countsTellWhichLanesWereBusy() {
+        const QTemporaryDir folder;
+        QVERIFY(told("sound", "COUNTS=" + folder.path()).startsWith("status 0"));
+        QFile file(folder.filePath("counts.txt"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QStringList lines = QString::fromUtf8(file.readAll()).split('\n');
+        while (!lines.isEmpty() && !lines.front().contains("addOne"))
+            lines.removeFirst();
+        QVERIFY(lines.size() > 3 && lines[0].endsWith(" 1"));
+        const auto number = [&](int line, int word) { return lines[line].section(' ', word, word).toInt(); };
+        QCOMPARE(number(1, 4), 4);
+        QCOMPARE(number(1, 5), 128);
+        QCOMPARE(number(2, 4), 4);
+        QCOMPARE(number(2, 5), 100);
+        // The PTX is there, and the branch is the last line of the first block.
+        QFile text(folder.filePath(lines[0].section(' ', 2, 2) + ".ptx"));
+        QVERIFY(text.open(QIODevice::ReadOnly));
+        const QStringList ptx = QString::fromUtf8(text.readAll()).split('\n');
+        QVERIFY2(ptx.value(number(1, 2) - 1).contains("bra"), qPrintable(ptx.value(number(1, 2) - 1)));
     }
 
     void aSettingThatIsNotKnownEndsTheProgram() {

@@ -68,8 +68,12 @@ Settings settingsFromEnvironment() {
     readSwitch("BY_ADDRESS", s.byAddress);
     readSwitch("RACES", s.races);
     readSwitch("UNSET", s.unset);
+    readNumber("TOGETHER", s.together);
+    if (s.together == 0)
+        refuse("TOGETHER");
     readSwitch("TRACE", s.trace);
     readNumber("SEED", s.seed);
+    s.counts = valueOf("COUNTS");
     s.fail = valueOf("FAIL");
     u64 megabytes = s.memoryBytes >> 20;
     readNumber("MEMORY_MB", megabytes);

@@ -29,8 +29,10 @@ struct Settings {
     bool byAddress = false;             ///< PDR_PTX_BY_ADDRESS: parted lanes go on at the lowest address first
     bool races = false;                 ///< PDR_PTX_RACES: threads, and streams, that meet at a byte are told
     bool unset = false;                 ///< PDR_PTX_UNSET: reads of what nobody has written are told
+    u64 together = 64;                  ///< PDR_PTX_TOGETHER: warps of a launch that are under way at a time
     bool trace = false;                 ///< PDR_PTX_TRACE: every call of the runtime and every launch is told
     u32 seed = 1;                       ///< PDR_PTX_SEED
+    std::string counts;                 ///< PDR_PTX_COUNTS: folder for counts, see runtime/counts.h; empty: none
     std::string fail;                   ///< PDR_PTX_FAIL: the call that fails, see runtime/failures.h
     u64 memoryBytes = u64(8) << 30;     ///< PDR_PTX_MEMORY_MB
     int processors = 132;               ///< PDR_PTX_PROCESSORS

@@ -48,6 +48,12 @@ class Decoder {
             newBlock();
     }
 
+    void count(const Statement& s) {
+        if (block().statements++ == 0)
+            block().firstLine = s.line;
+        block().lastLine = s.line;
+    }
+
     void add(const Statement& s) {
         if (!s.label.empty()) {
             beginBlock();
@@ -55,13 +61,16 @@ class Decoder {
             return;
         }
         const Mnemonic what(s.operation);
-        if (endsBlock(what))
+        if (endsBlock(what)) {
+            count(s);
             return end(s, what);
+        }
         const bool meets = what.has("sync");
         if (meets && !s.guard.empty())
             throw NotKnown("a guard of lanes that meet");
         if (meets)
             beginBlock();
+        count(s);
         Instruction instruction = operands_.decode(s, what);
         if (instruction.run == nullptr)
             throw NotKnown("this operation");

@@ -12,7 +12,9 @@ namespace pdr::ptx {
 
 struct Block {
     enum class End : u8 { next, jump, branch, exit };
-    u32 first, last;  ///< instructions [first, last)
+    u32 first, last;                  ///< instructions [first, last)
+    u32 firstLine = 0, lastLine = 0;  ///< lines of the module's text, those of a branch that ends it included
+    u32 statements = 0;               ///< instructions and that branch
     End end = End::next;
     u32 predicate = kNone;  ///< predicate that a branch asks
     bool predicateNot = false;

@@ -6,7 +6,6 @@ namespace pdr::ptx {
 
 namespace {
 
-constexpr u64 kTogether = 64;       ///< warps that are under way at a time
 constexpr int kToTheEnd = 1 << 30;  ///< blocks of instructions
 constexpr int kTurn = 100;
 constexpr int kLongestTurn = 300;
@@ -17,7 +16,7 @@ void runLaunch(Launch& launch, std::vector<Warp>& warps) {
     const Warps way = launch.settings.warps;
     const u32 perBlock = u32((launch.block.count() + kLanes - 1) / kLanes);
     const u64 all = launch.grid.count() * perBlock;
-    const std::size_t together = std::min(way == Warps::inOrder ? 1 : kTogether, all);
+    const std::size_t together = std::min(way == Warps::inOrder ? 1 : launch.settings.together, all);
     warps.resize(std::max(warps.size(), together));
     u64 next = 0;
     const auto startNext = [&](Warp& warp) {

@@ -89,6 +89,9 @@ bool Warp::run(int blocks) {
         const Group group = groups[next];
         groups.erase(groups.begin() + std::ptrdiff_t(next));
         mask = group.mask;
+        BlockCounts& counts = launch->counts[group.block];
+        ++counts.warps;
+        counts.lanes += u64(__builtin_popcount(mask));
         runBlock(all[group.block]);
         leave(all[group.block], group.block);
     }

@@ -19,9 +19,15 @@ struct Size3 {
     u64 count() const { return u64(x) * y * z; }
 };
 
+/// How often warps have run a block of instructions, and of how many lanes in all.
+struct BlockCounts {
+    u64 warps = 0, lanes = 0;
+};
+
 /// A launch that is under way.
 struct Launch {
     const Program& program;
+    std::vector<BlockCounts>& counts;  ///< by the program's blocks
     const Settings& settings;
     DeviceMemory& memory;
     const Textures& textures;

@@ -6,18 +6,24 @@
 
 namespace pdr::ptx {
 
-const Module& EmbeddedModule::ptx() {
+const std::string& EmbeddedModule::ptxText() const {
     const auto found = std::ranges::find_if(code, &EmbeddedCode::isPtx);
     if (found == code.end())
         throw NotKnown("a module without PTX");
+    return found->content;
+}
+
+const Module& EmbeddedModule::ptx() {
     if (!text)
-        text.emplace(found->content);
+        text.emplace(ptxText());
     return *text;
 }
 
 const Program& Kernel::decoded(const Settings& settings) {
-    if (program == nullptr)
+    if (program == nullptr) {
         program = decode(module->ptx().kernel(name), settings.byAddress);
+        counts.resize(program->blocks.size());
+    }
     return *program;
 }
 
@@ -51,7 +57,7 @@ EmbeddedModule& Kernels::addModule(std::vector<EmbeddedCode> code) {
 }
 
 void Kernels::add(const void* host, EmbeddedModule& module, const char* name) {
-    byHost_.insert_or_assign(host, Kernel{&module, name, nullptr, {}});
+    byHost_.insert_or_assign(host, Kernel{&module, name, nullptr, {}, {}});
 }
 
 Kernel* Kernels::find(const void* host) {

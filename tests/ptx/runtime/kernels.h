@@ -17,6 +17,8 @@ struct EmbeddedModule {
     std::vector<EmbeddedCode> code;
     std::optional<Module> text;  ///< the PTX, once it was needed
 
+    /// Returns the text of its PTX. Throws NotKnown where there is none.
+    const std::string& ptxText() const;
     /// Throws NotKnown where there is no PTX.
     const Module& ptx();
 };
@@ -26,6 +28,7 @@ struct Kernel {
     std::string name;                  ///< mangled
     std::unique_ptr<Program> program;  ///< once it was needed
     std::vector<Warp> warps;           ///< registers of its last launch
+    std::vector<BlockCounts> counts;   ///< by the program's blocks, of all launches
     u64 launches = 0;
 
     /// Decodes the kernel at the first call. Throws NotKnown.
@@ -46,6 +49,7 @@ class Kernels {
     Kernel* find(const void* host);
 
     std::map<const void*, Kernel>& all() { return byHost_; }
+    const std::map<const void*, Kernel>& all() const { return byHost_; }
 
   private:
     std::vector<std::unique_ptr<EmbeddedModule>> modules_;

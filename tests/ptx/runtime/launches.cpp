@@ -67,17 +67,9 @@ cudaError_t launch(Runtime& r, const void* host, const Configuration& how, void*
     const auto run = [&r, &program, kernel, grid, block, number,
                       parameters = parametersOf(program.text, arguments)](const Work& work) mutable {
         auto* bytes = reinterpret_cast<u8*>(parameters.data());
-        Launch state{program,
-                     r.settings,
-                     r.memory,
-                     r.textures,
-                     r.garbage,
-                     r.findings,
-                     {bytes, parameters.size() * sizeof(u64)},
-                     grid,
-                     block,
-                     number,
-                     std::minstd_rand(r.settings.seed + number),
+        Launch state{program,    kernel->counts, r.settings, r.memory,
+                     r.textures, r.garbage,      r.findings, {bytes, parameters.size() * sizeof(u64)},
+                     grid,       block,          number,     std::minstd_rand(r.settings.seed + number),
                      {}};
         runLaunch(state, kernel->warps);
         tellTouched(r.streams, work, state);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "tests/ptx/runtime/bad_address.h"
+#include "tests/ptx/runtime/counts.h"
 
 namespace pdr::ptx {
 
@@ -28,6 +29,8 @@ Runtime& Runtime::get() {
 
 Runtime::Runtime() : defaultStream_(streams.open()) {
     tellBadAddresses();
+    if (!settings.counts.empty())
+        std::atexit([] { writeCounts(get().settings.counts, get().kernels); });
 }
 
 cudaError_t Runtime::begin(const char* name) {
