@@ -1,6 +1,6 @@
 # Sets PDR_HAS_CUDA and, where it is on, enables CUDA. Builds for the GPU that is here; where there is none, for the
-# oldest architecture that the compiler knows, which newer drivers translate. The preset cuda-release names them all.
-# PDR_NO_CUDA: why it is off.
+# oldest that the compiler knows; the drivers of others translate the PTX that is embedded too. PDR_CUDA_CODE, a list of
+# compute capabilities without their point, names others. PDR_NO_CUDA: why CUDA is off.
 set(PDR_HAS_CUDA OFF)
 if(PDR_CUDA STREQUAL "off")
   set(PDR_NO_CUDA "PDR_CUDA is off")
@@ -25,19 +25,25 @@ if(NOT PDR_NVCC)
   return()
 endif()
 set(CMAKE_CUDA_COMPILER ${PDR_NVCC})
-if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
+if(NOT PDR_CUDA_CODE)
   execute_process(COMMAND nvidia-smi --query-gpu=compute_cap --format=csv,noheader
     OUTPUT_VARIABLE capabilities ERROR_QUIET RESULT_VARIABLE failed)
   if(failed EQUAL 0 AND capabilities MATCHES "([0-9]+)\\.([0-9]+)")
-    set(CMAKE_CUDA_ARCHITECTURES ${CMAKE_MATCH_1}${CMAKE_MATCH_2} CACHE STRING "GPU architectures")
+    set(PDR_CUDA_CODE ${CMAKE_MATCH_1}${CMAKE_MATCH_2})
   else()
-    set(CMAKE_CUDA_ARCHITECTURES 75 CACHE STRING "GPU architectures")
+    set(PDR_CUDA_CODE 75)
   endif()
 endif()
+# One PTX is the source of all machine code and is embedded too: tests/ptx proves what every GPU gets, newer ones can
+# translate it, and the compiler's front runs once. CMake would make a PTX of its own for each architecture.
+list(TRANSFORM PDR_CUDA_CODE PREPEND sm_ OUTPUT_VARIABLE code)
+list(JOIN code "," code)
+set(CMAKE_CUDA_ARCHITECTURES OFF)
 enable_language(CUDA)
+string(APPEND CMAKE_CUDA_FLAGS " \"--generate-code=arch=compute_75,code=[compute_75,${code}]\"")
 # CMake 3.25 does not know how to ask nvcc 13 for C++20.
 set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION "-std=c++20")
 set(CMAKE_CUDA_STANDARD 20)
 find_package(CUDAToolkit REQUIRED)
 set(PDR_HAS_CUDA ON)
-message(STATUS "CUDA: ${CMAKE_CUDA_COMPILER_VERSION}, for ${CMAKE_CUDA_ARCHITECTURES}")
+message(STATUS "CUDA: ${CMAKE_CUDA_COMPILER_VERSION}, for ${code}")
