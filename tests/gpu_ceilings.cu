@@ -1,5 +1,5 @@
 // What a GPU can do at most, to hold the renderer's figures against: bytes copied, eight voxels gathered around a
-// place, multiplications and additions issued, and launches. Medians of seven.
+// place, multiplications and additions issued, launches and the gaps between them. Medians of seven.
 #include <cuda_runtime.h>
 
 #include <algorithm>
@@ -64,6 +64,43 @@ __global__ void multiplyAndAdd(float factor, int rounds, float* kept) {
 
 __global__ void doNothing() {}
 
+/// Begin and end of a launch of one thread, in ns of the clock that all multiprocessors share.
+struct Span {
+    unsigned long long begin, end;
+};
+
+__device__ unsigned long long now() {
+    unsigned long long time;
+    asm volatile("mov.u64 %0, %%globaltimer;" : "=l"(time));
+    return time;
+}
+
+/// Takes at least `nanoseconds`, longer than the host needs for the next launch.
+__global__ void waitFor(unsigned long long nanoseconds, Span* span) {
+    span->begin = now();
+    while (now() - span->begin < nanoseconds) {
+    }
+    span->end = now();
+}
+
+/// Mean time from the end of a launch to the begin of the next, in us; `clears`: with 8 bytes cleared between, as for
+/// the index of a queue.
+double gapBetweenLaunches(Span* spans, unsigned long long* word, bool clears) {
+    constexpr int kLaunches = 200;
+    constexpr unsigned long long kEach = 30'000;  // ns
+    for (int i = 0; i < kLaunches; ++i) {
+        if (clears)
+            cudaMemsetAsync(word, 0, sizeof *word, nullptr);
+        waitFor<<<1, 1>>>(kEach, spans + i);
+    }
+    std::array<Span, kLaunches> there{};
+    cudaMemcpy(there.data(), spans, sizeof there, cudaMemcpyDeviceToHost);
+    double gaps = 0;
+    for (int i = 1; i < kLaunches; ++i)
+        gaps += double(there[i].begin - there[i - 1].end);
+    return 1e-3 * gaps / (kLaunches - 1);
+}
+
 /// Median time of `launch`, after one that does not count.
 template <class Launch>
 double seconds(const Launch& launch) {
@@ -121,5 +158,9 @@ int main() {
             doNothing<<<1, 32>>>();
     });
     std::printf("an empty launch                       %8.2f us\n", 1e6 * launching / 100);
+    auto* spans = reinterpret_cast<Span*>(to);
+    auto* word = reinterpret_cast<unsigned long long*>(from);
+    std::printf("from one launch's end to the next     %8.2f us\n", gapBetweenLaunches(spans, word, false));
+    std::printf("the same with a number cleared        %8.2f us\n", gapBetweenLaunches(spans, word, true));
     return cudaDeviceSynchronize() == cudaSuccess ? 0 : 1;
 }
