@@ -70,7 +70,7 @@ void CrosshairPresenter::releaseVolume() {
 
 /// Moves the crosshair to what is seen at `place`, while slices are shown.
 void CrosshairPresenter::pick(QPointF place) {
-    if (layer_.place())
+    if (layer_.place() && followsClicks_)
         picks_.pick(place);
 }
 

@@ -25,6 +25,8 @@ class CrosshairPresenter : public Presenter {
     ui::CrosshairLayer& layer() { return layer_; }
     /// The clicks on the image that find a place, while slices are shown.
     const ImagePick& picks() const { return picks_; }
+    /// Sets whether a click on the image moves the crosshair while slices are shown; it does at first.
+    void setFollowsClicks(bool follows) { followsClicks_ = follows; }
     /// Shows the slices, and moves the crosshair to what is seen at `place`, in fractions of the image's width and
     /// height.
     void moveTo(QPointF place);
@@ -41,6 +43,7 @@ class CrosshairPresenter : public Presenter {
     ui::CrosshairLayer layer_;
     ImagePick picks_;
     PlaceJob looks_;
+    bool followsClicks_ = true;
     QTimer atRest_;  ///< runs out when nothing has changed for a while
 };
 

@@ -1,8 +1,13 @@
 #include "app/presenters/mark_places.h"
 
 #include "render/measure/picked_edge.h"
+#include "render/measure/trilinear.h"
 
 namespace pdr::app {
+
+bool isInScan(const Volume& volume, dvec3 placeMm) {
+    return measure::GridPlace(volume.geometry()).contains(placeMm);
+}
 
 measure::Place placeOnSlice(const Volume& volume, const SlicePlane& plane, dvec3 placeMm, bool toEdge) {
     const measure::Place clicked =

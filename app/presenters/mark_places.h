@@ -7,6 +7,9 @@
 
 namespace pdr::app {
 
+/// Returns whether a place lies in the scan.
+bool isInScan(const Volume& volume, dvec3 placeMm);
+
 /// Returns the place of a click on a slice. `toEdge`: at the edge of a structure near it if there is one, in the slice.
 measure::Place placeOnSlice(const Volume& volume, const SlicePlane& plane, dvec3 placeMm, bool toEdge);
 

@@ -5,11 +5,9 @@
 #include <utility>
 
 #include "app/plan/slice_region.h"
-#include "app/presenters/crosshair_presenter.h"
 #include "app/presenters/mark_places.h"
 #include "app/presenters/mark_profile.h"
 #include "app/presenters/slices_presenter.h"
-#include "render/measure/trilinear.h"
 
 namespace pdr::app {
 namespace {
@@ -35,34 +33,26 @@ std::string nameOf(const QString& typed) {
 
 }  // namespace
 
-MarksPresenter::MarksPresenter(const Workspace& workspace, SlicesPresenter& slices, const CrosshairPresenter& crosshair,
+MarksPresenter::MarksPresenter(const Workspace& workspace, SlicesPresenter& slices, CrosshairPresenter& crosshair,
                                PlaceScenes& scenes)
-    : Presenter(workspace), slices_(slices), panel_(new ui::MarksPanel), inImage_(workspace, scenes) {
+    : Presenter(workspace),
+      panel_(new ui::MarksPanel),
+      pen_(workspace, slices, crosshair, *panel_),
+      inImage_(workspace, scenes) {
     window().addPanel(panel_, {kPanel, ui::WindowDocks::tr("Measurements"), QKeySequence(Qt::CTRL | Qt::Key_M)});
-    tools_ = new MarkTools(slices_.menu(), *panel_, window());
-    tools_->setParent(this);
-    connect(tools_, &MarkTools::chosen, this, &MarksPresenter::draw);
-    for (const AnatomicalPlane plane : kAnatomicalPlanes)
-        connectLayer(plane);
-    connectChoices(inImage());
+    for (const AnatomicalPlane axis : kAnatomicalPlanes)
+        connectSlice(axis, slices.view(axis));
+    connectSelection(inImage());
     connect(&inImage_, &ImageMarks::moved, this, &MarksPresenter::moveInImage);
-    connect(&crosshair.picks(), &ImagePick::picked, this, [this](const PickedPlace& picked) {
-        if (drawing_ && !isFlat(*drawing_))
-            place(placeInImage(*document().seen(), picked, isBetweenEdges(*drawing_) && !picked.free));
-    });
+    pen_.addImage(inImage());
+    connect(&pen_, &MarkPen::drawn, this, &MarksPresenter::add);
     connectPanel();
 }
 
-void MarksPresenter::connectLayer(AnatomicalPlane plane) {
-    ui::SliceView& view = slices_.view(plane);
-    ui::MarksLayer& layer = layers_[std::size_t(plane)];
+void MarksPresenter::connectSlice(AnatomicalPlane axis, ui::SliceView& view) {
+    ui::MarksLayer& layer = layers_[std::size_t(axis)];
     view.tools().add(layer);
-    connect(&layer, &ui::MarksLayer::placed, this, [this, &view](dvec3 placeMm, bool free) {
-        if (view.slice())
-            placeOn(view.slice()->plane, placeMm, free);
-    });
-    connect(&layer, &ui::MarksLayer::takenBack, this, &MarksPresenter::takeBack);
-    connect(&layer, &ui::MarksLayer::closed, this, &MarksPresenter::finish);
+    pen_.addSlice(axis, layer);
     connect(&layer, &ui::MarksLayer::dragged, this,
             [this, &view](std::uint64_t id, int index, dvec3 placeMm, bool free, bool moving) {
                 if (view.slice())
@@ -72,16 +62,14 @@ void MarksPresenter::connectLayer(AnatomicalPlane plane) {
         moving_ = 0;
         document().giveUpGesture();
     });
-    connectChoices(layer);
+    connectSelection(layer);
 }
 
-/// Connects what the layers of slices and of the image have in common.
-void MarksPresenter::connectChoices(ui::MarksLayer& layer) {
+void MarksPresenter::connectSelection(ui::MarksLayer& layer) {
     connect(&layer, &ui::MarksLayer::selected, this, [this](std::uint64_t id) {
         selected_ = id;
         show();
     });
-    connect(&layer, &ui::MarksLayer::drawingCancelled, this, [this] { draw(std::nullopt); });
 }
 
 void MarksPresenter::connectPanel() {
@@ -90,91 +78,13 @@ void MarksPresenter::connectPanel() {
     connect(panel_, &ui::MarksPanel::removed, this, &MarksPresenter::remove);
 }
 
-/// Begins to draw a measurement on slices and in the image, or ends drawing.
-void MarksPresenter::draw(std::optional<MeasureKind> kind) {
-    drawing_ = document().hasVolume() ? kind : std::nullopt;
-    drawn_.clear();
-    if (drawing_) {
-        slices_.showSlices();
-        slices_.focusOne();  // where Enter sets a place
-    }
-    tools_->setDrawing(drawing_);
-    for (ui::MarksLayer& layer : layers_)
-        layer.setDrawing(drawing_.has_value());
-    inImage().setDrawing(drawing_.has_value());
-    showDrawn();
-}
-
-/// Sets the next place where a slice was clicked. What is flat stays in the plane of its first place, wherever the
-/// slices have gone since.
-void MarksPresenter::placeOn(const SlicePlane& plane, dvec3 placeMm, bool free) {
-    if (!drawing_ || !isInScan(placeMm))
-        return;
-    if (drawn_.empty())
-        drawnNormal_ = plane.normal();
-    const bool toEdge = isBetweenEdges(*drawing_) && !free;
-    if (isFlat(*drawing_) && !drawn_.empty())
-        place(placeInPlane(*document().seen(), plane, placeMm, toEdge, drawn_[0].mm, drawnNormal_));
-    else
-        place(placeOnSlice(*document().seen(), plane, placeMm, toEdge));
-}
-
-bool MarksPresenter::isInScan(dvec3 placeMm) const {
-    return measure::GridPlace(document().seen()->geometry()).contains(placeMm);
-}
-
-void MarksPresenter::showDrawn() {
-    std::vector<dvec3> places;
-    for (const measure::Place& place : drawn_)
-        places.push_back(place.mm);
-    const ui::MarkShape shape = drawing_ ? shapeOf(*drawing_) : ui::MarkShape::path;
-    const bool byEnter = drawnAt_ == document().plan().navigation.crosshairMm;  // else Enter sets a corner there
-    for (ui::MarksLayer& layer : layers_) {
-        layer.setDrawn(shape, places);
-        layer.setClosing(mayClose(), mayClose() && byEnter);
-    }
-    inImage().setDrawn(shape, places);
-}
-
-/// Sets the next place of what is being drawn; the last one makes a measurement of it.
-void MarksPresenter::place(const measure::Place& place) {
-    if (drawn_.size() >= mostPlacesOf(*drawing_))
-        return showError({phrase("a polygon has %1 corners at most", kMostCorners), "",
-                          phrase("Close it with Enter, or take corners back with Backspace."), ErrorKind::refused});
-    drawn_.push_back(place);
-    drawnAt_ = document().plan().navigation.crosshairMm;
-    if (*drawing_ == MeasureKind::polygon || drawn_.size() < placesOf(*drawing_))
-        return showDrawn();
-    finish();
-}
-
-/// Takes back the last place of what is being drawn.
-void MarksPresenter::takeBack() {
-    if (drawn_.empty())
-        return;
-    drawn_.pop_back();
-    showDrawn();
-}
-
-/// Returns whether what is being drawn is a polygon that has enough corners.
-bool MarksPresenter::mayClose() const {
-    return drawing_ == MeasureKind::polygon && drawn_.size() >= placesOf(MeasureKind::polygon);
-}
-
-/// Makes a measurement of what has been drawn.
-void MarksPresenter::finish() {
-    Measurement measurement{newId(), *drawing_, {}, std::exchange(drawn_, {})};
-    settle(measurement);
-    draw(std::nullopt);
-    add(std::move(measurement));
-}
-
+/// Adds a measurement that has been drawn.
 void MarksPresenter::add(Measurement measurement) {
     Plan plan = document().plan();
     if (plan.measurements.size() >= kMostMeasurements)
         return showError({phrase("a plan holds %1 measurements at most", kMostMeasurements), "",
                           phrase("Remove some of them."), ErrorKind::refused});
-    selected_ = measurement.id;
+    selected_ = measurement.id = newId();
     const bool isPoint = measurement.kind == MeasureKind::point;
     plan.measurements.push_back(std::move(measurement));
     document().edit(std::move(plan));
@@ -194,7 +104,7 @@ void MarksPresenter::askForName(std::uint64_t id) {
 void MarksPresenter::drag(const SlicePlane& plane, std::uint64_t id, int index, dvec3 placeMm, bool free, bool moving) {
     Plan plan = document().plan();
     const auto measurement = find(plan.measurements, id);
-    if (measurement == plan.measurements.end() || !isInScan(placeMm))
+    if (measurement == plan.measurements.end() || !isInScan(*document().seen(), placeMm))
         return;
     const bool toEdge = isBetweenEdges(measurement->kind) && !free && !moving;
     const auto normal = isFlat(measurement->kind) ? normalOf(measurement->places) : std::nullopt;
@@ -243,13 +153,9 @@ void MarksPresenter::select(std::uint64_t id) {
 }
 
 void MarksPresenter::showDocument(Changes changes) {
-    if (has(changes, Changes::series)) {
-        draw(std::nullopt);
+    if (has(changes, Changes::series))
         panel_->setEnabled(document().hasVolume());
-        tools_->setEnabled(document().hasVolume());
-    }
-    if (has(changes, Changes::crosshair) && mayClose())
-        showDrawn();
+    pen_.showDocument(changes);
     if (has(changes, Changes::series | Changes::table))
         rows_.clear();
     if (has(changes, Changes::series | Changes::table | Changes::measurements))
@@ -258,7 +164,7 @@ void MarksPresenter::showDocument(Changes changes) {
 }
 
 void MarksPresenter::releaseVolume() {
-    draw(std::nullopt);
+    pen_.stop();
     inImage_.releaseVolume();
 }
 

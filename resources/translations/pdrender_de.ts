@@ -1378,6 +1378,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Auf einer Schicht die Mitte einer Ellipse anklicken, das Ende einer Halbachse, dann wie weit die andere reicht: der Mittelwert der HU darin und die Fläche.</translation>
     </message>
     <message>
+        <source>Click there, or press Esc to give it up.</source>
+        <translation>Klicken Sie dort, oder geben Sie sie mit Esc auf.</translation>
+    </message>
+    <message>
         <source>Click three places of a slice or of the image: the angle at the second.</source>
         <translation>Drei Punkte einer Schicht oder des Bildes anklicken: der Winkel am zweiten.</translation>
     </message>
@@ -3420,6 +3424,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Show everything, or another part.</source>
         <translation>Alles zeigen oder einen anderen Teil.</translation>
+    </message>
+    <message>
+        <source>Show that slice</source>
+        <translation>Diese Schicht zeigen</translation>
     </message>
     <message>
         <source>Show the tissue that is clicked</source>
@@ -5836,6 +5844,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die Umgebung leuchtet</translation>
     </message>
     <message>
+        <source>the figure lies in axial slice %1</source>
+        <translation>die Figur liegt in der axialen Schicht %1</translation>
+    </message>
+    <message>
+        <source>the figure lies in coronal slice %1</source>
+        <translation>die Figur liegt in der koronalen Schicht %1</translation>
+    </message>
+    <message>
+        <source>the figure lies in sagittal slice %1</source>
+        <translation>die Figur liegt in der sagittalen Schicht %1</translation>
+    </message>
+    <message>
         <source>the file cannot be opened</source>
         <translation>die Datei kann nicht geöffnet werden</translation>
     </message>
@@ -6330,6 +6350,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>this certificate holds no longer</source>
         <translation>dieses Zertifikat gilt nicht mehr</translation>
+    </message>
+    <message>
+        <source>this figure is drawn on a slice</source>
+        <translation>diese Figur wird auf einer Schicht gezeichnet</translation>
     </message>
     <message>
         <source>this file belongs to another user, and in this folder only they may replace it</source>

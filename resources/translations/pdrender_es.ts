@@ -1378,6 +1378,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Haga clic en un corte en el centro de una elipse, en el extremo de un semieje y luego hasta donde llega el otro: la media de las UH de dentro y el área.</translation>
     </message>
     <message>
+        <source>Click there, or press Esc to give it up.</source>
+        <translation>Haga clic allí o abandónela con Esc.</translation>
+    </message>
+    <message>
         <source>Click three places of a slice or of the image: the angle at the second.</source>
         <translation>Haga clic en tres puntos de un corte o de la imagen: el ángulo en el segundo.</translation>
     </message>
@@ -3420,6 +3424,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Show everything, or another part.</source>
         <translation>Muestre todo u otra parte.</translation>
+    </message>
+    <message>
+        <source>Show that slice</source>
+        <translation>Mostrar ese corte</translation>
     </message>
     <message>
         <source>Show the tissue that is clicked</source>
@@ -5836,6 +5844,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el entorno alumbra</translation>
     </message>
     <message>
+        <source>the figure lies in axial slice %1</source>
+        <translation>la figura está en el corte axial %1</translation>
+    </message>
+    <message>
+        <source>the figure lies in coronal slice %1</source>
+        <translation>la figura está en el corte coronal %1</translation>
+    </message>
+    <message>
+        <source>the figure lies in sagittal slice %1</source>
+        <translation>la figura está en el corte sagital %1</translation>
+    </message>
+    <message>
         <source>the file cannot be opened</source>
         <translation>no se puede abrir el archivo</translation>
     </message>
@@ -6330,6 +6350,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>this certificate holds no longer</source>
         <translation>este certificado ya no es válido</translation>
+    </message>
+    <message>
+        <source>this figure is drawn on a slice</source>
+        <translation>esta figura se dibuja en un corte</translation>
     </message>
     <message>
         <source>this file belongs to another user, and in this folder only they may replace it</source>

@@ -167,7 +167,7 @@ bool MarksLayer::cancel() {
 }
 
 std::optional<Qt::CursorShape> MarksLayer::cursor() const {
-    if (drawing_)
+    if (drawing_ && (slice_ || !isFlat(drawn_.shape)))
         return Qt::CrossCursor;
     return lit_ || dragged_ ? std::optional(Qt::SizeAllCursor) : std::nullopt;
 }

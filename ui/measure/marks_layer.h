@@ -24,7 +24,7 @@ class MarksLayer : public ViewTool {
     void setMarks(std::vector<ShownMark> marks);
     const std::vector<ShownMark>& marks() const { return marks_; }
     /// Sets whether something is being drawn, until Esc ends it. In a slice, presses of the left button set its places;
-    /// in the image, clicks leave that to others, so that drags still turn it.
+    /// in the image, clicks leave that to others, so that drags still turn it, and a flat figure has none.
     void setDrawing(bool drawing);
     /// Sets the places of what is being drawn; in a slice, the pointer is the next one.
     void setDrawn(MarkShape shape, std::vector<dvec3> placesMm);
