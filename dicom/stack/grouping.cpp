@@ -207,7 +207,23 @@ void numberParts(std::vector<Series>& all) {
 }
 
 std::string seriesKey(const SliceHeader& header) {
-    return header.study.uid + '\n' + header.series.uid + '\n' + header.series.modality;
+    return header.series.uid + '\n' + header.series.modality + '\n' + header.patient.id + '\n' +
+           header.patient.birthDate;
+}
+
+/// Returns the slices of one series by their studies. Some de-identifiers give every file a study of its own: if each
+/// slice has one, and all together are an even stack, they are one.
+std::vector<Headers> byStudy(const Headers& headers, const std::filesystem::path& root) {
+    std::map<std::string, Headers> studies;
+    for (const SliceHeader* header : headers)
+        studies[header->study.uid].push_back(header);
+    const bool eachHasOne = studies.size() == headers.size() && studies.size() > 1;
+    if (eachHasOne && analyseStack(planesOf(headers, root)).verdict.loadable())
+        return {headers};
+    std::vector<Headers> apart;
+    for (auto& [uid, study] : studies)
+        apart.push_back(std::move(study));
+    return apart;
 }
 
 }  // namespace
@@ -238,10 +254,11 @@ std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, con
     // Make the entries, loadable and larger ones first
     std::vector<Series> all;
     for (auto& [key, kind] : kinds) {
-        if (kind.refusal)
-            all.push_back(refusedSeries(kind.headers, *kind.refusal, root));
-        else
-            addStacks(kind.headers, *source, numbersOf[kind.headers.front()->series.uid], progress, all);
+        for (const Headers& study : byStudy(kind.headers, root))
+            if (kind.refusal)
+                all.push_back(refusedSeries(study, *kind.refusal, root));
+            else
+                addStacks(study, *source, numbersOf[study.front()->series.uid], progress, all);
     }
     noteDamaged(damaged, root, all);
     const auto rank = [](const Series& series) {

@@ -8,11 +8,16 @@ namespace pdr::dicom {
 
 namespace {
 
+/// Returns how far slices that are `gap` apart may lie from an even grid [mm].
+double toleranceOf(double gap) {
+    return std::max(0.02, std::min(0.1 * gap, 0.15));
+}
+
 /// Returns the slices without those that repeat the height of the one before.
 std::vector<int> differentHeights(const SortedStack& stack) {
     std::vector<int> kept{0};
     for (int k = 1; k < stack.count(); ++k) {
-        if (stack.height(k) - stack.height(kept.back()) > kPositionToleranceMm)
+        if (stack.height(k) - stack.height(kept.back()) > kSamePlaceMm)
             kept.push_back(k);
     }
     return kept;
@@ -21,7 +26,7 @@ std::vector<int> differentHeights(const SortedStack& stack) {
 Text doubledReason(const SortedStack& stack) {
     int doubled = 0, example = 0;
     for (int k = 1; k < stack.count(); ++k) {
-        if (stack.height(k) - stack.height(k - 1) > kPositionToleranceMm)
+        if (stack.height(k) - stack.height(k - 1) > kSamePlaceMm)
             continue;
         ++doubled;
         example = k;
@@ -44,7 +49,7 @@ Text tiltReason(const SortedStack& stack) {
     const int last = stack.count() - 1;
     int furthest = 0, crooked = 0;
     const auto beyond = [&](int k, double distance) {
-        return distance - kPositionToleranceMm - kDriftTolerance * (stack.height(k) - stack.height(0));
+        return distance - stack.toleranceMm() - kDriftTolerance * (stack.height(k) - stack.height(0));
     };
     for (int k = 1; k <= last; ++k) {
         if (beyond(k, glm::length(stack.drift(k))) >
@@ -70,31 +75,33 @@ Text gapReason(const SortedStack& stack) {
     const std::size_t last = at.size() - 1;
     if (last < 1)
         return {};
-    // Find the usual gap and the mean one
-    std::vector<double> gaps(last);
-    for (std::size_t k = 0; k < last; ++k)
-        gaps[k] = stack.height(at[k + 1]) - stack.height(at[k]);
+    // Find the usual gap, and the even grid
+    std::vector<double> gaps(last), heights{stack.height(at[0])};
+    for (std::size_t k = 0; k < last; ++k) {
+        heights.push_back(stack.height(at[k + 1]));
+        gaps[k] = heights[k + 1] - heights[k];
+    }
     std::vector<double> sorted = gaps;
     std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(last / 2), sorted.end());
-    const double usual = sorted[last / 2], mean = (stack.height(at[last]) - stack.height(at[0])) / double(last);
+    const double usual = sorted[last / 2];
+    const EvenHeights even = evenHeightsAt(heights);
     // Find the worst gap, and the slice furthest from an even position
     std::size_t worst = 0, furthest = 0;
-    const auto off = [&](std::size_t k) {
-        return std::abs(stack.height(at[k]) - stack.height(at[0]) - double(k) * mean);
-    };
+    const auto off = [&](std::size_t k) { return std::abs(heights[k] - even.at(int(k))); };
     for (std::size_t k = 0; k <= last; ++k) {
         if (k < last && std::abs(gaps[k] - usual) > std::abs(gaps[worst] - usual))
             worst = k;
         if (off(k) > off(furthest))
             furthest = k;
     }
-    if (off(furthest) <= kPositionToleranceMm)
+    const double tolerance = toleranceOf(usual);
+    if (off(furthest) <= tolerance)
         return {};
-    if (std::abs(gaps[worst] - usual) > kPositionToleranceMm)
+    if (std::abs(gaps[worst] - usual) > tolerance)
         return phrase("%1 and %2 are %3 mm apart, the others %4 mm", stack.name(at[worst]), stack.name(at[worst + 1]),
                       inMm(gaps[worst]), inMm(usual));
     return phrase("%1 lies %2 mm from where slices every %3 mm would put it", stack.name(at[furthest]),
-                  inMm(off(furthest)), inMm(mean));
+                  inMm(off(furthest)), inMm(even.gap));
 }
 
 Text withGaps(const Text& reason, const SortedStack& stack) {
@@ -104,6 +111,25 @@ Text withGaps(const Text& reason, const SortedStack& stack) {
 
 }  // namespace
 
+EvenHeights evenHeightsAt(const std::vector<double>& heights) {
+    const int last = int(heights.size()) - 1;
+    if (last < 1)
+        return {heights[0], 0};
+    EvenHeights even{heights[0], (heights[std::size_t(last)] - heights[0]) / last};
+    double furthest = 0, sum = 0, moment = 0, squares = 0;
+    for (int k = 0; k <= last; ++k) {
+        const double off = heights[std::size_t(k)] - even.at(k), fromMiddle = k - 0.5 * last;
+        furthest = std::max(furthest, std::abs(off));
+        sum += off;
+        moment += fromMiddle * off;
+        squares += fromMiddle * fromMiddle;
+    }
+    if (furthest <= kSamePlaceMm)
+        return even;
+    const double wider = moment / squares;
+    return {even.start + sum / (last + 1) - 0.5 * last * wider, even.gap + wider};
+}
+
 SortedStack::SortedStack(const std::vector<SlicePlane>& slices) : slices_(slices), order_(slices.size()) {
     const SlicePlane& first = slices.front();
     row_ = glm::normalize(*first.rowDirection);
@@ -111,6 +137,21 @@ SortedStack::SortedStack(const std::vector<SlicePlane>& slices) : slices_(slices
     normal_ = glm::normalize(glm::cross(row_, column_));
     std::iota(order_.begin(), order_.end(), 0);
     std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) { return heightOf(a) < heightOf(b); });
+    std::vector<double> heights;
+    for (const int index : order_)
+        heights.push_back(heightOf(index));
+    even_ = evenHeightsAt(heights);
+}
+
+double SortedStack::toleranceMm() const {
+    return toleranceOf(gap());
+}
+
+double SortedStack::unevennessMm() const {
+    double worst = 0;
+    for (int k = 0; k < count(); ++k)
+        worst = std::max(worst, glm::length(dvec3(drift(k), height(k) - evenHeight(k))));
+    return worst;
 }
 
 dvec2 SortedStack::drift(int k) const {
@@ -124,7 +165,7 @@ VolumeGeometry SortedStack::geometry() const {
     map[0] = dvec4(row_ * first.spacingMm->x, 0.0);
     map[1] = dvec4(column_ * first.spacingMm->y, 0.0);
     map[2] = dvec4(normal_ * gap(), 0.0);
-    map[3] = dvec4(position(0), 1.0);
+    map[3] = dvec4(position(0) + (evenHeight(0) - height(0)) * normal_, 1.0);
     return {ivec3(first.size, count()), map};
 }
 
@@ -139,7 +180,7 @@ std::vector<std::pair<int, int>> findSamePlace(const SortedStack& stack) {
     std::vector<std::pair<int, int>> pairs;
     int first = 0;
     for (int k = 1; k < stack.count(); ++k) {
-        if (glm::distance(stack.position(k), stack.position(first)) <= kPositionToleranceMm)
+        if (glm::distance(stack.position(k), stack.position(first)) <= kSamePlaceMm)
             pairs.emplace_back(stack.order()[first], stack.order()[k]);
         else
             first = k;

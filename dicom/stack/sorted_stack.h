@@ -10,8 +10,19 @@
 
 namespace pdr::dicom {
 
-inline constexpr double kPositionToleranceMm = 0.02;
+/// Largest distance of slices that lie at one place [mm].
+inline constexpr double kSamePlaceMm = 0.02;
 inline constexpr double kDriftTolerance = 1e-4;
+
+/// Heights at even distances [mm].
+struct EvenHeights {
+    double start = 0, gap = 0;
+    double at(int k) const { return start + gap * k; }
+};
+
+/// Returns even heights that fit `heights`, which ascend: those from the first to the last or, if one lies farther off
+/// than kSamePlaceMm, those with the least squares of distances.
+EvenHeights evenHeightsAt(const std::vector<double>& heights);
 
 /// One stack of slices that share a grid, sorted.
 class SortedStack {
@@ -24,14 +35,21 @@ class SortedStack {
     double height(int k) const { return heightOf(order_[k]); }
     const std::string& name(int k) const { return slices_[order_[k]].name; }
     dvec3 position(int k) const { return *slices_[order_[k]].position; }
-    double gap() const { return (height(count() - 1) - height(0)) / (count() - 1); }
+    /// Returns the distance between slices of the even grid.
+    double gap() const { return even_.gap; }
+    /// Returns the height of slice k of the even grid.
+    double evenHeight(int k) const { return even_.at(k); }
+    /// Returns how far a slice may lie from an even, upright grid [mm].
+    double toleranceMm() const;
 
     /// Returns how far slice k lies sideways of slice 0 [mm]: along the row, along the column.
     dvec2 drift(int k) const;
-    /// Returns the grid of the lowest slice, with the mean distance between slices.
+    /// Returns the even grid in the place of the lowest slice.
     VolumeGeometry geometry() const;
     /// Returns the largest distance of a pixel of any slice from that grid, due to its spacing and directions [mm].
     double gridDeviationMm() const;
+    /// Returns the largest distance of a slice's first pixel from that grid [mm].
+    double unevennessMm() const;
 
   private:
     double heightOf(int index) const { return glm::dot(*slices_[index].position, normal_); }
@@ -39,6 +57,7 @@ class SortedStack {
     const std::vector<SlicePlane>& slices_;
     dvec3 row_, column_, normal_;
     std::vector<int> order_;
+    EvenHeights even_;
 };
 
 /// Returns pairs of slices at the same position, each with the first one there.

@@ -65,6 +65,9 @@ StackAnalysis analyseStack(const std::vector<SlicePlane>& slices) {
     if (!analysis.verdict.loadable())
         return analysis;
     analysis.geometry = stack.geometry();
+    if (const double off = stack.unevennessMm(); off > kSamePlaceMm)
+        analysis.verdict.notes.push_back(
+            {"uneven", phrase("a slice lies %1 mm from an even grid; the slices are taken as even", inMm(off))});
     if (const double off = stack.gridDeviationMm(); off > kNotedDeviationMm)
         analysis.verdict.notes.push_back({"grid", phrase("spacing or direction changes on the way; a pixel lies up to "
                                                          "%1 mm from where the first slice would put it",

@@ -3,8 +3,11 @@
 ///   lengths  millimetres, patient space LPS        normal  row direction x column direction
 ///
 /// Tolerances, and why:
-///   position    0.02 mm off the even grid. Positions are decimal strings; writers that keep two decimals err by
-///               0.01 mm at the most (both ends of a distance rounded), and no surgeon sees a fiftieth of a millimetre.
+///   position    a tenth of the gap off the even grid, at least 0.02 mm and at most 0.15 mm, a fifth of a pixel:
+///   writers
+///               round positions to a tenth of a millimetre, and tables do not move evenly. A note names the largest
+///               from 0.02 mm on. Slices within 0.02 mm lie at one place. A slice that is missing puts its neighbours
+///               half a gap off.
 ///   drift       the same, plus 1e-4 of the distance travelled along the normal: direction cosines that were rounded to
 ///               four decimals turn the normal by that much.
 ///   grid        0.2 mm at the far corner of a slice (slice_plane.h); a note names the largest from 0.01 mm on.

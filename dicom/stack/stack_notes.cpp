@@ -13,8 +13,9 @@ using Slices = std::vector<const SliceHeader*>;
 
 void noteMeaning(const Slices& slices, std::vector<Note>& notes) {
     std::size_t withoutRescale = 0;
-    std::set<std::string> frames, units;
+    std::set<std::string> frames, units, studies;
     for (const SliceHeader* slice : slices) {
+        studies.insert(slice->study.uid);
         withoutRescale += !slice->meaning.slope || !slice->meaning.intercept;
         frames.insert(slice->frameOfReferenceUid);
         units.insert(slice->meaning.unit);
@@ -29,6 +30,9 @@ void noteMeaning(const Slices& slices, std::vector<Note>& notes) {
             notes.push_back(
                 {"unit", phrase("the files say that their values are in \"%1\"; they are taken as HU", unit)});
     }
+    if (studies.size() > 1)
+        notes.push_back(
+            {"studies", phrase("the files name %1 studies; their slices are taken as one series", studies.size())});
     // Some de-identifiers give every file a frame of its own; a true second frame would show as a broken stack.
     if (frames.size() > 1)
         notes.push_back({"frames", phrase("the files name %1 frames of reference; their positions are taken as one",
@@ -73,14 +77,15 @@ bool areNumberedInOrder(const Slices& slices) {
 
 /// Notes that slices may be missing. Positions cannot show that a slice is missing at an end; its number can.
 void noteMissingNumbers(const Slices& slices, const std::set<int>& numbers, std::vector<Note>& notes) {
-    if (!areNumberedInOrder(slices) || *numbers.rbegin() < 1)
+    constexpr int kHabit = 100;  // numbers that begin there or later begin so by habit: nothing is missing before them
+    const auto lowest = numbers.lower_bound(1);
+    if (!areNumberedInOrder(slices) || lowest == numbers.end())
         return;
-    const auto present = std::size_t(std::count_if(numbers.begin(), numbers.end(), [](int n) { return n >= 1; }));
-    const std::size_t missing = std::size_t(*numbers.rbegin()) - present;
-    // Numbers that begin at some thousand are a habit, not a loss.
+    int first = *lowest < kHabit ? 1 : *lowest;
+    const std::size_t missing =
+        std::size_t(*numbers.rbegin() - first + 1) - std::size_t(std::distance(lowest, numbers.end()));
     if (missing == 0 || missing > slices.size())
         return;
-    int first = 1;
     while (numbers.contains(first))
         ++first;
     notes.push_back(

@@ -4380,6 +4380,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>eine Schicht fehlt</translation>
     </message>
     <message>
+        <source>a slice lies %1 mm from an even grid; the slices are taken as even</source>
+        <translation>eine Schicht liegt %1 mm neben einem gleichmäßigen Raster; die Schichten werden als gleichmäßig genommen</translation>
+    </message>
+    <message>
         <source>a slice of more than 65535 pixels has no place in a DICOM file</source>
         <translation>eine Schicht von mehr als 65535 Pixeln hat in einer DICOM-Datei keinen Platz</translation>
     </message>
@@ -5902,6 +5906,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the files name %1 frames of reference; their positions are taken as one</source>
         <translation>die Dateien nennen %1 Bezugssysteme; ihre Lagen werden als die eines einzigen genommen</translation>
+    </message>
+    <message>
+        <source>the files name %1 studies; their slices are taken as one series</source>
+        <translation>die Dateien nennen %1 Untersuchungen; ihre Schichten werden als eine Serie genommen</translation>
     </message>
     <message>
         <source>the files say that their values are in "%1"; they are taken as HU</source>

@@ -4380,6 +4380,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>falta un corte</translation>
     </message>
     <message>
+        <source>a slice lies %1 mm from an even grid; the slices are taken as even</source>
+        <translation>un corte está a %1 mm de una cuadrícula uniforme; los cortes se toman como uniformes</translation>
+    </message>
+    <message>
         <source>a slice of more than 65535 pixels has no place in a DICOM file</source>
         <translation>un corte de más de 65535 píxeles no cabe en un archivo DICOM</translation>
     </message>
@@ -5902,6 +5906,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the files name %1 frames of reference; their positions are taken as one</source>
         <translation>los archivos nombran %1 sistemas de referencia; sus posiciones se toman como de uno solo</translation>
+    </message>
+    <message>
+        <source>the files name %1 studies; their slices are taken as one series</source>
+        <translation>los archivos nombran %1 estudios; sus cortes se toman como una sola serie</translation>
     </message>
     <message>
         <source>the files say that their values are in "%1"; they are taken as HU</source>

@@ -147,6 +147,48 @@ class NotesTest : public QObject {
         QCOMPARE(scan.series[1].series.id(), std::string("1.2.3.1#2"));
     }
 
+    void numbersFromAHundredAreAHabit() {
+        test::SliceFolder folder;
+        folder.addStack(110, {}, "", [](int k, SliceFile& slice) {
+            slice.change = [k](DcmDataset& data) {
+                data.putAndInsertString(DCM_InstanceNumber, std::to_string(100 + k).c_str());
+            };
+        });
+        QCOMPARE(noteOf(folder.scan().series.front().verdict.notes, "incomplete"), std::string());
+    }
+
+    /// Some de-identifiers give every file a study of its own.
+    void aStudyForEachSliceIsOneSeries() {
+        test::SliceFolder folder;
+        folder.addStack(12, {}, "", [](int k, SliceFile& slice) {
+            slice.change = [k](DcmDataset& data) {
+                data.putAndInsertString(DCM_StudyInstanceUID, ("1.2.3." + std::to_string(k)).c_str());
+            };
+        });
+        const ScanResult scan = folder.scan();
+        QCOMPARE(scan.series.size(), std::size_t(1));
+        QVERIFY(scan.series.front().verdict.loadable() && scan.series.front().geometry.size.z == 12);
+        const std::string note = noteOf(scan.series.front().verdict.notes, "studies");
+        QVERIFY2(note.find("12 studies") != std::string::npos, note.c_str());
+    }
+
+    /// One series UID in two examinations: each is a volume of its own, and so are those of two patients.
+    void studiesThatAreNoStackTogetherStayApart() {
+        for (const DcmTagKey& tag : {DCM_StudyInstanceUID, DCM_PatientID}) {
+            test::SliceFolder folder;
+            folder.addStack(12, {}, "", [&](int k, SliceFile& slice) {
+                if (tag == DCM_StudyInstanceUID)
+                    slice.position.z = 2.0 * (k / 2);
+                slice.change = [&, k](DcmDataset& data) { data.putAndInsertString(tag, k % 2 ? "1.2.4" : "1.2.5"); };
+            });
+            const ScanResult scan = folder.scan();
+            QCOMPARE(scan.series.size(), std::size_t(2));
+            QCOMPARE(loadable(scan), 2);
+            for (const Series& series : scan.series)
+                QVERIFY(series.geometry.size.z == 6 && noteOf(series.verdict.notes, "studies").empty());
+        }
+    }
+
     void twoImagesOfOnePlaceAreBothVolumes() {
         test::SliceFolder folder;
         folder.addStack(12, {.size = {512, 4}}, "", [](int k, SliceFile& slice) {
