@@ -14,10 +14,9 @@ inline int failed(const Error& error) {
     return 1;
 }
 
-/// Writes to standard error why the device "auto" does not render on a GPU.
+/// Writes to standard error why the device "auto" does not render on a GPU, and what to do.
 inline void tellOfCpu(const Error& why) {
-    const std::string place = why.where.empty() ? "" : why.where + ": ";
-    std::fprintf(stderr, "note: the CPU renders, since a GPU cannot: %s%s.\n", place.c_str(), why.what.c_str());
+    std::fprintf(stderr, "note: the CPU renders, since a GPU cannot: %s\n", why.text().c_str());
 }
 
 }  // namespace pdr::app

@@ -20,6 +20,7 @@
 #include "render/base/version.h"
 #include "render/device/device_list.h"
 #include "ui/text/language.h"
+#include "ui/text/room_text.h"
 #include "ui/theme/theme.h"
 
 namespace pdr::app {
@@ -62,8 +63,8 @@ int run(const DesktopOptions& options) {
     }
     QString whyCpu;
     auto device = deviceFor(options, [&](const Error& why) {
-        whyCpu = QCoreApplication::translate("main", "The CPU renders, since the GPU cannot be used: %1.")
-                     .arg(QString::fromStdString(why.what));
+        whyCpu = QCoreApplication::translate("main", "The CPU renders, since the GPU cannot be used: %1")
+                     .arg(ui::inWords(why.text()));
     });
     if (!device) {
         std::cerr << "pdrender: " << device.error().text() << '\n';

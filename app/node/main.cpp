@@ -5,18 +5,15 @@
 #include <QCoreApplication>
 #include <QTimer>
 #include <cstdio>
-#include <random>
+#include <optional>
 
-#include "app/coordinator/node_connection.h"
-#include "app/coordinator/reference_bits.h"
+#include "app/node/introduction.h"
 #include "app/node/node_service.h"
 #include "app/program/interrupt.h"
 #include "app/program/program.h"
 #include "app/remote/certificates.h"
-#include "render/base/free_memory.h"
 #include "render/base/version.h"
 #include "render/device/device_list.h"
-#include "render/tiles/reference_tiles.h"
 
 namespace pdr::node {
 namespace {
@@ -37,35 +34,25 @@ int makeBundle(const QString& folder) {
     return 0;
 }
 
-Result<wire::Hello> introduction(const NodeOptions& options, Device& device) {
-    const Result<std::vector<std::byte>> tiles = referenceTiles(device);
-    if (!tiles)
-        return tiles.error();
-    wire::Hello hello;
-    std::random_device random;
-    hello.program = "pdrender-node " PDR_VERSION;
-    hello.name = options.name.toStdString();
-    hello.boot = nodes::newNonce(random);
-    hello.bits = nodes::bitsOf(*tiles);
-    const DeviceInfo info = device.info();
-    hello.device = info.name;
-    hello.details = info.details;
-    hello.memoryBytes = freeBytes();
-    return hello;
-}
-
 int work(const NodeOptions& options, const app::Interrupt& interrupt) {
     // Open the device and render its reference tiles
-    Result<std::unique_ptr<Device>> device = openDeviceToTheEnd(options.device, options.threads, [](const Error& why) {
-        std::fprintf(stderr, "pdrender-node: the CPU renders, since a GPU cannot: %s\n", why.what.c_str());
+    NodeService* running = nullptr;
+    std::optional<Error> instead;
+    Result<std::unique_ptr<Device>> device = openDeviceToTheEnd(options.device, options.threads, [&](const Error& why) {
+        std::fprintf(stderr, "pdrender-node: the CPU renders, since a GPU cannot: %s\n", why.text().c_str());
+        if (running)
+            return running->goOnInstead(why);
+        instead = why;
     });
     if (!device)
         return ending(device.error(), ExitCode::configuration);
-    const Result<wire::Hello> hello = introduction(options, **device);
+    Result<wire::Hello> hello = introduction(options, **device);
     if (!hello)
         return ending(hello.error(), ExitCode::temporary);
+    nameDevice(*hello, (*device)->info(), instead);
     // Connect the service to the log, the exit code and signals
     NodeService service(options, *hello, *std::move(device));
+    running = &service;
     QObject::connect(&service, &NodeService::said, [](const QString& line) {
         std::fprintf(stderr, "pdrender-node: %s\n", line.toUtf8().constData());
     });

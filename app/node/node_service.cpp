@@ -4,6 +4,7 @@
 #include <random>
 #include <utility>
 
+#include "app/node/introduction.h"
 #include "app/remote/steady_time.h"
 
 namespace pdr::node {
@@ -107,7 +108,7 @@ void NodeService::begin(remote::Channel* channel) {
         if (options_.idle.count() > 0)
             idle_.start(options_.idle);
     });
-    connect(session_, &NodeSession::drained, this, [this] { session_->leave(); });
+    connect(session_, &NodeSession::drained, this, [this] { session_->leave({}); });
     connect(session_, &NodeSession::over, this, &NodeService::ended);
 }
 
@@ -140,6 +141,17 @@ void NodeService::answer(LeaseAnswer answered) {
     }
 }
 
+void NodeService::goOnInstead(const Error& why) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, now = renderer_->info(), why] {
+            nameDevice(hello_, now, why);
+            if (session_)
+                session_->leave(phrase("its GPU has failed, and its CPU goes on: %1", why.what));
+        },
+        Qt::QueuedConnection);
+}
+
 void NodeService::drain() {
     if (std::exchange(draining_, true))
         return;
@@ -160,7 +172,7 @@ void NodeService::forget() {
 void NodeService::finish(ExitCode code) {
     draining_ = true;
     if (session_)
-        session_->leave();
+        session_->leave({});
     forget();
     emit finished(code);
 }

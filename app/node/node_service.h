@@ -31,6 +31,9 @@ class NodeService : public QObject {
     Result<void> start();
     /// Finishes open leases within the drain time, sends a Bye and ends.
     void drain();
+    /// Leaves the coordinator, which counts on the speed of the GPU, and joins again as the device that has taken over.
+    /// Called on the render thread, by the device. `why`: the GPU's error.
+    void goOnInstead(const Error& why);
 
   signals:
     /// The node has ended; the program is to exit with `code`.

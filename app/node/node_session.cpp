@@ -185,10 +185,10 @@ void NodeSession::lookWhetherDrained() {
         emit drained();
 }
 
-void NodeSession::leave() {
+void NodeSession::leave(const Text& reason) {
     for (const auto& [number, taken] : leases_)
         channel_->send(wire::Abandoned{number, taken.nonce, {}});
-    channel_->send(wire::Bye{});
+    channel_->send(wire::Bye{reason});
     dropLeases();
     channel_->close(phrase("this node has said goodbye"));
 }

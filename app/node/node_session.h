@@ -26,8 +26,9 @@ class NodeSession : public QObject {
     void answer(LeaseAnswer answer);
     /// Accepts no new leases; emits drained() when all are answered.
     void drain();
-    /// Gives open leases back, sends a Bye and closes the connection.
-    void leave();
+    /// Gives open leases back, sends a Bye and closes the connection. `reason`: for the coordinator's user; may be
+    /// empty.
+    void leave(const Text& reason);
     bool isWelcome() const { return channel_->isAdmitted(); }
     /// Whether the coordinator has sent a Bye or refused this node: its contents must be erased.
     bool wasDismissed() const { return dismissed_; }

@@ -36,6 +36,9 @@ class LeaseRenderer {
 
     LeaseRenderer(std::unique_ptr<Device> device, Answered answered);
 
+    /// Returns the device that renders. To be called by the device, on the render thread.
+    DeviceInfo info() const { return device_->info(); }
+
     /// Loads a scene, which must have passed its check(), and drops leases of earlier scenes.
     void setScene(std::uint64_t number, std::shared_ptr<const Scene> scene);
     /// Queues a lease. A lease of another scene gets no answer.

@@ -3638,8 +3638,8 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Felsenbein</translation>
     </message>
     <message>
-        <source>The CPU renders, since the GPU cannot be used: %1.</source>
-        <translation>Die CPU rechnet, da die Grafikkarte nicht verwendet werden kann: %1.</translation>
+        <source>The CPU renders, since the GPU cannot be used: %1</source>
+        <translation>Die CPU rechnet, da die Grafikkarte nicht verwendet werden kann: %1</translation>
     </message>
     <message>
         <source>The HU along the chosen distance, and beyond it. Dashed: its ends; dots: the half levels at which they lie. The pointer and the arrow keys read off values.</source>
@@ -5018,6 +5018,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>it states an impossible size of %1 x %2 pixels</source>
         <translation>sie nennt eine unmögliche Größe von %1 x %2 Pixeln</translation>
+    </message>
+    <message>
+        <source>its GPU has failed, and its CPU goes on: %1</source>
+        <translation>seine GPU hat versagt, und seine CPU macht weiter: %1</translation>
     </message>
     <message>
         <source>its certificate is not believed: %1</source>

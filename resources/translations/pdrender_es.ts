@@ -3638,8 +3638,8 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Hueso temporal</translation>
     </message>
     <message>
-        <source>The CPU renders, since the GPU cannot be used: %1.</source>
-        <translation>Calcula la CPU, pues la tarjeta gráfica no se puede usar: %1.</translation>
+        <source>The CPU renders, since the GPU cannot be used: %1</source>
+        <translation>Calcula la CPU, pues la tarjeta gráfica no se puede usar: %1</translation>
     </message>
     <message>
         <source>The HU along the chosen distance, and beyond it. Dashed: its ends; dots: the half levels at which they lie. The pointer and the arrow keys read off values.</source>
@@ -5018,6 +5018,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>it states an impossible size of %1 x %2 pixels</source>
         <translation>indica un tamaño imposible de %1 x %2 píxeles</translation>
+    </message>
+    <message>
+        <source>its GPU has failed, and its CPU goes on: %1</source>
+        <translation>su GPU ha fallado y sigue con su CPU: %1</translation>
     </message>
     <message>
         <source>its certificate is not believed: %1</source>
