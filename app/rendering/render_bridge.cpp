@@ -145,8 +145,9 @@ void RenderBridge::observeEffects(EffectsObserver observer) {
 /// Passes a frame on to the window's thread, in place of one that still waits. Called on the render thread.
 void RenderBridge::take(std::shared_ptr<const Frame> frame) {
     if (!frame->notice.empty()) {
-        QMetaObject::invokeMethod(this, [this, notice = ui::inWords(frame->notice)] {
+        QMetaObject::invokeMethod(this, [this, frame, notice = ui::inWords(frame->notice)] {
             chosen_.reset();
+            device_ = QString::fromStdString(frame->device);
             emit noticed(notice);
             emit deviceChanged(device_);
         });

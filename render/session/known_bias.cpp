@@ -16,12 +16,12 @@ Text denseWarning(const Scene& scene) {
     return text;
 }
 
+}  // namespace
+
 bool texturesFilter(const Scene& scene, const std::string& device) {
     return scene.filtering == Filtering::fast && !isProjection(scene.model) && device != "cpu" && scene.volume &&
            textureHolds(scene.volume->storedRange());
 }
-
-}  // namespace
 
 BiasFacts biasFacts(const Scene& scene, const FilmStatus& status, const std::string& device) {
     BiasFacts facts;

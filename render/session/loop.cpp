@@ -5,6 +5,7 @@
 #include "render/base/thrown.h"
 #include "render/kernel/random.h"
 #include "render/scene/scene.h"
+#include "render/session/known_bias.h"
 
 namespace pdr {
 
@@ -12,6 +13,10 @@ namespace {
 
 Text goesOnOn(const Text& device) {
     return phrase("Rendering continues on %1.", device);
+}
+
+Text beginsAnewOn(const Text& device) {
+    return phrase("The image begins anew on %1, which filters the volume in another way.", device);
 }
 
 }  // namespace
@@ -144,15 +149,31 @@ void Session::Loop::switchTo(const DeviceOpener& open) {
         else
             lost = film.error();
     }
-    Result<std::unique_ptr<Device>> device = open();
-    const Result<void> moved = device ? place_.moveTo(*std::move(device), from.get()) : device.error();
-    if (moved) {
+    const Result<bool> dropped = moveTo(open(), std::move(from));
+    if (dropped) {
         onFallback_ = false;
-        return goOnFrom(std::move(from));
+        return *dropped ? notify(beginsAnewOn(deviceLabel(place_.info()))) : void();
     }
     if (lost)
         return failedOnDevice(*lost);
-    notify(joined(Text::sentence(phrase("the other device cannot be used: %1", moved.error().text())), goesOnOn(old)));
+    notify(
+        joined(Text::sentence(phrase("the other device cannot be used: %1", dropped.error().text())), goesOnOn(old)));
+}
+
+/// Moves the image to `device`, with the samples of `from`, null for none, if those are what `device` takes: texture
+/// units read the volume in another way. Returns whether samples were dropped. Errors: the device's; nothing changes
+/// then.
+Result<bool> Session::Loop::moveTo(Result<std::unique_ptr<Device>> device, std::shared_ptr<const Film> from) {
+    if (!device)
+        return device.error();
+    const auto hasTextures = [&](const DeviceInfo& info) { return texturesFilter(scene_, info.name); };
+    const bool isAnew = from && hasTextures(place_.info()) != hasTextures((*device)->info());
+    if (isAnew)
+        from = nullptr;
+    if (const Result<void> moved = place_.moveTo(*std::move(device), from.get()); !moved)
+        return moved.error();
+    goOnFrom(std::move(from));
+    return isAnew;
 }
 
 /// Resets the state for a new film, which already holds the samples of `film`; null: none.
@@ -176,13 +197,12 @@ void Session::Loop::recover(const Text& reason) {
     const Text what = Text::sentence(reason);
     if (onFallback_ || !fallback_)
         return fail(what);
-    Result<std::unique_ptr<Device>> device = fallback_();
-    const Result<void> moved = device ? place_.moveTo(*std::move(device), checkpoint_.film().get()) : device.error();
-    if (!moved)
-        return fail(joined(what, phrase("Rendering cannot continue elsewhere: %1", moved.error().text())));
+    const Result<bool> dropped = moveTo(fallback_(), checkpoint_.film());
+    if (!dropped)
+        return fail(joined(what, phrase("Rendering cannot continue elsewhere: %1", dropped.error().text())));
     onFallback_ = true;
-    goOnFrom(checkpoint_.film());
-    notify(joined(what, goesOnOn(deviceLabel(place_.info()))));
+    const Text label = deviceLabel(place_.info());
+    notify(joined(what, *dropped ? beginsAnewOn(label) : goesOnOn(label)));
 }
 
 /// Handles an exception, inside a catch block, like any other fault. Frees the film's memory first: even if that is too
@@ -212,6 +232,7 @@ void Session::Loop::notify(const Text& sentences) {
     auto frame = std::make_shared<Frame>();
     frame->revision = revision_;
     frame->notice = sentences;
+    frame->device = place_.info().name;
     sink_(std::move(frame));
 }
 

@@ -53,6 +53,7 @@ class Session::Loop {
     void beginFilm();
     void beginFiner();
     void goOnFrom(std::shared_ptr<const Film> film);
+    Result<bool> moveTo(Result<std::unique_ptr<Device>> device, std::shared_ptr<const Film> from);
     Scene dividedScene() const;
 
     // A device that fails or refuses.

@@ -3682,6 +3682,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Die Höhe des Histogramms wächst mit dem Logarithmus der Voxel</translation>
     </message>
     <message>
+        <source>The image begins anew on %1, which filters the volume in another way.</source>
+        <translation>Das Bild beginnt von vorn, weil das Volumen dort anders gefiltert wird: %1.</translation>
+    </message>
+    <message>
         <source>The image is in %1 instead.</source>
         <translation>Das Bild liegt stattdessen in %1.</translation>
     </message>

@@ -3682,6 +3682,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>La altura del histograma crece con el logaritmo de los vóxeles</translation>
     </message>
     <message>
+        <source>The image begins anew on %1, which filters the volume in another way.</source>
+        <translation>La imagen empieza de nuevo, pues allí el volumen se filtra de otra manera: %1.</translation>
+    </message>
+    <message>
         <source>The image is in %1 instead.</source>
         <translation>La imagen está en %1 en su lugar.</translation>
     </message>

@@ -291,6 +291,38 @@ class FaultsTest : public QObject {
         QVERIFY(neverInterrupted(filmOf(session)));
     }
 
+    void samplesOfTexturesAndOfTheCpuAreNotMixed_data() {
+        QTest::addColumn<bool>("isLost");
+        QTest::newRow("another device is chosen") << false;
+        QTest::newRow("the device is lost") << true;
+    }
+    /// What the CPU says of its film's bias would be wrong with a GPU's samples in it.
+    void samplesOfTexturesAndOfTheCpuAreNotMixed() {
+        QFETCH(const bool, isLost);
+        Scene scene = someScene();
+        scene.filtering = Filtering::fast;
+        const auto clock = std::make_shared<test::FakeClock>();
+        auto mishaps = std::make_shared<test::Mishaps>();
+        mishaps->clock = clock;
+        mishaps->iterationSeconds = 0.1;
+        test::Screen screen;
+        Session session(test::failing(mishaps), screen.sink(), kCpu, test::readingOf(clock));
+        session.submit(scene, false);
+        session.goOn();
+        QVERIFY(screen.await(samples(50)));  // 5 s: there is a checkpoint
+        if (isLost)
+            mishaps->gone = true;
+        else
+            session.setDevice(kCpu);
+        QVERIFY(screen.await(onCpu));
+        const Film film = filmOf(session);
+        QVERIFY(test::sameBits(film, test::render(scene, film.samplesPerPixel())));
+        QCOMPARE(screen.notices().size(), std::size_t(1));
+        const QString notice = QString::fromStdString(screen.notices().front());
+        QVERIFY2(notice.endsWith("The image begins anew on the CPU, which filters the volume in another way."),
+                 qPrintable(notice));
+    }
+
     void aLongFrameDoesNotHoldTheChangeUp() {
         const auto clock = std::make_shared<test::FakeClock>();
         auto slow = std::make_shared<test::Mishaps>();
