@@ -70,12 +70,6 @@ void LooksPresenter::connectPanel() {
     QAction* pause = window().menuActions().pause;
     connect(panel_, &ui::LookPanel::pauseChosen, pause, &QAction::trigger);
     connect(pause, &QAction::toggled, panel_, &ui::LookPanel::setPaused);
-    const auto opens = [this](auto wanted, const char* panel) {
-        connect(panel_, wanted, this, [this, panel] { window().panelToggle(panel)->trigger(); });
-    };
-    opens(&ui::LookPanel::tissueWanted, "Tissue");
-    opens(&ui::LookPanel::lightWanted, "Light");
-    opens(&ui::LookPanel::cameraWanted, "Camera");
     connect(&document(), &Document::sceneChanged, this, [this](const Scene&, bool moving) { requestImages(moving); });
     connect(&images_, &LookImages::made, this, [this](int look, const QImage& picture, double stops) {
         panel_->gallery().setImage(look, picture);

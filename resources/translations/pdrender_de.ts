@@ -646,10 +646,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Hell</translation>
     </message>
     <message>
-        <source>&amp;Light...</source>
-        <translation>&amp;Licht...</translation>
-    </message>
-    <message>
         <source>&amp;Manual</source>
         <translation>&amp;Handbuch</translation>
     </message>
@@ -712,10 +708,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>&amp;Theme</source>
         <translation>&amp;Farbschema</translation>
-    </message>
-    <message>
-        <source>&amp;Tissue...</source>
-        <translation>&amp;Gewebe...</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -1182,10 +1174,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>CT-Serie %1</translation>
     </message>
     <message>
-        <source>Camer&amp;a...</source>
-        <translation>&amp;Kamera...</translation>
-    </message>
-    <message>
         <source>Camera</source>
         <translation>Kamera</translation>
     </message>
@@ -1542,10 +1530,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Kurve</translation>
     </message>
     <message>
-        <source>Curves and colours over Hounsfield units (F5)</source>
-        <translation>Kurven und Farben über Hounsfield-Einheiten (F5)</translation>
-    </message>
-    <message>
         <source>Cut</source>
         <translation>Schnitt</translation>
     </message>
@@ -1696,18 +1680,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Edit keys</source>
         <translation>Tasten ändern</translation>
-    </message>
-    <message>
-        <source>Edit the camera</source>
-        <translation>Kamera einstellen</translation>
-    </message>
-    <message>
-        <source>Edit the light</source>
-        <translation>Licht bearbeiten</translation>
-    </message>
-    <message>
-        <source>Edit the tissue</source>
-        <translation>Gewebe bearbeiten</translation>
     </message>
     <message>
         <source>Effect</source>
@@ -2934,10 +2906,6 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Projektion</translation>
     </message>
     <message>
-        <source>Projection, focus and background (F7)</source>
-        <translation>Projektion, Schärfe und Hintergrund (F7)</translation>
-    </message>
-    <message>
         <source>Put its ends farther apart.</source>
         <translation>Setzen Sie ihre Enden weiter auseinander.</translation>
     </message>
@@ -4154,10 +4122,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Where the first selected point lies; the others move with it</source>
         <translation>Wo der erste gewählte Punkt liegt; die anderen bewegen sich mit</translation>
-    </message>
-    <message>
-        <source>Where the light comes from (F8)</source>
-        <translation>Woher das Licht kommt (F8)</translation>
     </message>
     <message>
         <source>Whether the tissue removed by box and planes still casts shadows</source>

@@ -646,10 +646,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Claro</translation>
     </message>
     <message>
-        <source>&amp;Light...</source>
-        <translation>Lu&amp;z...</translation>
-    </message>
-    <message>
         <source>&amp;Manual</source>
         <translation>&amp;Manual</translation>
     </message>
@@ -712,10 +708,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>&amp;Theme</source>
         <translation>&amp;Tema</translation>
-    </message>
-    <message>
-        <source>&amp;Tissue...</source>
-        <translation>&amp;Tejido...</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -1182,10 +1174,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Serie de TC %1</translation>
     </message>
     <message>
-        <source>Camer&amp;a...</source>
-        <translation>Cáma&amp;ra...</translation>
-    </message>
-    <message>
         <source>Camera</source>
         <translation>Cámara</translation>
     </message>
@@ -1542,10 +1530,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Curva</translation>
     </message>
     <message>
-        <source>Curves and colours over Hounsfield units (F5)</source>
-        <translation>Curvas y colores sobre unidades Hounsfield (F5)</translation>
-    </message>
-    <message>
         <source>Cut</source>
         <translation>Corte</translation>
     </message>
@@ -1696,18 +1680,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Edit keys</source>
         <translation>Editar teclas</translation>
-    </message>
-    <message>
-        <source>Edit the camera</source>
-        <translation>Ajustar la cámara</translation>
-    </message>
-    <message>
-        <source>Edit the light</source>
-        <translation>Editar la luz</translation>
-    </message>
-    <message>
-        <source>Edit the tissue</source>
-        <translation>Editar el tejido</translation>
     </message>
     <message>
         <source>Effect</source>
@@ -2934,10 +2906,6 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Proyección</translation>
     </message>
     <message>
-        <source>Projection, focus and background (F7)</source>
-        <translation>Proyección, enfoque y fondo (F7)</translation>
-    </message>
-    <message>
         <source>Put its ends farther apart.</source>
         <translation>Separe más sus extremos.</translation>
     </message>
@@ -4154,10 +4122,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Where the first selected point lies; the others move with it</source>
         <translation>Dónde está el primer punto elegido; los demás se mueven con él</translation>
-    </message>
-    <message>
-        <source>Where the light comes from (F8)</source>
-        <translation>De dónde viene la luz (F8)</translation>
     </message>
     <message>
         <source>Whether the tissue removed by box and planes still casts shadows</source>

@@ -188,7 +188,7 @@ int run(const QString& folder, double seconds, int threads) {
     Desktop desktop(*bundledLooks(), makeCpuDevice(threads), settings.filePath("settings.ini"), threads);
     Stopwatch watch(desktop);
     desktop.window().show();
-    emit test::the<ui::LookPanel>(desktop.window()).tissueWanted();  // opens the panel
+    desktop.window().panelToggle("Tissue")->trigger();
     desktop.open(folder);
     if (!QTest::qWaitFor([&] { return watch.last() && !watch.last()->coarse; }, 600'000)) {
         std::printf("no picture of %s\n", qPrintable(folder));

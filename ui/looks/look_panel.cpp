@@ -35,26 +35,11 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     connect(&pause_, &QPushButton::clicked, this, &LookPanel::pauseChosen);
     setPaused(false);
 
-    tissue_.setText(tr("&Tissue..."));
-    tissue_.setAccessibleName(tr("Edit the tissue"));
-    tissue_.setToolTip(tr("Curves and colours over Hounsfield units (F5)"));
-    connect(&tissue_, &QPushButton::clicked, this, &LookPanel::tissueWanted);
-
-    light_.setText(tr("&Light..."));
-    light_.setAccessibleName(tr("Edit the light"));
-    light_.setToolTip(tr("Where the light comes from (F8)"));
-    connect(&light_, &QPushButton::clicked, this, &LookPanel::lightWanted);
-
-    camera_.setText(tr("Camer&a..."));
-    camera_.setAccessibleName(tr("Edit the camera"));
-    camera_.setToolTip(tr("Projection, focus and background (F7)"));
-    connect(&camera_, &QPushButton::clicked, this, &LookPanel::cameraWanted);
-
     auto* brightnessLabel = new QLabel(tr("&Brightness"));
     brightnessLabel->setBuddy(&brightness_);
 
     // A click leaves the keyboard focus with the image, so that Space continues to pause; Tab still reaches everything.
-    for (QWidget* control : std::initializer_list<QWidget*>{&tissue_, &light_, &camera_, &brightness_, &pause_})
+    for (QWidget* control : std::initializer_list<QWidget*>{&brightness_, &pause_})
         control->setFocusPolicy(Qt::TabFocus);
 
     scroll_.setWidget(&gallery_);
@@ -77,17 +62,8 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     column->addWidget(&doesNotShow_);
     column->addWidget(brightnessLabel);
     column->addWidget(&brightness_);
-    for (QPushButton* edit : {&tissue_, &light_, &camera_}) {  // three in a row in a narrow column
-        edit->setProperty("narrow", true);
-        edit->setMinimumWidth(edit->fontMetrics().horizontalAdvance(edit->text().remove('&')) + 14);
-    }
-    auto* edits = new QHBoxLayout;
-    edits->addWidget(&tissue_);
-    edits->addWidget(&light_);
-    edits->addWidget(&camera_);
-    column->addLayout(edits);
     column->addWidget(&pause_);
-    gallery_.setNeighbours(&menu_, {&brightness_, &tissue_, &light_, &camera_, &pause_});
+    gallery_.setNeighbours(&menu_, {&brightness_, &pause_});
 }
 
 void LookPanel::setLook(int index) {

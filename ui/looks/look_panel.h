@@ -37,12 +37,6 @@ class LookPanel : public QWidget {
     /// comes with false.
     void brightnessChosen(double stops, bool moving);
     void pauseChosen(bool paused);
-    /// Requests to open or close the editor of curves and colours.
-    void tissueWanted();
-    /// Requests to open or close the light editor.
-    void lightWanted();
-    /// Requests to open or close the camera editor.
-    void cameraWanted();
 
   private:
     QScrollArea scroll_;  ///< around the gallery; declared before it, so destroyed after it
@@ -50,9 +44,6 @@ class LookPanel : public QWidget {
     QLabel doesNotShow_;
     QSlider brightness_;
     LookMenu menu_;
-    QPushButton tissue_;
-    QPushButton light_;
-    QPushButton camera_;
     QPushButton pause_;
 };
 
