@@ -19,6 +19,8 @@ bool soundFormat(const PixelFormat& format) {
 }  // namespace
 
 std::optional<Refusal> refusePixels(const SliceHeader& header) {
+    if (header.hasFloatPixels)
+        return unreadable(phrase("its pixels are floating-point numbers, which this version cannot read"));
     if (header.pixelBytes == 0)
         return Refusal{Stack::notCt, header.series.modality.empty()
                                          ? phrase("no image, but another kind of object")
@@ -51,6 +53,8 @@ std::optional<Refusal> refuseSlice(const SliceHeader& header) {
         return Refusal{Stack::notCt, phrase("a localizer (scout view), not a CT slice")};
     if (std::optional<Refusal> refusal = refusePixels(header))
         return refusal;
+    if (header.meaning.isByTable)
+        return unreadable(phrase("a table gives its values (Modality LUT Sequence), which this version cannot read"));
     if (header.meaning.rescaleIsBroken)
         return unreadable(phrase("its rescale slope or intercept is no usable number"));
     return {};

@@ -106,6 +106,7 @@ std::optional<int> sixteenBits(DcmItem& item, const DcmTagKey& tag) {
 }
 
 void readPixelFormat(DcmItem& item, SliceHeader& header) {
+    header.hasFloatPixels = item.tagExists(DCM_FloatPixelData) || item.tagExists(DCM_DoubleFloatPixelData);
     header.columns = shortValue(item, DCM_Columns, 0);
     header.rows = shortValue(item, DCM_Rows, 0);
     header.frames = integerValue(item, DCM_NumberOfFrames, 1);
@@ -129,6 +130,7 @@ void readMeaning(DcmItem& item, ValueMeaning& meaning) {
     meaning.rescaleIsBroken = (!slope && item.tagExistsWithValue(DCM_RescaleSlope)) || meaning.slope == 0.0 ||
                               (!intercept && item.tagExistsWithValue(DCM_RescaleIntercept));
     meaning.unit = text(item, DCM_RescaleType);
+    meaning.isByTable = item.tagExists(DCM_ModalityLUTSequence);
     meaning.paddingValue = sixteenBits(item, DCM_PixelPaddingValue);
     meaning.paddingLimit = sixteenBits(item, DCM_PixelPaddingRangeLimit);
 }

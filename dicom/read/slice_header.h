@@ -24,6 +24,7 @@ struct PixelFormat {
 struct ValueMeaning {
     std::optional<double> slope, intercept;         ///< HU = stored * slope + intercept
     std::string unit;                               ///< RescaleType: "HU", or empty if nothing is stated
+    bool isByTable = false;                         ///< a table (Modality LUT Sequence) gives the values
     bool rescaleIsBroken = false;                   ///< stated, but not a finite number, or a slope of 0
     std::optional<int> paddingValue, paddingLimit;  ///< the 16 bits as written, read as unsigned [0, 65535]
 };
@@ -44,6 +45,7 @@ struct SliceHeader {
     bool hasMetaHeader = false;
     std::string transferSyntaxUid;  ///< as stated, or as found if nothing is stated
     std::uint64_t pixelBytes = 0;   ///< length of the pixel data as it lies in the file; 0 = no pixels
+    bool hasFloatPixels = false;    ///< the pixels are floating-point numbers, and pixelBytes is 0
     int columns = 0, rows = 0, frames = 1;
     PixelFormat format;
     ValueMeaning meaning;

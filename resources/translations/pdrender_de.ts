@@ -4356,6 +4356,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>eine Schicht von mehr als 65535 Pixeln hat in einer DICOM-Datei keinen Platz</translation>
     </message>
     <message>
+        <source>a table gives its values (Modality LUT Sequence), which this version cannot read</source>
+        <translation>eine Tabelle gibt seine Werte an (Modality LUT Sequence), die diese Version nicht lesen kann</translation>
+    </message>
+    <message>
         <source>a text in it is no line</source>
         <translation>ein Text darin ist keine Zeile</translation>
     </message>
@@ -5066,6 +5070,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>its pixels are coded as %1, which this version cannot read</source>
         <translation>ihre Pixel sind als %1 kodiert, was diese Version nicht lesen kann</translation>
+    </message>
+    <message>
+        <source>its pixels are floating-point numbers, which this version cannot read</source>
+        <translation>seine Pixel sind Gleitkommazahlen, die diese Version nicht lesen kann</translation>
     </message>
     <message>
         <source>its rescale slope or intercept is no usable number</source>

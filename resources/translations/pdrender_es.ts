@@ -4356,6 +4356,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>un corte de más de 65535 píxeles no cabe en un archivo DICOM</translation>
     </message>
     <message>
+        <source>a table gives its values (Modality LUT Sequence), which this version cannot read</source>
+        <translation>una tabla da sus valores (Modality LUT Sequence), que esta versión no puede leer</translation>
+    </message>
+    <message>
         <source>a text in it is no line</source>
         <translation>un texto en él no es una línea</translation>
     </message>
@@ -5066,6 +5070,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>its pixels are coded as %1, which this version cannot read</source>
         <translation>sus píxeles están codificados como %1, que esta versión no puede leer</translation>
+    </message>
+    <message>
+        <source>its pixels are floating-point numbers, which this version cannot read</source>
+        <translation>sus píxeles son números de coma flotante, que esta versión no puede leer</translation>
     </message>
     <message>
         <source>its rescale slope or intercept is no usable number</source>

@@ -60,6 +60,32 @@ class ScanTest : public QObject {
         QVERIFY(scan.series.front().verdict.loadable());
     }
 
+    /// Values that a table gives are no HU without it, and numbers of another kind are an image all the same.
+    void whatCannotBeReadIsNamed() {
+        const auto reasonOf = [](const std::function<void(DcmDataset&)>& change) {
+            test::SliceFolder folder;
+            folder.addStack(3, {.change = change});
+            const ScanResult scan = folder.scan();
+            return scan.series.size() == 1 && !scan.series[0].verdict.loadable()
+                       ? QString::fromStdString(scan.series[0].verdict.reason)
+                       : QString("not refused");
+        };
+        const QString byTable = reasonOf([](DcmDataset& data) {
+            DcmItem* table = nullptr;
+            data.findOrCreateSequenceItem(DCM_ModalityLUTSequence, table);
+            table->putAndInsertString(DCM_ModalityLUTType, "US");
+        });
+        QVERIFY2(byTable.contains("Modality LUT Sequence"), qPrintable(byTable));
+        const QString floats = reasonOf([](DcmDataset& data) {
+            delete data.remove(DCM_PixelData);
+            auto* pixels = new DcmFloatingPointSingle(DCM_FloatPixelData);
+            const std::vector<Float32> values(12, 40.0f);
+            pixels->putFloat32Array(values.data(), 12);
+            data.insert(pixels);
+        });
+        QVERIFY2(floats.contains("floating-point"), qPrintable(floats));
+    }
+
     void foreignFilesAreCountedAndForgotten() {
         test::SliceFolder folder;
         folder.addStack(3);
