@@ -125,7 +125,10 @@ std::string headline(const Json& report) {
     std::string line =
         (modality.empty() ? "modality unknown," : modality) + " series " + std::to_string(report["number"].get<int>());
     const std::string description = report.value("description", "");
-    return description.empty() ? line : line + " \"" + description + "\"";
+    if (!description.empty())
+        line += " \"" + description + "\"";
+    const std::string phase = report.value("phase", "");
+    return phase.empty() ? line : line + ", " + phase;
 }
 
 std::string statisticsLine(const char* label, const Json& statistics) {
@@ -163,6 +166,8 @@ Json reportOf(const dicom::Series& series, bool withDescription, const Progress&
         report["notes"].push_back(note.text);
     if (withDescription)
         report["description"] = series.series.description;
+    if (!series.series.phase.empty())
+        report["phase"] = std::string(series.series.phase);
     const ivec3 size = series.geometry.size;
     if (size.x > 0)
         report["size"] = {size.x, size.y, size.z};

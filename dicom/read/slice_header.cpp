@@ -192,6 +192,15 @@ bool parseHeader(const NamedBytes& object, SliceHeader& header, bool& isDirector
     header.mayBeLossy = codingMayLose(header.transferSyntaxUid) && stated.empty();
     if (const auto ratio = numbers<1>(item, DCM_LossyImageCompressionRatio))
         header.lossyRatio = (*ratio)[0];
+    const DcmTagKey phaseTags[kPhaseKeys]{DCM_TemporalPositionIdentifier,
+                                          DCM_NominalPercentageOfCardiacPhase,
+                                          DCM_TriggerTime,
+                                          DCM_KVP,
+                                          DCM_AcquisitionNumber,
+                                          DCM_AcquisitionTime,
+                                          DCM_ContentTime,
+                                          DCM_ImageType};
+    std::ranges::transform(phaseTags, header.phaseKeys.begin(), [&](const DcmTagKey& tag) { return text(item, tag); });
     readFacts(item, header);
     readPixelFormat(item, header);
     readMeaning(item, header.meaning);

@@ -1,6 +1,7 @@
 #pragma once
 /// The header of one object, up to but not including its pixels. Plain data; only the .cpp uses the toolkit.
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -29,6 +30,19 @@ struct ValueMeaning {
     std::optional<int> paddingValue, paddingLimit;  ///< the 16 bits as written, read as unsigned [0, 65535]
 };
 
+/// What can tell images of one place apart, in the order in which it is asked.
+enum class PhaseKey {
+    temporalPosition,   ///< TemporalPositionIdentifier
+    cardiacPercentage,  ///< NominalPercentageOfCardiacPhase
+    triggerTime,        ///< TriggerTime [ms]
+    kvp,                ///< KVP
+    acquisitionNumber,  ///< AcquisitionNumber
+    acquisitionTime,    ///< AcquisitionTime
+    contentTime,        ///< ContentTime
+    imageType,          ///< ImageType, all values
+};
+inline constexpr std::size_t kPhaseKeys = 8;
+
 struct SliceHeader {
     std::filesystem::path file;  ///< name of the object in its source
     PatientFacts patient;
@@ -38,7 +52,8 @@ struct SliceHeader {
     std::string sopClassUid, sopInstanceUid, frameOfReferenceUid;  ///< as stated, even if malformed
     std::string imageType;  ///< values joined by a backslash: "ORIGINAL\PRIMARY\AXIAL"
     std::optional<int> instanceNumber;
-    bool isLossy = false;              ///< whether the pixels went through a lossy coding, now or earlier
+    std::array<std::string, kPhaseKeys> phaseKeys;  ///< by PhaseKey; empty: not stated
+    bool isLossy = false;                           ///< whether the pixels went through a lossy coding, now or earlier
     bool mayBeLossy = false;           ///< whether their coding may have lost something, and nothing is stated
     std::optional<double> lossyRatio;  ///< how much smaller that made them, if it is stated
 

@@ -9,6 +9,7 @@
 #include "dicom/read/pixels.h"
 #include "dicom/read/refusal.h"
 #include "dicom/stack/damaged_files.h"
+#include "dicom/stack/phases.h"
 #include "dicom/stack/stack_geometry.h"
 #include "dicom/stack/stack_notes.h"
 
@@ -131,7 +132,8 @@ Series refusedSeries(const Headers& headers, const Refusal& refusal, const std::
 /// Slices of one series that share a grid.
 struct Part {
     Headers slices;
-    std::size_t elsewhere = 0;  ///< number of slices of the series that are not in it
+    Text phase;                 ///< empty: it is the only one
+    std::size_t elsewhere = 0;  ///< number of slices of the series on other grids
     StackAnalysis analysis;
 };
 
@@ -170,15 +172,21 @@ void addStacks(const Headers& headers, const SeriesSource& source, const std::se
     const std::filesystem::path root = source.root();
     // Judge each part that shares a grid
     std::vector<Part> parts;
-    for (const std::vector<int>& indices : splitByGrid(planesOf(headers, root))) {
-        Part part;
+    const std::vector<std::vector<int>> grids = splitByGrid(planesOf(headers, root));
+    for (const std::vector<int>& indices : grids) {
+        Headers slices;
         for (const int index : indices)
-            part.slices.push_back(headers[index]);
-        part.elsewhere = headers.size() - indices.size();
-        part.analysis = analyseWithoutCopies(part.slices, source, progress);
-        parts.push_back(std::move(part));
+            slices.push_back(headers[index]);
+        const StackAnalysis together = analyseWithoutCopies(slices, source, progress);
+        const std::vector<Phase> phases = phasesOf(slices);
+        for (const Phase& phase : phases) {
+            Part part{phase.slices, phase.name, headers.size() - indices.size(), together};
+            if (phases.size() > 1)
+                part.analysis = analyseStack(planesOf(part.slices, root));
+            parts.push_back(std::move(part));
+        }
     }
-    if (parts.size() > 1)
+    if (grids.size() > 1)
         refusePieces(parts, root);
     // Add the notes, and make an entry of each part
     for (Part& part : parts) {
@@ -190,12 +198,13 @@ void addStacks(const Headers& headers, const SeriesSource& source, const std::se
             const std::vector<Note> notes = notesOn(sorted, numbers);
             verdict.notes.insert(verdict.notes.end(), notes.begin(), notes.end());
         }
-        if (parts.size() > 1)
+        if (grids.size() > 1)
             verdict.notes.push_back(
                 {"parts", phrase(part.elsewhere == 1 ? "1 slice of this series on another grid listed apart"
                                                      : "%1 slices of this series on another grid listed apart",
                                  part.elsewhere)});
         out.push_back(seriesOf(part.slices, part.analysis));
+        out.back().series.phase = part.phase;
     }
 }
 

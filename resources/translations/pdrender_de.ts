@@ -60,6 +60,10 @@
         <translation>%1 % hell (%2 bis %3)</translation>
     </message>
     <message>
+        <source>%1 % of the heartbeat</source>
+        <translation>%1 % des Herzschlags</translation>
+    </message>
+    <message>
         <source>%1 % of the image's samples</source>
         <translation>%1 % der Abtastungen des Bildes</translation>
     </message>
@@ -284,6 +288,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 ms after the heartbeat</source>
+        <translation>%1 ms nach dem Herzschlag</translation>
     </message>
     <message>
         <source>%1 nodes run a different build and were excluded</source>
@@ -4176,6 +4184,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Röntgenbild</translation>
     </message>
     <message>
+        <source>X-rays of %1 kV</source>
+        <translation>Röntgenstrahlen von %1 kV</translation>
+    </message>
+    <message>
         <source>Zoom</source>
         <translation>Zoomen</translation>
     </message>
@@ -4390,6 +4402,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>above %1 and below %2</source>
         <translation>über %1 und unter %2</translation>
+    </message>
+    <message>
+        <source>acquisition %1</source>
+        <translation>Aufnahme %1</translation>
     </message>
     <message>
         <source>air</source>
@@ -5568,6 +5584,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die Orte %1 und %2 des Wegs liegen zu nah beieinander für das, was man über sie weiß</translation>
     </message>
     <message>
+        <source>point in time %1</source>
+        <translation>Zeitpunkt %1</translation>
+    </message>
+    <message>
         <source>position</source>
         <translation>Lage</translation>
     </message>
@@ -5710,6 +5730,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>surface reflection</source>
         <translation>Spiegelung an Oberflächen</translation>
+    </message>
+    <message>
+        <source>taken at %1</source>
+        <translation>aufgenommen um %1</translation>
     </message>
     <message>
         <source>target</source>

@@ -60,6 +60,10 @@
         <translation>%1 % de brillo (%2 a %3)</translation>
     </message>
     <message>
+        <source>%1 % of the heartbeat</source>
+        <translation>%1 % del latido</translation>
+    </message>
+    <message>
         <source>%1 % of the image's samples</source>
         <translation>%1 % de las muestras de la imagen</translation>
     </message>
@@ -284,6 +288,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 ms after the heartbeat</source>
+        <translation>%1 ms tras el latido</translation>
     </message>
     <message>
         <source>%1 nodes run a different build and were excluded</source>
@@ -4176,6 +4184,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Radiografía</translation>
     </message>
     <message>
+        <source>X-rays of %1 kV</source>
+        <translation>rayos X de %1 kV</translation>
+    </message>
+    <message>
         <source>Zoom</source>
         <translation>Zoom</translation>
     </message>
@@ -4390,6 +4402,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>above %1 and below %2</source>
         <translation>más de %1 y menos de %2</translation>
+    </message>
+    <message>
+        <source>acquisition %1</source>
+        <translation>adquisición %1</translation>
     </message>
     <message>
         <source>air</source>
@@ -5568,6 +5584,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>los lugares %1 y %2 del recorrido están demasiado cerca para lo que se sabe de ellos</translation>
     </message>
     <message>
+        <source>point in time %1</source>
+        <translation>instante %1</translation>
+    </message>
+    <message>
         <source>position</source>
         <translation>posición</translation>
     </message>
@@ -5710,6 +5730,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>surface reflection</source>
         <translation>reflexión en superficies</translation>
+    </message>
+    <message>
+        <source>taken at %1</source>
+        <translation>tomada a las %1</translation>
     </message>
     <message>
         <source>target</source>

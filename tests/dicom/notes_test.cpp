@@ -157,6 +157,75 @@ class NotesTest : public QObject {
         QCOMPARE(noteOf(folder.scan().series.front().verdict.notes, "incomplete"), std::string());
     }
 
+    void phasesAreEntriesOfTheirOwn_data() {
+        QTest::addColumn<DcmTagKey>("tag");
+        QTest::addColumn<QStringList>("values");
+        QTest::addColumn<QStringList>("names");
+        QTest::newRow("heart") << DcmTagKey(DCM_NominalPercentageOfCardiacPhase) << QStringList{"5", "40", "100"}
+                               << QStringList{"5 % of the heartbeat", "40 % of the heartbeat",
+                                              "100 % of the heartbeat"};
+        QTest::newRow("trigger") << DcmTagKey(DCM_TriggerTime) << QStringList{"90", "350.5"}
+                                 << QStringList{"90 ms after the heartbeat", "350.5 ms after the heartbeat"};
+        QTest::newRow("energies") << DcmTagKey(DCM_KVP) << QStringList{"80", "140"} << QStringList{"X-rays of 80 kV", "X-rays of 140 kV"};
+        QTest::newRow("acquisitions") << DcmTagKey(DCM_AcquisitionNumber) << QStringList{"2", "10"}
+                                      << QStringList{"acquisition 2", "acquisition 10"};
+        QTest::newRow("times") << DcmTagKey(DCM_AcquisitionTime) << QStringList{"101530.25", "101612"}
+                               << QStringList{"taken at 10:15:30.25", "taken at 10:16:12"};
+    }
+    void phasesAreEntriesOfTheirOwn() {
+        QFETCH(DcmTagKey, tag);
+        QFETCH(QStringList, values);
+        QFETCH(QStringList, names);
+        const int phases = int(values.size());
+        test::SliceFolder folder;
+        folder.addStack(8 * phases, {.size = {4, 3}}, "", [&](int k, SliceFile& slice) {
+            slice.position.z = 2.0 * (k / phases);
+            slice.raw.assign(12, std::uint16_t(100 * (k % phases)));
+            const std::string value = values[k % phases].toStdString();
+            slice.change = [tag, value](DcmDataset& data) { data.putAndInsertString(tag, value.c_str()); };
+        });
+        const ScanResult scan = folder.scan();
+        QCOMPARE(int(scan.series.size()), phases);
+        QCOMPARE(loadable(scan), phases);
+        for (int phase = 0; phase < phases; ++phase) {
+            const Series& series = scan.series[std::size_t(phase)];
+            QCOMPARE(QString::fromStdString(series.series.phase), names[phase]);
+            QCOMPARE(series.series.part, phase + 1);
+            QVERIFY(series.geometry.size == ivec3(4, 3, 8));
+            const auto volume = loadSeries(series, Padding::keep, noProgress);
+            QVERIFY(volume && volume->lowestHu() == 100 * phase && volume->highestHu() == 100 * phase);
+        }
+    }
+
+    /// A phase is judged for itself. What no value tells apart stays one refused entry.
+    void onlyWholePhasesAreSplit() {
+        const auto scanned = [](const std::function<bool(int)>& isThere, const std::function<const char*(int)>& value) {
+            test::SliceFolder folder;
+            folder.addStack(16, {.size = {4, 3}}, "", [&](int k, SliceFile& slice) {
+                slice.position.z = 2.0 * (k / 2);
+                slice.raw.assign(12, std::uint16_t(k % 2));
+                slice.change = [&, k](DcmDataset& data) { data.putAndInsertString(DCM_AcquisitionNumber, value(k)); };
+            });
+            for (int k = 0; k < 16; ++k)
+                if (!isThere(k))
+                    std::filesystem::remove(folder.path() / (QString("%1").arg(k, 2, 10, QChar('0')).toStdString()));
+            return folder.scan();
+        };
+        const auto oneOrTwo = [](int k) { return k % 2 ? "2" : "1"; };
+        const ScanResult hole = scanned([](int k) { return k != 6; }, oneOrTwo);
+        QCOMPARE(loadable(hole), 1);
+        QCOMPARE(hole.series.size(), std::size_t(2));
+        QCOMPARE(hole.series[1].verdict.stack, Stack::gap);
+        QCOMPARE(loadable(scanned([](int k) { return k != 14; }, oneOrTwo)), 2);
+        for (const auto& value : {std::function<const char*(int)>([](int) { return "1"; }),
+                                  std::function<const char*(int)>([](int k) { return k < 4 ? "1" : "2"; })}) {
+            const ScanResult doubled = scanned([](int) { return true; }, value);
+            QCOMPARE(doubled.series.size(), std::size_t(1));
+            QCOMPARE(doubled.series[0].verdict.stack, Stack::doubled);
+            QVERIFY(doubled.series[0].series.phase.empty());
+        }
+    }
+
     /// Some de-identifiers give every file a study of its own.
     void aStudyForEachSliceIsOneSeries() {
         test::SliceFolder folder;

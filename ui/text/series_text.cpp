@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "ui/text/language.h"
+#include "ui/text/room_text.h"
 
 namespace pdr::ui {
 namespace {
@@ -69,11 +70,12 @@ bool namesPatient(const QString& text, const dicom::PatientFacts& patient) {
 }  // namespace
 
 QString seriesTitle(const dicom::Series& series) {
-    QString own = QString::fromStdString(series.series.description).trimmed();
-    if (!own.isEmpty())
-        return own;
-    const QString study = QString::fromStdString(series.study.description).trimmed();
-    return study.isEmpty() ? translated("Series %1").arg(series.series.number) : study;
+    QString title = QString::fromStdString(series.series.description).trimmed();
+    if (title.isEmpty())
+        title = QString::fromStdString(series.study.description).trimmed();
+    if (title.isEmpty())
+        title = translated("Series %1").arg(series.series.number);
+    return series.series.phase.empty() ? title : joined({title, inWords(series.series.phase)});
 }
 
 QString seriesNumber(const dicom::Series& series) {

@@ -1,0 +1,99 @@
+#include "dicom/stack/phases.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <optional>
+
+#include "dicom/stack/sorted_stack.h"
+
+namespace pdr::dicom {
+
+namespace {
+
+using Slices = std::vector<const SliceHeader*>;
+
+/// Returns whether two slices lie at one height, or one of them has no place.
+bool takesAPlaceTwice(const Slices& slices) {
+    std::vector<double> heights;
+    for (const SliceHeader* slice : slices) {
+        if (!slice->position || !slice->rowDirection || !slice->columnDirection)
+            return true;
+        const SliceHeader& first = *slices.front();
+        heights.push_back(
+            glm::dot(*slice->position, glm::normalize(glm::cross(*first.rowDirection, *first.columnDirection))));
+    }
+    std::ranges::sort(heights);
+    return std::ranges::adjacent_find(heights, [](double a, double b) { return b - a <= kSamePlaceMm; }) !=
+           heights.end();
+}
+
+/// Returns the number that a value begins with; none if it begins with no number.
+std::optional<double> numberOf(const std::string& value) {
+    double number = 0;
+    const auto [end, failure] = std::from_chars(value.data(), value.data() + value.size(), number);
+    return failure == std::errc() ? std::optional(number) : std::nullopt;
+}
+
+bool ascend(const std::string& a, const std::string& b) {
+    const auto left = numberOf(a), right = numberOf(b);
+    return left && right && *left != *right ? *left < *right : a < b;
+}
+
+/// Returns DICOM's "101530.25" as "10:15:30.25"; anything else unchanged.
+std::string timeOfDay(const std::string& time) {
+    const bool isTime = time.size() >= 6 && std::all_of(time.begin(), time.begin() + 6,
+                                                        [](char letter) { return letter >= '0' && letter <= '9'; });
+    return isTime ? time.substr(0, 2) + ":" + time.substr(2, 2) + ":" + time.substr(4) : time;
+}
+
+Text nameOf(PhaseKey key, const std::string& value) {
+    switch (key) {
+        case PhaseKey::temporalPosition:
+            return phrase("point in time %1", value);
+        case PhaseKey::cardiacPercentage:
+            return phrase("%1 % of the heartbeat", value);
+        case PhaseKey::triggerTime:
+            return phrase("%1 ms after the heartbeat", value);
+        case PhaseKey::acquisitionNumber:
+            return phrase("acquisition %1", value);
+        case PhaseKey::acquisitionTime:
+        case PhaseKey::contentTime:
+            return phrase("taken at %1", timeOfDay(value));
+        case PhaseKey::kvp:
+            return phrase("X-rays of %1 kV", value);
+        case PhaseKey::imageType:
+            break;
+    }
+    return Text(value);
+}
+
+/// Splits by one key; empty if that does not give whole phases.
+std::vector<Phase> splitBy(PhaseKey key, const Slices& slices) {
+    std::map<std::string, Slices, decltype(&ascend)> byValue(&ascend);
+    for (const SliceHeader* slice : slices)
+        byValue[slice->phaseKeys[std::size_t(key)]].push_back(slice);
+    if (byValue.size() < 2 || byValue.contains(""))
+        return {};
+    const auto [least, most] =
+        std::ranges::minmax_element(byValue, {}, [](const auto& phase) { return phase.second.size(); });
+    const bool isEven = least->second.size() >= 2 && most->second.size() - least->second.size() <= 1;
+    if (!isEven || std::ranges::any_of(byValue, [](const auto& phase) { return takesAPlaceTwice(phase.second); }))
+        return {};
+    std::vector<Phase> phases;
+    for (const auto& [value, phase] : byValue)
+        phases.push_back({phase, nameOf(key, value)});
+    return phases;
+}
+
+}  // namespace
+
+std::vector<Phase> phasesOf(const Slices& slices) {
+    if (takesAPlaceTwice(slices))
+        for (std::size_t key = 0; key < kPhaseKeys; ++key)
+            if (std::vector<Phase> phases = splitBy(PhaseKey(key), slices); !phases.empty())
+                return phases;
+    return {{slices, {}}};
+}
+
+}  // namespace pdr::dicom
