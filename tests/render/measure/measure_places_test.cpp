@@ -193,6 +193,25 @@ class MeasurePlacesTest : public QObject {
         QCOMPARE(distance(kThickSlices, edge(dvec3(0), 1), free).bound, Bound::none);
     }
 
+    /// A thin wall at one end of a long way makes its length less sure, and no bound of it.
+    void aThinWallAtAnEndIsPartOfTheInterval() {
+        const auto edge = [](dvec3 mm, bool thin) {
+            Place place = movedToEdge(clickedPlace(kThickSlices, mm, {{1, 0, 0}, {0, 1, 0}, 0.1, 0}), mm,
+                                      dvec3(1, 0, 0), 0.05, 0.02, 1.6);
+            place.thin = thin;
+            return place;
+        };
+        const auto measured = [&](double mm, bool thin) {
+            return distance(kThickSlices, edge(dvec3(0), thin), edge({mm, 0, 0}, false));
+        };
+        QVERIFY(measured(6, true).bound == Bound::atMost && measured(6, true).limit == Limit::thin);
+        const Stated sure = measured(170, false), thin = measured(170, true);
+        QCOMPARE(thin.bound, Bound::none);
+        QCOMPARE(thin.value, sure.value);
+        QVERIFY(std::abs(std::pow(thin.plusMinus(), 2) - std::pow(sure.plusMinus(), 2) - 0.64) < 1e-9);
+        QVERIFY(std::abs(thin.high - thin.value - thin.plusMinus()) < 1e-9);
+    }
+
     void anglesLieInTheirIntervals() {
         Random random(7);
         test::Sample inSpace, ofLines, inPlane;
