@@ -39,7 +39,7 @@ class Device {
     /// Adds `samples` of every pixel of `tile` to `sums`, in order; both are parts of the uploaded scene's image. If
     /// `sums` begins with the block's samples before those, the result is equal to the sums that film() would have.
     /// After a stop request the sums are invalid. Errors: the device's, or that it takes samples for its own films
-    /// only; the sums are as before then.
+    /// only.
     virtual Result<void> trace(const Tile& tile, SampleRange samples, TileSums sums, const std::stop_token& stop);
     /// Renders a guide for images that must come soon: the uploaded scene without noise or shadows, `finer` pixels
     /// along each pixel of a film. Null if the device has no guide, for this scene or any, or if a stop request came

@@ -130,6 +130,7 @@ Result<std::unique_ptr<Accumulator>> SpareDevice::film(const Tile& area, std::ui
     return std::unique_ptr<Accumulator>(std::make_unique<SpareFilm>(*this, *std::move(film), revision, schedule));
 }
 
+/// Passes the same sums on to the other device: a GPU adds to them when all samples have succeeded (gpu/gpu_tile.h).
 Result<void> SpareDevice::trace(const Tile& tile, SampleRange samples, TileSums sums, const std::stop_token& stop) {
     Result<void> traced = device_->trace(tile, samples, sums, stop);
     if (!traced && takeOver(traced.error()))

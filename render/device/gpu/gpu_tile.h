@@ -18,7 +18,7 @@ class GpuTile {
     /// Keeps references to both, which must outlive it.
     GpuTile(G& gpu, const GpuScene<G>& scene) : gpu_(gpu), scene_(scene) {}
 
-    /// Adds samples to sums on the host; see Device::trace().
+    /// Adds samples to sums on the host; see Device::trace(). After an error the sums are as before.
     Result<void> trace(const Tile& tile, SampleRange samples, TileSums sums, const std::stop_token& stop);
     /// Releases its memory.
     void close();
