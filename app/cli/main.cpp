@@ -1,6 +1,8 @@
 /// Entry point of pdrender-cli with its commands info, looks, render, slice, plan, accuracy, effects, replay, cluster,
 /// example. Exit codes: 0 on success, 1 on an error, 2 on wrong usage.
 
+#include <QByteArray>
+#include <QFontDatabase>
 #include <QGuiApplication>
 #include <QLocale>
 #include <QStringList>
@@ -103,6 +105,14 @@ void endWhereQtGivesUp(QtMsgType type, const QMessageLogContext&, const QString&
     std::_Exit(1);
 }
 
+/// Returns only if there is memory for Qt and the list of fonts; throws std::bad_alloc if not. Where memory ends within
+/// its files, fontconfig 2.14 ends the program, at the latest when Qt is about to end: it reads them then if nothing has
+/// before.
+void reserveFonts() {
+    constexpr qsizetype kBytes = 16 << 20;
+    QByteArray(kBytes, Qt::Uninitialized);
+}
+
 /// Creates the Qt application. Letters require fonts, and fonts require a QGuiApplication, which works without a
 /// display. Numbers are formatted as in English in every locale.
 std::unique_ptr<QCoreApplication> applicationFor(int& argc, char** argv) {
@@ -111,7 +121,9 @@ std::unique_ptr<QCoreApplication> applicationFor(int& argc, char** argv) {
         return std::make_unique<QCoreApplication>(argc, argv);
     qputenv("QT_QPA_PLATFORM", "offscreen");
     const QtMessageHandler usual = qInstallMessageHandler(endWhereQtGivesUp);
+    reserveFonts();
     auto application = std::make_unique<QGuiApplication>(argc, argv);
+    QFontDatabase::families();
     qInstallMessageHandler(usual);
     return application;
 }
