@@ -106,8 +106,8 @@ void endWhereQtGivesUp(QtMsgType type, const QMessageLogContext&, const QString&
 }
 
 /// Returns only if there is memory for Qt and the list of fonts; throws std::bad_alloc if not. Where memory ends within
-/// its files, fontconfig 2.14 ends the program, at the latest when Qt is about to end: it reads them then if nothing has
-/// before.
+/// its files, fontconfig 2.14 ends the program, at the latest when Qt is about to end: it reads them then if nothing
+/// has before.
 void reserveFonts() {
     constexpr qsizetype kBytes = 16 << 20;
     QByteArray(kBytes, Qt::Uninitialized);
