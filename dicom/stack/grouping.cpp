@@ -230,6 +230,7 @@ std::vector<Headers> byStudy(const Headers& headers, const std::filesystem::path
     if (eachHasOne && analyseStack(planesOf(headers, root)).verdict.loadable())
         return {headers};
     std::vector<Headers> apart;
+    apart.reserve(studies.size());
     for (auto& [uid, study] : studies)
         apart.push_back(std::move(study));
     return apart;

@@ -81,6 +81,7 @@ std::vector<Phase> splitBy(PhaseKey key, const Slices& slices) {
     if (!isEven || std::ranges::any_of(byValue, [](const auto& phase) { return takesAPlaceTwice(phase.second); }))
         return {};
     std::vector<Phase> phases;
+    phases.reserve(byValue.size());
     for (const auto& [value, phase] : byValue)
         phases.push_back({phase, nameOf(key, value)});
     return phases;
