@@ -1,6 +1,7 @@
 /// Measuring on the image: places that are picked, dragged, and hidden.
 
 #include <QLineF>
+#include <QMenu>
 #include <QSignalSpy>
 #include <algorithm>
 #include <cmath>
@@ -80,6 +81,30 @@ class MarksInImageTest : public QObject, PlateTrial {
         QVERIFY(measurements().back() == before);
         test::dragOn(viewport(), from, Qt::NoButton);  // hovers
         QTRY_COMPARE(viewport().cursor().shape(), Qt::SizeAllCursor);
+    }
+
+    /// Where the image shows both faces of the plate, neither of them with half of the light, the user says which is
+    /// meant. Until then the end is where it was.
+    void anEndGoesToTheLayerThatIsChosen() {
+        const Measurement before = measurements().back();
+        const QPoint aside = pointOf(before.places[1].mm) - QPoint(0, 40);
+        dragInImage(aside + QPoint(0, 40), aside);  // away from the end behind it, whose handle would be as near
+        QTRY_VERIFY_WITH_TIMEOUT(measurements().back() != before, test::kPatience);
+        const Measurement apart = measurements().back();
+        Look look = document().setup().look;
+        look.transferFunction = {1, {{400, 0}, {410, 1}, {590, 1}, {600, 0}}};  // 40 % of the light at the first face
+        document().setLook(look);
+        waitForImage();
+        dragInImage(pointOf(apart.places[1].mm), aside - QPoint(0, 20));
+        const auto menu = [&] { return window().findChild<QMenu*>("layers"); };
+        QTRY_VERIFY_WITH_TIMEOUT(menu(), test::kPatience);
+        QCOMPARE(menu()->actions().size(), 2);
+        QVERIFY(measurements().back() == apart);
+        menu()->actions()[1]->trigger();
+        QVERIFY(std::abs(measurements().back().places[1].mm.x - before.places[0].mm.x) < 0.2);  // the face behind
+        menu()->close();
+        while (measurements().back() != before)
+            document().undo();
     }
 
     void escapeGivesBackWhatWasDragged() {
