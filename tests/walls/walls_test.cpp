@@ -83,7 +83,7 @@ class WallsTest : public QObject {
              "|^(ui|dicom|render)/"},
             {"app/desktop/",
              "^app/(desktop|presenters|rendering|looks|program|command_line)/|^ui/(window|text|theme)/|^render/"},
-            {"tests/ptx/", "^tests/(ptx|support)/|^render/"},
+            {"tests/ptx/", "^tests/(ptx|support)/|^render/|^app/node/"},
             {"tests/ptx/base/", "^tests/ptx/base/"},
             {"tests/ptx/text/", "^tests/ptx/(base|text)/"},
             {"tests/ptx/code/", "^tests/ptx/(base/|text/|code/|operations/operations.h$)"},
