@@ -60,7 +60,7 @@ class NodeDeviceTest : public QObject {
         trial.pool->setOwnHelps(false);
         NodeWithAGpu node;
         QVERIFY(bool(trial.nodes.add(node.address())));
-        QSignalSpy lost(&trial.nodes, &nodes::RenderNodes::lost);
+        QSignalSpy joined(&trial.nodes, &nodes::RenderNodes::joined), lost(&trial.nodes, &nodes::RenderNodes::lost);
         const auto device = [&] { return trial.nodes.nodes().empty() ? "" : trial.nodes.nodes().at(0).device; };
         QTRY_COMPARE_WITH_TIMEOUT(device(), "faulty, a GPU", kPatience);
         auto image = std::async(std::launch::async, [&] {
@@ -71,8 +71,9 @@ class NodeDeviceTest : public QObject {
         });
         QTRY_VERIFY_WITH_TIMEOUT(image.wait_for(std::chrono::seconds(0)) == std::future_status::ready, kPatience);
         QVERIFY(sameBits(image.get(), imageAlone(sharedScene(1), kSharedOrders)));
-        QTRY_COMPARE_WITH_TIMEOUT(device(), "cpu, 1 thread; no GPU: it failed on purpose", kPatience);
-        QTRY_COMPARE_WITH_TIMEOUT(lost.count(), 1, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(joined.count(), 2, kPatience);
+        QCOMPARE(joined.at(1).at(0).value<nodes::NodeStatus>().device, "cpu, 1 thread; no GPU: it failed on purpose");
+        QCOMPARE(lost.count(), 1);
         const auto gone = lost.at(0).at(0).value<nodes::NodeStatus>();
         QCOMPARE(gone.reason, std::string("its GPU has failed, and its CPU goes on: it failed on purpose"));
         QCOMPARE(gone.losses, 0u);
