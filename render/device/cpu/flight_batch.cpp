@@ -3,9 +3,8 @@
 namespace pdr {
 
 /// Presents the batch as a list of rays for walkInLanes().
-template <bool Masked>
+template <class Walk>
 struct FlightBatch::InLanes {
-    using Walk = FreeFlight<FloatLanes, Masked>;
     FlightBatch& batch;
 
     int size() const { return batch.size_; }
@@ -21,20 +20,26 @@ struct FlightBatch::InLanes {
     }
 };
 
-template <bool Masked>
+template <class Walk>
 void FlightBatch::flyInLanes(const FlatScene& scene) {
-    InLanes<Masked> rays{*this};
-    walkInLanes<FreeFlight<FloatLanes, Masked>>(rays, scene);
+    InLanes<Walk> rays{*this};
+    walkInLanes<Walk>(rays, scene);
 }
 
-void FlightBatch::fly(const FlatScene& scene) {
+template <FlightEnd End>
+void FlightBatch::flyAll(const FlatScene& scene) {
     if (lanesCanRead(scene.volume))
-        return isMasked(scene) ? flyInLanes<true>(scene) : flyInLanes<false>(scene);
+        return isMasked(scene) ? flyInLanes<FreeFlight<FloatLanes, true, End>>(scene)
+                               : flyInLanes<FreeFlight<FloatLanes, false, End>>(scene);
     for (int row = 0; row < size_; ++row) {
-        const Flight flight = freeFlight(scene, rays_.at(row), depth_[row]);
+        const Flight flight = freeFlight<End>(scene, rays_.at(row), depth_[row]);
         distance_[row] = flight.distance;
         passed_[row] = flight.passed;
     }
+}
+
+void FlightBatch::fly(const FlatScene& scene, FlightEnd end) {
+    end == FlightEnd::place ? flyAll<FlightEnd::place>(scene) : flyAll<FlightEnd::whether>(scene);
 }
 
 }  // namespace pdr

@@ -26,12 +26,15 @@ class FlightBatch {
         ++size_;
     }
 
-    void fly(const FlatScene& scene);
+    /// Flies all rays to their ends.
+    void fly(const FlatScene& scene, FlightEnd end = FlightEnd::place);
 
   private:
-    template <bool Masked>
+    template <class Walk>
     struct InLanes;
-    template <bool Masked>
+    template <FlightEnd End>
+    void flyAll(const FlatScene& scene);
+    template <class Walk>
     void flyInLanes(const FlatScene& scene);
 
     alignas(64) RayColumns<kCapacity> rays_;

@@ -71,7 +71,7 @@ class PixelBatch {
                 rays_.add(path.segment.ray, distanceStream(path, bounces_[row]));
             }
         }
-        flights_.fly(scene);
+        flights_.fly(scene, FlightEnd::place);
         rays_.track<DeltaTracking>(scene);
         for (const int ray : rays_.overMajorant())
             sampleOf(rowOfRay_[ray]).overMajorant = true;
@@ -101,7 +101,7 @@ class PixelBatch {
     }
 
     void traceLights(const FlatScene& scene) {
-        flights_.fly(scene);
+        flights_.fly(scene, FlightEnd::whether);
         for (int flight = 0; flight < flights_.size(); ++flight)
             addLight(lightOfFlight_[flight], shadowTransmittance(flights_.distance(flight), flights_.passed(flight)));
         rays_.track<RatioTracking>(scene);

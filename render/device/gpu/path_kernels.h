@@ -195,7 +195,7 @@ struct OnwardKernel {
     }
 
     PDR_HD bool step(Walk& walk) const {
-        if (traceSegment<F>(scene, walk.at.path, walk.bounce++, walk.at.found, NullVisitor()))
+        if (traceSegment<F, TrackedRays>(scene, walk.at.path, walk.bounce++, walk.at.found, NullVisitor()))
             return true;
         target.keep(scene, walk.at.sample, walk.at.found);
         return false;

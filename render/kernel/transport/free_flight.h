@@ -29,15 +29,19 @@ struct DepthPassed {
     PDR_HD_INLINE Real slopeAt(Real s) const { return extinction.at(s); }
 };
 
+/// What a flight is for: where it ends, or only whether it does, which costs no search.
+enum class FlightEnd { place, whether };
+
 /// The flight of one ray, or of several in lanes. Masked: see PieceWalk.
-template <class Real, bool Masked = false>
+template <class Real, bool Masked = false, FlightEnd End = FlightEnd::place>
 class FreeFlight {
   public:
     using Int = typename SimdTraits<Real>::Int;
     using Mask = typename SimdTraits<Real>::Mask;
 
-    Real distance = Real{} - 1.0f;  ///< distance at which the ray has passed the depth [mm]; -1: it never does
-    Real passed{};                  ///< optical depth of the whole ray where distance is -1
+    /// Distance at which the ray has passed the depth [mm], 0 for FlightEnd::whether; -1: it never does.
+    Real distance = Real{} - 1.0f;
+    Real passed{};  ///< optical depth of the whole ray where distance is -1
 
     /// Starts the flight. `depth`: the optical depth to pass; > 0.
     PDR_HD_INLINE void start(const FlatScene& scene, const Vec3<Real>& origin, const Vec3<Real>& direction, Real length,
@@ -60,7 +64,9 @@ class FreeFlight {
             const OpticsAlong<Real> along = opticsAlong(scene.optics, way.piece, way.hu);
             const Real passed = this->passed + meanExtinction(along, way) * way.length;
             ended = ready & (passed > depth_);
-            if (any(ended))
+            if constexpr (End == FlightEnd::whether)
+                distance = ended ? Real{} : distance;
+            else if (any(ended))
                 distance = ended ? way.begin + way.length * endOn(along, way, ended) : distance;
             this->passed = ready ? passed : this->passed;
             return ready;
@@ -131,17 +137,18 @@ struct Flight {
     float passed;
 };
 
-template <bool Masked>
+template <bool Masked, FlightEnd End>
 PDR_HD inline Flight freeFlightOf(const FlatScene& scene, const Ray& ray, float depth) {
-    FreeFlight<float, Masked> flight;
+    FreeFlight<float, Masked, End> flight;
     flight.start(scene, ray, depth);
     while (flight.going())
         flight.step(scene);
     return {flight.distance, flight.passed};
 }
 
+template <FlightEnd End = FlightEnd::place>
 PDR_HD inline Flight freeFlight(const FlatScene& scene, const Ray& ray, float depth) {
-    return isMasked(scene) ? freeFlightOf<true>(scene, ray, depth) : freeFlightOf<false>(scene, ray, depth);
+    return isMasked(scene) ? freeFlightOf<true, End>(scene, ray, depth) : freeFlightOf<false, End>(scene, ray, depth);
 }
 
 }  // namespace pdr

@@ -200,19 +200,39 @@ PDR_HD inline void addLight(PathSample& sample, vec3 radiance, float transmittan
         sample.radiance += radiance * transmittance;
 }
 
+/// The rays of a path's first segment, which fly exactly; see fliesExactly().
+struct ExactRays {
+    PDR_HD static float collision(const FlatScene& scene, const Path& path, int, PathSample&) {
+        return freeFlight(scene, path.segment.ray, path.sampler.depth()).distance;
+    }
+    PDR_HD static float transmittance(const FlatScene& scene, const Path& path, int, const LightPath& light, int number,
+                                      PathSample&) {
+        const Flight flight = freeFlight<FlightEnd::whether>(scene, light.ray, shadowDepth(path, number));
+        return shadowTransmittance(flight.distance, flight.passed);
+    }
+};
+
+/// The rays of all further segments, which are tracked.
+struct TrackedRays {
+    PDR_HD static float collision(const FlatScene& scene, const Path& path, int bounce, PathSample& sample) {
+        return track<DeltaTracking>(scene, path.segment.ray, distanceStream(path, bounce), sample.overMajorant);
+    }
+    PDR_HD static float transmittance(const FlatScene& scene, const Path& path, int bounce, const LightPath& light, int,
+                                      PathSample& sample) {
+        return track<RatioTracking>(scene, light.ray, shadowStream(path, bounce), sample.overMajorant);
+    }
+};
+
 /// A visitor that records nothing.
 struct NullVisitor {
     PDR_HD void segment(const Path&, int, float) {}
     PDR_HD void light(const PathVertex&, const float*) {}
 };
 
-/// One segment of a path, and what is met at its end; false where the path ends.
-template <std::uint32_t F, class Visitor>
+/// One segment of a path, and what is met at its end; false where the path ends. Rays: ExactRays or TrackedRays.
+template <std::uint32_t F, class Rays, class Visitor>
 PDR_HD_INLINE bool traceSegment(const FlatScene& scene, Path& path, int bounce, PathSample& sample, Visitor&& visitor) {
-    const bool exact = fliesExactly(bounce);
-    const float collision =
-        exact ? freeFlight(scene, path.segment.ray, path.sampler.depth()).distance
-              : track<DeltaTracking>(scene, path.segment.ray, distanceStream(path, bounce), sample.overMajorant);
+    const float collision = Rays::collision(scene, path, bounce, sample);
     visitor.segment(path, bounce, collision);
     const PathVertex vertex = endSegment<F>(scene, path, collision, bounce, sample);
     float transmittances[kMostLightPaths]{};
@@ -220,12 +240,7 @@ PDR_HD_INLINE bool traceSegment(const FlatScene& scene, Path& path, int bounce, 
         const LightPath& light = vertex.scattered[i];
         if (isDark(light))
             continue;
-        if (exact) {
-            const Flight flight = freeFlight(scene, light.ray, shadowDepth(path, i));
-            transmittances[i] = shadowTransmittance(flight.distance, flight.passed);
-        } else {
-            transmittances[i] = track<RatioTracking>(scene, light.ray, shadowStream(path, bounce), sample.overMajorant);
-        }
+        transmittances[i] = Rays::transmittance(scene, path, bounce, light, i, sample);
         addLight(sample, light.radiance, transmittances[i]);
     }
     visitor.light(vertex, transmittances);
@@ -240,9 +255,9 @@ PDR_HD inline PathSample tracePath(const FlatScene& scene, ivec2 pixel, std::uin
                                    Visitor&& visitor) {
     Path path = startPath(scene, pixel, sample, depths);
     PathSample result;
-    int bounce = 0;
-    while (traceSegment<F>(scene, path, bounce, result, visitor))
-        ++bounce;
+    bool continues = traceSegment<F, ExactRays>(scene, path, 0, result, visitor);
+    for (int bounce = 1; continues; ++bounce)
+        continues = traceSegment<F, TrackedRays>(scene, path, bounce, result, visitor);
     return result;
 }
 

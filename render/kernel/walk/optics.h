@@ -20,21 +20,34 @@ PDR_HD_INLINE Real opticsColumn(const FlatOptics& optics, int column, typename S
 }
 
 /// Returns the piece that a segment begins in. At a border, this is the piece that the segment continues in.
-template <class Real>
-PDR_HD_INLINE OpticsPiece<Real> pieceAtBegin(const FlatScene& scene, const Cubic<Real>& hu) {
-    using Int = typename SimdTraits<Real>::Int;
-    using Mask = typename SimdTraits<Real>::Mask;
+PDR_HD_INLINE OpticsPiece<float> pieceAtBegin(const FlatScene& scene, const Cubic<float>& hu) {
     const FlatOptics& optics = scene.optics;
-    const Mask falls = hu.b3 < hu.b0;
-    Int index{};
+    const bool falls = hu.b3 < hu.b0;
+    // Interpolation leaves the range of voxels by less than 1 HU, which pieceAt allows for.
+    int index = scene.transferFunction.pieceAt[(int(hu.b0) + 32768) >> 4];
+    float end = opticsColumn<float>(optics, int(OpticsColumn::end), index);
+    while (falls ? hu.b0 > end : hu.b0 >= end)
+        end = opticsColumn<float>(optics, int(OpticsColumn::end), ++index);
+    return {index, opticsColumn<float>(optics, int(OpticsColumn::start), index), end};
+}
+
+#if !defined(__CUDACC__)
+
+/// Returns the piece of each lane. It tries every piece, since curves have few and a look-up would gather.
+PDR_HD_INLINE OpticsPiece<FloatLanes> pieceAtBegin(const FlatScene& scene, const Cubic<FloatLanes>& hu) {
+    const FlatOptics& optics = scene.optics;
+    const IntLanes falls = hu.b3 < hu.b0;
+    IntLanes index{};
     for (int i = 1; i < scene.transferFunction.pieceCount; ++i) {
         const float start = optics.table[int(OpticsColumn::start) * optics.stride + i];
-        const Mask reached = falls ? hu.b0 > start : hu.b0 >= start;
-        index = reached ? Int{} + i : index;
+        const IntLanes reached = falls ? hu.b0 > start : hu.b0 >= start;
+        index = reached ? IntLanes{} + i : index;
     }
-    return {index, opticsColumn<Real>(optics, int(OpticsColumn::start), index),
-            opticsColumn<Real>(optics, int(OpticsColumn::end), index)};
+    return {index, opticsColumn<FloatLanes>(optics, int(OpticsColumn::start), index),
+            opticsColumn<FloatLanes>(optics, int(OpticsColumn::end), index)};
 }
+
+#endif
 
 /// A ray segment through one piece. HU are expressed as fractions of the piece, so that extinction and source are
 /// linear in them.

@@ -137,6 +137,31 @@ class FreeFlightTest : public QObject {
         }
     }
 
+    /// Where nobody asks for the place, the same flights end, and the others pass the same.
+    void flightsThatOnlySayWhetherTheyEnd() {
+        std::mt19937 random(8);
+        for (unsigned seed = 1; seed <= 12; ++seed) {
+            const Scene scene = test::anyScene(seed);
+            const auto prepared = Flattener().prepare(scene);
+            FlightBatch batch;
+            const std::vector<Ray> rays = test::raysThrough(*scene.volume, 333, seed);
+            std::vector<Flight> whole;
+            for (const Ray& ray : rays) {
+                const float depth = anyDepth(random);
+                batch.add(ray, depth);
+                whole.push_back(freeFlight(prepared->flat, ray, depth));
+                const Flight one = freeFlight<FlightEnd::whether>(prepared->flat, ray, depth);
+                QCOMPARE(one.distance, whole.back().distance < 0 ? -1.0f : 0.0f);
+                QCOMPARE(one.passed, whole.back().passed);
+            }
+            batch.fly(prepared->flat, FlightEnd::whether);
+            for (int i = 0; i < batch.size(); ++i) {
+                QCOMPARE(batch.distance(i), whole[std::size_t(i)].distance < 0 ? -1.0f : 0.0f);
+                QCOMPARE(batch.passed(i), whole[std::size_t(i)].passed);
+            }
+        }
+    }
+
     /// A cell is met and passed in one step, where one piece of the curve holds for it: no lane waits for others to
     /// meet theirs.
     void aCellTakesOneStep() {
