@@ -24,12 +24,12 @@ void launchCamera(CudaGpu& gpu, const CameraKernel<true>& kernel, std::int64_t s
     gpu.launchQueued(kernel, samples, GpuStream::compute);
 }
 template <>
-void launchShadow(CudaGpu& gpu, const ShadowKernel<false>& kernel, std::int64_t samples) {
-    gpu.launchQueued(kernel, samples, GpuStream::compute);
+void launchShadow(CudaGpu& gpu, const ShadowKernel<false>& kernel, std::int64_t lightPaths) {
+    gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
 }
 template <>
-void launchShadow(CudaGpu& gpu, const ShadowKernel<true>& kernel, std::int64_t samples) {
-    gpu.launchQueued(kernel, samples, GpuStream::compute);
+void launchShadow(CudaGpu& gpu, const ShadowKernel<true>& kernel, std::int64_t lightPaths) {
+    gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
 }
 
 namespace {

@@ -26,6 +26,7 @@ CudaGpu::CudaGpu(int index, std::string name) : index_(index), name_(std::move(n
     for (cudaStream_t& stream : streams_)
         check(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking), "making a stream");
     next_ = static_cast<std::uint64_t*>(allocate(sizeof *next_));
+    choosePathsTogether();
 }
 
 CudaGpu::~CudaGpu() {
@@ -203,6 +204,15 @@ void CudaGpu::await(Event& event) {
 void CudaGpu::awaitAll() {
     if (ready())
         check(cudaDeviceSynchronize(), "a launch");
+}
+
+void CudaGpu::choosePathsTogether() {
+    constexpr std::int64_t kPathsPerThread = 32, kThreadsPerProcessor = 1024;  // about as many as registers allow
+    constexpr std::size_t kBytesPerPath = 320;
+    int processors = 0;
+    ignore(cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, index_));
+    const auto affordable = std::int64_t(memory().total / 16 / kBytesPerPath);
+    pathsTogether_ = std::max(kFewestPaths, std::min(processors * kThreadsPerProcessor * kPathsPerThread, affordable));
 }
 
 unsigned CudaGpu::residentBlocks(const void* kernel) {

@@ -57,7 +57,6 @@ class CudaGpu {
     };
 
     static constexpr std::uint32_t kSpecializedFeatures = kFeatureMasks - 1;
-    static constexpr std::int64_t kPathsTogether = 1 << 20;
 
     /// Opens GPU number `index`, from 0. `name`: as errors call it.
     CudaGpu(int index, std::string name);
@@ -66,6 +65,7 @@ class CudaGpu {
     CudaGpu& operator=(const CudaGpu&) = delete;
 
     const std::string& name() const { return name_; }
+    std::int64_t pathsTogether() const { return pathsTogether_; }
     GpuMemory memory() const;
 
     void* allocate(std::size_t bytes);
@@ -103,6 +103,7 @@ class CudaGpu {
 
   private:
     static constexpr int kThreads = 128;
+    static constexpr std::int64_t kFewestPaths = 1 << 20;
 
     /// Returns the number of blocks that have a thread for each index.
     static unsigned blocksFor(std::int64_t count) { return unsigned((count + kThreads - 1) / kThreads); }
@@ -123,6 +124,9 @@ class CudaGpu {
     /// Returns a texture object for `array`; 0 after an error.
     cudaTextureObject_t textureOf(cudaArray_t array);
     cudaStream_t of(GpuStream stream) const { return streams_[int(stream)]; }
+    /// Sets pathsTogether_ to 32 for each thread that the GPU holds, within a sixteenth of its memory; kFewestPaths
+    /// where it does not say.
+    void choosePathsTogether();
     /// Returns how many blocks of a kernel the GPU holds at a time; 0: an error is stored.
     unsigned residentBlocks(const void* kernel);
 
@@ -130,6 +134,7 @@ class CudaGpu {
     std::string name_;
     std::array<cudaStream_t, 2> streams_{};
     std::uint64_t* next_ = nullptr;  ///< next index of the queue
+    std::int64_t pathsTogether_ = kFewestPaths;
     std::map<const void*, unsigned> residentBlocks_;
     std::optional<Error> error_;
 };

@@ -22,8 +22,8 @@ void launchCamera(CudaGpu& gpu, const CameraKernel<false>& kernel, std::int64_t 
 template <>
 void launchCamera(CudaGpu& gpu, const CameraKernel<true>& kernel, std::int64_t samples);
 template <>
-void launchShadow(CudaGpu& gpu, const ShadowKernel<false>& kernel, std::int64_t samples);
+void launchShadow(CudaGpu& gpu, const ShadowKernel<false>& kernel, std::int64_t lightPaths);
 template <>
-void launchShadow(CudaGpu& gpu, const ShadowKernel<true>& kernel, std::int64_t samples);
+void launchShadow(CudaGpu& gpu, const ShadowKernel<true>& kernel, std::int64_t lightPaths);
 
 }  // namespace pdr

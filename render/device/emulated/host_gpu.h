@@ -28,9 +28,6 @@ class HostGpu {
 
     /// Effects that programs are specialized for: none. One program has all effects, since it need not be fast.
     static constexpr std::uint32_t kSpecializedFeatures = 0;
-    /// Paths that are under way together: few, so that the images of tests take many turns.
-    static constexpr std::int64_t kPathsTogether = 1'000;
-
     /// Largest size of a program [bytes]: it is sent to a GPU by value.
     static constexpr std::size_t kLargestProgram = 4096;
 
@@ -41,6 +38,9 @@ class HostGpu {
     ~HostGpu();
     HostGpu(const HostGpu&) = delete;
     HostGpu& operator=(const HostGpu&) = delete;
+
+    /// Returns how many paths are under way together: few, so that the images of tests take many turns.
+    std::int64_t pathsTogether() const { return 1'000; }
 
     std::string name() const { return "cpu"; }
     GpuMemory memory() const;

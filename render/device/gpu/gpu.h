@@ -39,9 +39,10 @@ concept Gpu = requires(G gpu, const G known, void* memory, const void* host, std
                        std::uint64_t texture) {
     /// Effects (kernel/features.h) that programs are compiled with and without.
     { G::kSpecializedFeatures } -> std::convertible_to<std::uint32_t>;
-    /// Paths that are under way together: many times the number of threads, so that the ends of kernels, where lanes
-    /// run empty, are short; each takes some 300 bytes.
-    { G::kPathsTogether } -> std::convertible_to<std::int64_t>;
+
+    /// Returns how many paths are under way together: many times the number of threads, so that the ends of kernels,
+    /// where lanes run empty, are short; each takes some 310 bytes, or 170 where none continues.
+    { known.pathsTogether() } -> std::same_as<std::int64_t>;
 
     { known.name() } -> std::convertible_to<std::string>;
     { known.memory() } -> std::same_as<GpuMemory>;

@@ -3,7 +3,9 @@
 ///
 /// - CameraKernel<Masked>: a sample's camera ray and first flight. A queue: lanes take the next when one has ended.
 /// - ShadeKernel<F>: the event at the end of that flight (endSegment). One thread for each.
-/// - ShadowKernel<Masked>: the flights from there to the lights. A queue.
+/// - ShadowKernel<Masked>: the flights from there to the lights. A queue, with an entry for each light path, so that no
+///   lane waits for another's second one.
+/// - AddLightKernel: the light that has come through. One thread for each event, in the order of its light paths.
 /// - OnwardKernel<F>: all further segments of paths that continue, one after the other. A queue.
 ///
 /// The kernels pass records in lists, in the order in which they come. No image depends on it: each record knows its
@@ -20,11 +22,17 @@ struct FirstFlight {
     std::int64_t index;  ///< index of the sample in its launch
 };
 
+/// A light path, and the flight along it.
+struct ShadowFlight {
+    LightPath light;
+    float depth;   ///< optical depth; see shadowDepth()
+    Flight flown;  ///< result, without the distance: FlightEnd::whether
+};
+
 /// A vertex with the light paths that lead to it.
 struct LitVertex {
-    LightPath light[kMostLightPaths];
-    float depth[kMostLightPaths];  ///< optical depths; see shadowDepth()
-    std::int64_t place;            ///< place of the sample in TraceTarget::radiance
+    ShadowFlight to[kMostLightPaths];
+    std::int64_t place;  ///< place of the sample in TraceTarget::radiance
 };
 
 /// A path that continues behind its first vertex.
@@ -114,61 +122,64 @@ struct ShadeKernel {
         LitVertex& record = lists.lit[atomicTakeNext(lists.counts->lit)];
         record.place = place;
         for (int i = 0; i < kMostLightPaths; ++i) {
-            record.light[i] = vertex.scattered[i];
-            record.depth[i] = isDark(vertex.scattered[i]) ? 0 : shadowDepth(path, i);
+            const LightPath& light = vertex.scattered[i];
+            record.to[i] = {light, isDark(light) ? 0 : shadowDepth(path, i), {}};
         }
     }
 };
 
+/// Traces the light paths of all vertices. Masked: see PieceWalk.
 template <bool Masked>
 struct ShadowKernel {
     static constexpr const char* kName = "shadow";
     FlatScene scene;
-    TraceTarget target;
     PathLists lists;
 
     struct Walk {
-        FreeFlight<float, Masked> flight;
-        std::int32_t vertex;
-        int light;
+        FreeFlight<float, Masked, FlightEnd::whether> flight;
+        std::int32_t index;
     };
 
+    /// Returns light path number `i`, counted vertex by vertex.
+    PDR_HD ShadowFlight& at(std::int64_t i) const { return lists.lit[i / kMostLightPaths].to[i % kMostLightPaths]; }
+
     PDR_HD bool start(std::int64_t i, Walk& walk) const {
-        if (i >= lists.counts->lit)
+        if (i >= std::int64_t(lists.counts->lit) * kMostLightPaths || isDark(at(i).light))
             return false;
-        walk.vertex = std::int32_t(i);
-        walk.light = -1;
-        return startNext(walk);
+        walk.index = std::int32_t(i);
+        walk.flight.start(scene, at(i).light.ray, at(i).depth);
+        return goesOn(walk);
     }
 
     PDR_HD bool step(Walk& walk) const {
         walk.flight.step(scene);
-        if (walk.flight.going())
-            return true;
-        end(walk);
-        return startNext(walk);
+        return goesOn(walk);
     }
 
   private:
-    /// Starts the vertex's next light path that has a way to fly; false if there is none.
-    PDR_HD bool startNext(Walk& walk) const {
-        const LitVertex& vertex = lists.lit[walk.vertex];
-        while (++walk.light < kMostLightPaths) {
-            if (isDark(vertex.light[walk.light]))
-                continue;
-            walk.flight.start(scene, vertex.light[walk.light].ray, vertex.depth[walk.light]);
-            if (walk.flight.going())
-                return true;
-            end(walk);
-        }
+    /// Returns whether the flight goes on, and records its result if not.
+    PDR_HD bool goesOn(const Walk& walk) const {
+        if (walk.flight.going())
+            return true;
+        at(walk.index).flown = {walk.flight.distance, walk.flight.passed};
         return false;
     }
+};
 
-    PDR_HD void end(const Walk& walk) const {
-        const LitVertex& vertex = lists.lit[walk.vertex];
+/// Adds the light that reaches each vertex to its sample.
+struct AddLightKernel {
+    TraceTarget target;
+    PathLists lists;
+
+    PDR_HD void operator()(std::int64_t i) const {
+        if (i >= lists.counts->lit)
+            return;
+        const LitVertex& vertex = lists.lit[i];
         PathSample sample{.radiance = target.radiance[vertex.place]};
-        addLight(sample, vertex.light[walk.light].radiance,
-                 shadowTransmittance(walk.flight.distance, walk.flight.passed));
+        for (const ShadowFlight& flight : vertex.to)
+            if (!isDark(flight.light))
+                addLight(sample, flight.light.radiance,
+                         shadowTransmittance(flight.flown.distance, flight.flown.passed));
         target.radiance[vertex.place] = sample.radiance;
     }
 };

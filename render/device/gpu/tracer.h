@@ -23,13 +23,15 @@ void inParts(std::int64_t all, std::int64_t most, const Launch& launch) {
         launch(first, std::min(all - first, most));
 }
 
-/// Number of rays that a launch traces at most where a ray needs no memory of its own.
+/// Returns how many rays a launch traces at most where a ray needs no memory of its own.
 template <Gpu G>
-inline constexpr std::int64_t kRaysTogether = 16 * G::kPathsTogether;
+std::int64_t raysTogether(const G& gpu) {
+    return 16 * gpu.pathsTogether();
+}
 
 template <Gpu G, class Take>
 void launchTrace(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>&) {
-    inParts(target.grid.count(), kRaysTogether<G>, [&](std::int64_t first, std::int64_t rays) {
+    inParts(target.grid.count(), raysTogether(gpu), [&](std::int64_t first, std::int64_t rays) {
         gpu.launchQueued(TraceKernel<Take>{scene, target, first}, rays, GpuStream::compute);
     });
 }
@@ -41,19 +43,20 @@ void launchCamera(G& gpu, const CameraKernel<Masked>& kernel, std::int64_t sampl
     gpu.launchQueued(kernel, samples, GpuStream::compute);
 }
 template <Gpu G, bool Masked>
-void launchShadow(G& gpu, const ShadowKernel<Masked>& kernel, std::int64_t samples) {
-    gpu.launchQueued(kernel, samples, GpuStream::compute);
+void launchShadow(G& gpu, const ShadowKernel<Masked>& kernel, std::int64_t lightPaths) {
+    gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
 }
 
 /// Launches all kernels of paths. Masked: isMasked() of the scene.
 template <Gpu G, std::uint32_t F, bool Masked>
 void launchPathsOf(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& memory) {
     const bool onward = has(F, kBounces) && scene.maxBounces > 1;
-    inParts(target.grid.count(), G::kPathsTogether, [&](std::int64_t first, std::int64_t samples) {
+    inParts(target.grid.count(), gpu.pathsTogether(), [&](std::int64_t first, std::int64_t samples) {
         const PathLists lists = memory.emptied(samples, onward);
         launchCamera(gpu, CameraKernel<Masked>{scene, target, lists, first}, samples);
         gpu.launch(ShadeKernel<F>{scene, target, lists}, samples, GpuStream::compute);
-        launchShadow(gpu, ShadowKernel<Masked>{scene, target, lists}, samples);
+        launchShadow(gpu, ShadowKernel<Masked>{scene, lists}, samples * kMostLightPaths);
+        gpu.launch(AddLightKernel{target, lists}, samples, GpuStream::compute);
         if constexpr (has(F, kBounces))
             if (onward)
                 gpu.launchQueued(OnwardKernel<F>{scene, target, lists}, samples, GpuStream::compute);

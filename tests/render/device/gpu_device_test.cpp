@@ -141,7 +141,7 @@ class GpuDeviceTest : public QObject {
                 QVERIFY2(ours && same(test::render(scene, 1, *cpu), *ours), modelName(model));
                 const bool hasLists = !isProjection(model) && estimator == Estimator::unbiased;
                 QCOMPARE(plan->longestQueue,
-                         hasLists ? test::FaultyGpu::kPathsTogether : kRaysTogether<test::FaultyGpu>);
+                         hasLists ? kMostLightPaths * gpu.gpu().pathsTogether() : raysTogether(gpu.gpu()));
             }
     }
 
