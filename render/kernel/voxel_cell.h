@@ -1,7 +1,7 @@
 #pragma once
 /// The cell between eight neighbouring voxel centres, in which trilinear interpolation is a single formula.
 
-#include "render/base/lanes.h"
+#include "render/base/extremes.h"
 #include "render/kernel/flat_scene.h"
 
 namespace pdr {
@@ -80,7 +80,9 @@ PDR_HD_INLINE auto nearestCell(const FlatGrid& volume, const Vec3<Int>& corner, 
 /// the border.
 template <class Real>
 PDR_HD_INLINE Vec3<Real> fractionsIn(const VoxelCell<Real>& cell, const Vec3<Real>& position) {
-    const auto fraction = [](Real place, Real lowest) { return min(max(place - lowest, Real{}), Real{} + 1.0f); };
+    const auto fraction = [](Real place, Real lowest) {
+        return lesser(greater(place - lowest, Real{}), Real{} + 1.0f);
+    };
     return {fraction(position.x, cell.lowest.x), fraction(position.y, cell.lowest.y),
             fraction(position.z, cell.lowest.z)};
 }

@@ -2,7 +2,7 @@
 /// A cubic polynomial over [0, 1] by its Bernstein coefficients. It runs from b0 to b3, stays between the smallest and
 /// the largest of the four, and is monotone where they are (Farin, Curves and Surfaces for CAGD).
 
-#include "render/base/lanes.h"
+#include "render/base/extremes.h"
 
 namespace pdr {
 
@@ -24,7 +24,7 @@ PDR_HD_INLINE Real whereMonotoneIs(const Function& function, Real level, Real fi
     constexpr float kNarrowest = 1e-7f;
     const Mask rises = last > first;
     Real low{}, high = Real{} + 1.0f;
-    Real s = max(min((level - first) / (last - first), high), low);
+    Real s = greater(lesser((level - first) / (last - first), high), low);
     Mask open = mask;
     for (int i = 0; i < kMostSteps && any(open); ++i) {
         const Real beyond = function.at(s) - level;
@@ -54,8 +54,8 @@ struct Cubic {
         b3 = mask ? other.b3 : b3;
     }
 
-    PDR_HD_INLINE Real lowest() const { return min(min(b0, b1), min(b2, b3)); }
-    PDR_HD_INLINE Real highest() const { return max(max(b0, b1), max(b2, b3)); }
+    PDR_HD_INLINE Real lowest() const { return lesser(lesser(b0, b1), lesser(b2, b3)); }
+    PDR_HD_INLINE Real highest() const { return greater(greater(b0, b1), greater(b2, b3)); }
     PDR_HD_INLINE Real mean() const { return 0.25f * ((b0 + b1) + (b2 + b3)); }
 
     PDR_HD_INLINE Mask monotone() const {

@@ -67,14 +67,14 @@ PDR_HD_INLINE OpticsAlong<Real> opticsAlong(const FlatOptics& optics, const Opti
     // The first piece starts at -infinity: there all fractions are 0.
     const auto fraction = [&](Real value) {
         const Real from = perHu > 0.0f ? value - piece.start : Real{};
-        return max(min(from * perHu, Real{} + 1.0f), Real{});
+        return greater(lesser(from * perHu, Real{} + 1.0f), Real{});
     };
     OpticsAlong<Real> along;
     along.fraction = {fraction(hu.b0), fraction(hu.b1), fraction(hu.b2), fraction(hu.b3)};
     along.meanFraction = along.fraction.mean();
     along.extinction = column(OpticsColumn::extinction);
     along.extinctionRise = column(OpticsColumn::extinctionRise);
-    along.meanExtinction = max(along.extinction + along.extinctionRise * along.meanFraction, Real{});
+    along.meanExtinction = greater(along.extinction + along.extinctionRise * along.meanFraction, Real{});
     return along;
 }
 
