@@ -48,9 +48,11 @@ PDR_HD inline void atomicLower(std::uint64_t& target, std::uint64_t value) {
 #endif
 }
 
+/// Lowers a bound that is mostly low enough already; if it is, no thread waits for another. atomicRaise() raises one.
 PDR_HD inline void atomicLower(std::int32_t& target, std::int32_t value) {
 #if defined(__CUDA_ARCH__)
-    atomicMin(&target, value);
+    if (value < *const_cast<volatile std::int32_t*>(&target))
+        atomicMin(&target, value);
 #else
     std::atomic_ref shared(target);
     std::int32_t before = shared.load(std::memory_order_relaxed);
@@ -61,7 +63,8 @@ PDR_HD inline void atomicLower(std::int32_t& target, std::int32_t value) {
 
 PDR_HD inline void atomicRaise(std::int32_t& target, std::int32_t value) {
 #if defined(__CUDA_ARCH__)
-    atomicMax(&target, value);
+    if (value > *const_cast<volatile std::int32_t*>(&target))
+        atomicMax(&target, value);
 #else
     std::atomic_ref shared(target);
     std::int32_t before = shared.load(std::memory_order_relaxed);

@@ -27,17 +27,16 @@ struct BoundsSummary {
     std::int32_t highest = 0;                            ///< bits of the largest bound
 };
 
-/// Computes for each coarse cell its own bound and those of its fine cells.
-struct BuildMajorantsKernel {
+/// Computes the bound of each fine cell.
+struct BoundFineKernel {
     const HuRange* ranges;
     FlatTransferFunction function;
     float highestOfCurve;
     bool highestHu;  ///< whether the bounds are those of HU, for maximumIntensity
     FlatMask mask;
     ivec3 volume;  ///< size in voxels
-    ivec3 coarseGrid;
-    float *fine, *coarse;
-    BoundsSummary* summary;
+    ivec3 fineGrid;
+    float* fine;
 
     PDR_HD float bound(HuRange range, ivec3 cell) const {
         if (highestHu)
@@ -46,15 +45,23 @@ struct BuildMajorantsKernel {
         return whole > 0 && mask.voxels != nullptr ? maskedBound(whole, highestWeight(mask, volume, cell)) : whole;
     }
 
+    PDR_HD void operator()(std::int64_t index) const { fine[index] = bound(ranges[index], cellAt(index, fineGrid)); }
+};
+
+/// Computes the bound of each coarse cell from those of its fine cells.
+struct BoundCoarseKernel {
+    const float* fine;
+    ivec3 coarseGrid;
+    float* coarse;
+    BoundsSummary* summary;
+
     PDR_HD void operator()(std::int64_t index) const {
         const ivec3 first = cellAt(index, coarseGrid) * kFinePerCoarse, fineGrid = coarseGrid * kFinePerCoarse;
         ivec3 low(INT_MAX), high(INT_MIN);
         float most = 0;
         for (int n = 0; n < 64; ++n) {
             const ivec3 cell = first + ivec3(n & 3, (n >> 2) & 3, n >> 4);
-            const std::int64_t at = cellIndex(cell, fineGrid);
-            const float here = bound(ranges[at], cell);
-            fine[at] = here;
+            const float here = fine[cellIndex(cell, fineGrid)];
             if (!(here > 0))
                 continue;
             most = glm::max(most, here);
@@ -95,6 +102,7 @@ struct OrderedDepths {
 struct WideCells {
     static constexpr int kRoom = 16384;
     static constexpr int kManyBlocks = 64;
+    static constexpr int kThreads = 32;  ///< threads that share the blocks of a wide cell
 
     std::int32_t count = 0;
     std::int32_t behind = 0;  ///< 1: some cell reaches behind the eye
@@ -109,7 +117,7 @@ struct ClearDepthsKernel {
     }
 };
 
-/// Adds the fine cells of each coarse cell to the blocks that they cover.
+/// Adds each fine cell to the blocks that it covers, or to the list of wide cells.
 struct ProjectCellsKernel {
     FlatMajorants grid;
     ViewProjection projection;
@@ -125,8 +133,9 @@ struct ProjectCellsKernel {
                 depths[std::int64_t(y) * blocks.x + x].include(covered);
     }
 
-    PDR_HD void add(ivec3 cell) const {
-        if (!(grid.fine[cellIndex(cell, grid.fineSize)] > 0) || cutAway(clip, cell))
+    PDR_HD void operator()(std::int64_t index) const {
+        const ivec3 cell = cellAt(index, grid.fineSize);
+        if (!(grid.fine[index] > 0) || cutAway(clip, cell))
             return;
         bool behind;
         const Footprint footprint = footprintOf(projection, cell, behind);
@@ -143,38 +152,39 @@ struct ProjectCellsKernel {
         else
             cover(covered);
     }
-
-    PDR_HD void operator()(std::int64_t index) const {
-        if (!(grid.coarse[index] > 0))
-            return;
-        const ivec3 first = cellAt(index, grid.coarseSize) * kFinePerCoarse;
-        for (int n = 0; n < 64; ++n)
-            add(first + ivec3(n & 3, (n >> 2) & 3, n >> 4));
-    }
 };
 
-/// Adds the wide cells to each block, and writes the depths as the kernel reads them.
-struct ViewDepthsKernel {
-    const OrderedDepths* ordered;
+/// Adds each wide cell to the blocks that it covers. Index: one of a cell's threads, cell by cell.
+struct SpreadWideCellsKernel {
     const WideCells* wide;
     const CoveredBlocks* wideCells;
     ivec2 blocks;
+    OrderedDepths* depths;
+
+    PDR_HD void operator()(std::int64_t index) const {
+        const auto number = std::int32_t(index / WideCells::kThreads);
+        if (number >= wide->count || wide->behind != 0)
+            return;
+        const CoveredBlocks covered = wideCells[number];
+        const ivec2 extent = covered.last - covered.first + 1;
+        for (int n = int(index % WideCells::kThreads); n < extent.x * extent.y; n += WideCells::kThreads) {
+            const ivec2 block = covered.first + ivec2(n % extent.x, n / extent.x);
+            depths[std::int64_t(block.y) * blocks.x + block.x].include(covered);
+        }
+    }
+};
+
+/// Writes the depths of each block as the kernel reads them.
+struct ViewDepthsKernel {
+    const OrderedDepths* ordered;
+    const WideCells* wide;
     vec2* depths;
 
     PDR_HD void operator()(std::int64_t index) const {
-        const ivec2 block(int(index % blocks.x), int(index / blocks.x));
-        if (wide->behind != 0) {
+        if (wide->behind != 0)
             depths[index] = vec2(0, floatOf(0x7F800000));
-            return;
-        }
-        vec2 depth(fromOrderedBits(ordered[index].nearest), fromOrderedBits(ordered[index].farthest));
-        const int count = glm::min(wide->count, WideCells::kRoom);
-        for (int i = 0; i < count; ++i) {
-            const CoveredBlocks& cell = wideCells[i];
-            if (block.x >= cell.first.x && block.x <= cell.last.x && block.y >= cell.first.y && block.y <= cell.last.y)
-                depth = {glm::min(depth.x, cell.nearest), glm::max(depth.y, cell.farthest)};
-        }
-        depths[index] = depth;
+        else
+            depths[index] = vec2(fromOrderedBits(ordered[index].nearest), fromOrderedBits(ordered[index].farthest));
     }
 };
 

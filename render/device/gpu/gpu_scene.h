@@ -264,10 +264,11 @@ Result<void> GpuScene<G>::bound(const PreparedScene& scene) {
     if (summaryHere_.size() == 1)
         *summaryHere_.data() = {};
     summary_.copyFrom(summaryHere_.data());
-    gpu_.launch(
-        BuildMajorantsKernel{ranges_.data(), flat_.transferFunction, scene.tables.highestOpacity(), highestHu,
-                             flat_.mask, scene.volume->size(), coarse, fine_.data(), coarse_.data(), summary_.data()},
-        std::int64_t(coarse_.size()), GpuStream::compute);
+    gpu_.launch(BoundFineKernel{ranges_.data(), flat_.transferFunction, scene.tables.highestOpacity(), highestHu,
+                                flat_.mask, scene.volume->size(), coarse * kFinePerCoarse, fine_.data()},
+                std::int64_t(fine_.size()), GpuStream::compute);
+    gpu_.launch(BoundCoarseKernel{fine_.data(), coarse, coarse_.data(), summary_.data()}, std::int64_t(coarse_.size()),
+                GpuStream::compute);
     summary_.copyTo(summaryHere_.data());
     gpu_.awaitAll();
     if (Result<void> done = takeStatus(gpu_); !done) {
@@ -303,9 +304,11 @@ void GpuScene<G>::boundView(const PreparedScene& scene) {
     gpu_.launch(ClearDepthsKernel{orderedDepths_.data()}, std::int64_t(count), GpuStream::compute);
     gpu_.launch(ProjectCellsKernel{flat_.majorants, ViewProjection(flat_), flat_.clip, film, blocks,
                                    orderedDepths_.data(), wide_.data(), wideCells_.data()},
-                std::int64_t(coarse_.size()), GpuStream::compute);
-    gpu_.launch(ViewDepthsKernel{orderedDepths_.data(), wide_.data(), wideCells_.data(), blocks, depths_.data()},
-                std::int64_t(count), GpuStream::compute);
+                std::int64_t(fine_.size()), GpuStream::compute);
+    gpu_.launch(SpreadWideCellsKernel{wide_.data(), wideCells_.data(), blocks, orderedDepths_.data()},
+                std::int64_t(WideCells::kRoom) * WideCells::kThreads, GpuStream::compute);
+    gpu_.launch(ViewDepthsKernel{orderedDepths_.data(), wide_.data(), depths_.data()}, std::int64_t(count),
+                GpuStream::compute);
     flat_.viewBounds = {depths_.data(), blocks.x};
 }
 
