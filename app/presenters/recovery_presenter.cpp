@@ -68,7 +68,7 @@ std::filesystem::path RecoveryPresenter::usualFolder() {
 
 void RecoveryPresenter::showDocument(Changes changes) {
     if (has(changes, Changes::series)) {
-        safe_.reset();
+        safe_ = document().plan();
         restored_.clear();
         autosave_.discard();
         if (document().hasVolume())
@@ -77,11 +77,13 @@ void RecoveryPresenter::showDocument(Changes changes) {
     keep();
 }
 
-/// Keeps the plan, unless nothing would be lost: nothing was edited, or a file of the user holds it.
+/// Keeps the plan, unless nothing would be lost: nothing was edited, a file of the user holds it, or only the slices
+/// were moved.
 void RecoveryPresenter::keep() {
     if (!document().hasVolume())
         return;
-    if (document().canUndo() && document().plan() != safe_)
+    const Changes edited = changesBetween(safe_, document().plan());
+    if (document().canUndo() && has(edited, ~Changes::navigation))
         autosave_.keepSoon(document().plan(), document().scan());
     else
         autosave_.discard();

@@ -34,7 +34,7 @@ class RecoveryPresenter : public Presenter {
 
     AutosaveJob autosave_;
     RecoveryJob recovery_;
-    std::optional<Plan> safe_;        ///< the plan as a file of the user holds it; none: no file does
+    Plan safe_;                       ///< the plan as the series was opened, or as a file of the user holds it
     std::filesystem::path restored_;  ///< what was restored, until this run has kept it; empty: nothing
     bool told_ = false;               ///< the user has been told that nothing can be kept
 };

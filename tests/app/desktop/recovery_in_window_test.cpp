@@ -62,8 +62,13 @@ class RecoveryInWindowTest : public QObject {
         // Undone: nothing would be lost
         trial.desktop.document().undo();
         QTRY_VERIFY_WITH_TIMEOUT(filesIn(plans).isEmpty(), test::kPatience);
+        // Moved through the slices: as if nothing had been done
+        trial.desktop.document().moveCrosshair({1, 2, 3});
+        QTest::qWait(1300);
+        QVERIFY(filesIn(plans).isEmpty());
+        trial.desktop.document().undo();
         // Saved: a file of the user holds it
-        trial.desktop.document().redo();
+        measureIn(trial.desktop.document());
         QTRY_COMPARE_WITH_TIMEOUT(filesIn(plans).size(), 1, test::kPatience);
         trial.desktop.presenter<PlanPresenter>().save(folder_.filePath("mine"));
         QTRY_VERIFY_WITH_TIMEOUT(filesIn(plans).isEmpty(), test::kPatience);
