@@ -1,6 +1,7 @@
 #pragma once
 /// Traversal of the nested grids of extinction bounds by a ray: its three axes, and which cells it is in.
 
+#include "render/base/extremes.h"
 #include "render/kernel/flat_scene.h"
 #include "render/kernel/grid_axis.h"
 
@@ -70,7 +71,7 @@ struct GridRay {
 /// Returns the nearest of the borders along the three axes.
 template <class Real>
 PDR_HD_INLINE Real nearest(const Vec3<Real>& borders) {
-    return min(borders.x, min(borders.y, borders.z));
+    return lesser(borders.x, lesser(borders.y, borders.z));
 }
 
 }  // namespace pdr

@@ -64,7 +64,7 @@ class CellWalk {
         }
         // Pass the cell, and read the voxels where it is one between voxels.
         const Vec3<Real> borders = ray_.borders(within);
-        const Real leave = max(min(nearest(borders), end_), t_);
+        const Real leave = greater(lesser(nearest(borders), end_), t_);
         if (any(met))
             read(scene, met, leave, way);
         ray_.advance(mask, within, borders, leave);

@@ -6,9 +6,14 @@
 
 namespace pdr {
 
+/// Returns the magnitude of a number; of 0, with either sign.
 template <class Real>
 PDR_HD inline Real abs(Real x) {
+#if defined(__CUDA_ARCH__)
+    return fabsf(x);
+#else
     return max(x, -x);
+#endif
 }
 
 /// Returns where in [0, 1] a monotone function that runs from `first` to `last` has the value `level`, which lies

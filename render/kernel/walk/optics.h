@@ -64,10 +64,9 @@ PDR_HD_INLINE OpticsAlong<Real> opticsAlong(const FlatOptics& optics, const Opti
                                             const Cubic<Real>& hu) {
     const auto column = [&](OpticsColumn which) { return opticsColumn<Real>(optics, int(which), piece.index); };
     const Real perHu = column(OpticsColumn::perHu);
-    // The first piece starts at -infinity: there all fractions are 0.
+    // The first piece starts at -infinity and has 0 per HU: there the product is not a number, and all fractions are 0.
     const auto fraction = [&](Real value) {
-        const Real from = perHu > 0.0f ? value - piece.start : Real{};
-        return greater(lesser(from * perHu, Real{} + 1.0f), Real{});
+        return lesser(greater((value - piece.start) * perHu, Real{}), Real{} + 1.0f);
     };
     OpticsAlong<Real> along;
     along.fraction = {fraction(hu.b0), fraction(hu.b1), fraction(hu.b2), fraction(hu.b3)};
