@@ -35,7 +35,7 @@ PIPES = {  # the first that fits; NVIDIA documents which pipe an instruction tak
 }
 MACHINE_INSTRUCTION = re.compile(r"\s+/\*[0-9a-f]{4,5}\*/\s+(?:@!?U?P\w+\s+)?([A-Z][A-Z0-9_.]*)")
 
-SAMPLING = ("Camera", "Shadow", "Shade", "Onward", "Accumulate", "Trace")  # kernels that run for each sample
+SAMPLING = ("Camera", "Shadow", "Shade", "AddLight", "Onward", "Accumulate", "Trace")  # kernels that run for each sample
 
 Block = collections.namedtuple("Block", "first last statements warps lanes")
 Resources = collections.namedtuple("Resources", "registers stack spills")

@@ -31,6 +31,10 @@ template <>
 void launchShadow(CudaGpu& gpu, const ShadowKernel<true>& kernel, std::int64_t lightPaths) {
     gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
 }
+template <>
+void launchAddLight(CudaGpu& gpu, const AddLightKernel& kernel, std::int64_t samples) {
+    gpu.launch(kernel, samples, GpuStream::compute);
+}
 
 namespace {
 

@@ -25,5 +25,7 @@ template <>
 void launchShadow(CudaGpu& gpu, const ShadowKernel<false>& kernel, std::int64_t lightPaths);
 template <>
 void launchShadow(CudaGpu& gpu, const ShadowKernel<true>& kernel, std::int64_t lightPaths);
+template <>
+void launchAddLight(CudaGpu& gpu, const AddLightKernel& kernel, std::int64_t samples);
 
 }  // namespace pdr

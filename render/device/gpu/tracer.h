@@ -46,6 +46,10 @@ template <Gpu G, bool Masked>
 void launchShadow(G& gpu, const ShadowKernel<Masked>& kernel, std::int64_t lightPaths) {
     gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
 }
+template <Gpu G>
+void launchAddLight(G& gpu, const AddLightKernel& kernel, std::int64_t samples) {
+    gpu.launch(kernel, samples, GpuStream::compute);
+}
 
 /// Launches all kernels of paths. Masked: isMasked() of the scene.
 template <Gpu G, std::uint32_t F, bool Masked>
@@ -56,7 +60,7 @@ void launchPathsOf(G& gpu, const FlatScene& scene, const TraceTarget& target, Pa
         launchCamera(gpu, CameraKernel<Masked>{scene, target, lists, first}, samples);
         gpu.launch(ShadeKernel<F>{scene, target, lists}, samples, GpuStream::compute);
         launchShadow(gpu, ShadowKernel<Masked>{scene, lists}, samples * kMostLightPaths);
-        gpu.launch(AddLightKernel{target, lists}, samples, GpuStream::compute);
+        launchAddLight(gpu, AddLightKernel{target, lists}, samples);
         if constexpr (has(F, kBounces))
             if (onward)
                 gpu.launchQueued(OnwardKernel<F>{scene, target, lists}, samples, GpuStream::compute);
