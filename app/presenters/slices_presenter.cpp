@@ -184,8 +184,9 @@ SliceFraming& SlicesPresenter::framingOf(Navigation& navigation, const Slice& sl
 }
 
 void SlicesPresenter::setLayout(ViewLayout layout) {
-    showLayout(layout);  // also if it is that of the plan: no view is shown alone any more
     Navigation navigation = document().plan().navigation;
+    if (navigation.layout == layout)
+        return showLayout(layout);  // a view may be shown alone
     navigation.layout = layout;
     document().navigate(navigation);
 }
