@@ -182,9 +182,6 @@ Result<DecodedSlice> decodeChecked(const NamedBytes& object, Padding padding) {
                                                    : phrase("the file is damaged: %1", read.damage));
     if (const std::optional<Refusal> refusal = refusePixels(read.header))
         return Error{refusal->reason, object.name.string(), ""};
-    if (read.header.meaning.isByTable)
-        return damaged(object, phrase("a table gives its values (Modality LUT Sequence), which this version cannot "
-                                      "read"));
     if (read.header.meaning.rescaleIsBroken)
         return damaged(object, phrase("its rescale slope or intercept is no usable number"));
     Result<DecodedSlice> decoded = decodePixels(object, read.header, padding);

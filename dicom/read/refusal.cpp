@@ -30,6 +30,8 @@ std::optional<Refusal> refusePixels(const SliceHeader& header) {
     if (!canDecode(header.transferSyntaxUid))
         return unreadable(phrase("its pixels are coded as %1, which this version cannot read",
                                  transferSyntaxName(header.transferSyntaxUid)));
+    if (header.meaning.isByTable)
+        return unreadable(phrase("a table gives its values (Modality LUT Sequence), which this version cannot read"));
     if (header.frames != 1)
         return unreadable(phrase(
             "it holds %1 frames in one file (enhanced or multi-frame), which this version cannot read", header.frames));
@@ -53,8 +55,6 @@ std::optional<Refusal> refuseSlice(const SliceHeader& header) {
         return Refusal{Stack::notCt, phrase("a localizer (scout view), not a CT slice")};
     if (std::optional<Refusal> refusal = refusePixels(header))
         return refusal;
-    if (header.meaning.isByTable)
-        return unreadable(phrase("a table gives its values (Modality LUT Sequence), which this version cannot read"));
     if (header.meaning.rescaleIsBroken)
         return unreadable(phrase("its rescale slope or intercept is no usable number"));
     return {};
