@@ -15,14 +15,17 @@ using Slices = std::vector<const SliceHeader*>;
 
 /// Returns whether two slices lie at one height, or one of them has no place.
 bool takesAPlaceTwice(const Slices& slices) {
+    const auto isPlaced = [](const SliceHeader* slice) {
+        return slice->position && slice->rowDirection && slice->columnDirection;
+    };
+    if (!std::ranges::all_of(slices, isPlaced))
+        return true;
+    const SliceHeader& first = *slices.front();
+    const dvec3 normal = glm::normalize(glm::cross(*first.rowDirection, *first.columnDirection));
     std::vector<double> heights;
-    for (const SliceHeader* slice : slices) {
-        if (!slice->position || !slice->rowDirection || !slice->columnDirection)
-            return true;
-        const SliceHeader& first = *slices.front();
-        heights.push_back(
-            glm::dot(*slice->position, glm::normalize(glm::cross(*first.rowDirection, *first.columnDirection))));
-    }
+    heights.reserve(slices.size());
+    for (const SliceHeader* slice : slices)
+        heights.push_back(glm::dot(*slice->position, normal));
     std::ranges::sort(heights);
     return std::ranges::adjacent_find(heights, [](double a, double b) { return b - a <= kSamePlaceMm; }) !=
            heights.end();
