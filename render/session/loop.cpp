@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "render/base/background_thread.h"
 #include "render/base/thrown.h"
 #include "render/kernel/random.h"
 #include "render/scene/scene.h"
@@ -32,6 +33,7 @@ Session::Loop::~Loop() {
 }
 
 void Session::Loop::run(std::stop_token stop) {
+    workInBackground();
     while (const std::optional<RenderCommands::Iteration> step = commands.next(state(), stop)) {
         try {
             take(*step);

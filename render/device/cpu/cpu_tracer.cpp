@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "render/base/background_thread.h"
 #include "render/device/cpu/marched_tile.h"
 
 namespace pdr {
@@ -54,9 +55,12 @@ void CpuTracer::trace(const FlatScene& scene, const Tile& tile, SampleRange samp
     const auto task = std::size_t(taskEdge(scattering, samples.count, tile, threads_));
     const tbb::blocked_range2d<int> pixels(0, tile.height, task, 0, tile.width, task);
     tbb::enumerable_thread_specific<Health> healths;
+    const bool inBackground = worksInBackground();
     const auto work = [&](const tbb::blocked_range2d<int>& piece) {
         if (stop.stop_requested())
             return;
+        if (inBackground)
+            workInBackground();
         const int x = piece.cols().begin(), y = piece.rows().begin();
         const Tile part{tile.x + x, tile.y + y, int(piece.cols().size()), int(piece.rows().size())};
         const TileSums partSums{sums.pixels + std::ptrdiff_t(y) * sums.stride + x, sums.stride, &healths.local()};
@@ -79,8 +83,11 @@ std::shared_ptr<const denoise::Guide> CpuTracer::guide(const FlatScene& scene, i
         return nullptr;
     auto guide = std::make_shared<denoise::Guide>(denoise::guideOf(scene.camera.film, finer));
     const ivec2 size = guide->depth.size();
+    const bool inBackground = worksInBackground();
     const auto work = [&](int band) {
         const int y = band * kRows;
+        if (inBackground)
+            workInBackground();
         if (!stop.stop_requested())
             guides_.local().look(scene, {0, y, size.x, std::min(kRows, size.y - y)}, *guide);
     };

@@ -1,5 +1,6 @@
 #pragma once
-/// Takes samples with the CPU's threads, into sums on the host.
+/// Takes samples with the CPU's threads, into sums on the host. They work in the background where the thread that calls
+/// does (base/background_thread.h).
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
