@@ -33,6 +33,10 @@ bool MarkDrawing::goesOnIn(const ViewedSlice& slice, const VolumeGeometry& geome
     return slice.axis == begun_->axis && (hasItsNumber || std::abs(slice.plane.depthMm(first)) <= ui::kInSliceMm);
 }
 
+bool MarkDrawing::liesAcross(AnatomicalPlane axis) const {
+    return isFlat(kind_) && !places_.empty() && begun_ && begun_->axis != axis;
+}
+
 Error MarkDrawing::isElsewhere(const VolumeGeometry& geometry) const {
     const Text hint = phrase("Click there, or press Esc to give it up.");
     if (places_.empty() || !begun_)

@@ -32,6 +32,8 @@ class MarkDrawing {
     /// Returns whether it can go on in `slice` of the scan on `geometry`. A flat figure cannot in another slice than
     /// that of its first place, where it is not seen.
     bool goesOnIn(const ViewedSlice& slice, const VolumeGeometry& geometry) const;
+    /// Returns whether it is a flat figure that was begun in the slices of another view than that of `axis`.
+    bool liesAcross(AnatomicalPlane axis) const;
     /// Returns where a flat figure is drawn, as the reason why it is not drawn where it was tried.
     Error isElsewhere(const VolumeGeometry& geometry) const;
 

@@ -29,6 +29,7 @@ void MarkPen::addSlice(AnatomicalPlane axis, ui::MarksLayer& layer) {
     });
     connect(&layer, &ui::MarksLayer::takenBack, this, &MarkPen::takeBack);
     connect(&layer, &ui::MarksLayer::closed, this, &MarkPen::finish);
+    ofSlices_[axis] = &layer;
     add(layer);
 }
 
@@ -115,6 +116,8 @@ void MarkPen::show() {
         layer->setDrawn(shape, places);
         layer->setClosing(mayClose, mayClose && byEnter);
     }
+    for (const auto& [axis, layer] : ofSlices_)
+        layer->setElsewhere(drawing_ && drawing_->liesAcross(axis));
     workspace_.window.message().withdraw(Texts::tr("Show that slice"));
 }
 

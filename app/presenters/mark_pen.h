@@ -1,6 +1,7 @@
 #pragma once
 /// Draws measurements: the tools that begin one, and the clicks on slices and on the image that set its places.
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -50,6 +51,7 @@ class MarkPen : public QObject {
     CrosshairPresenter& crosshair_;
     MarkTools tools_;
     std::vector<ui::MarksLayer*> layers_;
+    std::map<AnatomicalPlane, ui::MarksLayer*> ofSlices_;
     std::optional<MarkDrawing> drawing_;  ///< what is being drawn; none: nothing
     dvec3 drawnAt_{0};                    ///< where the crosshair was when its last place was set
 };

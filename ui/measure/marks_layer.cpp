@@ -32,6 +32,13 @@ void MarksLayer::setDrawn(MarkShape shape, std::vector<dvec3> placesMm) {
     emit changed();
 }
 
+void MarksLayer::setElsewhere(bool elsewhere) {
+    elsewhere_ = elsewhere;
+    if (elsewhere)
+        pointer_.reset();
+    emit changed();
+}
+
 void MarksLayer::setClosing(bool closable, bool byEnter) {
     closable_ = closable;
     closableByEnter_ = byEnter;
@@ -88,10 +95,8 @@ void MarksLayer::press(const ViewPointer& pointer) {
 }
 
 void MarksLayer::move(const ViewPointer& pointer) {
-    if (drawing_) {
-        pointer_ = placeUnder(pointer.image, pointer.at);
-        return emit changed();
-    }
+    if (drawing_)
+        return showNext(pointer);
     dragging_ = dragging_ || QLineF(pressed_, pointer.at).length() > kTremble;
     if (dragging_)
         drag(pointer, true);
@@ -120,10 +125,17 @@ void MarksLayer::drag(const ViewPointer& pointer, bool moving) {
         emit dropped(id, index, pointer.fractions());
 }
 
+/// Shows the pointer as the next place of what is being drawn.
+void MarksLayer::showNext(const ViewPointer& pointer) {
+    if (elsewhere_)
+        return;
+    pointer_ = placeUnder(pointer.image, pointer.at);
+    emit changed();
+}
+
 bool MarksLayer::hover(const ViewPointer& pointer) {
     if (drawing_ && slice_ && pointer.image.camera) {
-        pointer_ = placeUnder(pointer.image, pointer.at);
-        emit changed();
+        showNext(pointer);
         return true;
     }
     light(handleAt(pointer));
@@ -167,6 +179,8 @@ bool MarksLayer::cancel() {
 }
 
 std::optional<Qt::CursorShape> MarksLayer::cursor() const {
+    if (drawing_ && elsewhere_)
+        return Qt::ForbiddenCursor;
     if (drawing_ && (slice_ || !isFlat(drawn_.shape)))
         return Qt::CrossCursor;
     return lit_ || dragged_ ? std::optional(Qt::SizeAllCursor) : std::nullopt;

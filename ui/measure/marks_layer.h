@@ -28,6 +28,8 @@ class MarksLayer : public ViewTool {
     void setDrawing(bool drawing);
     /// Sets the places of what is being drawn; in a slice, the pointer is the next one.
     void setDrawn(MarkShape shape, std::vector<dvec3> placesMm);
+    /// Sets whether what is being drawn lies in the slices of another view, where the pointer then shows no next place.
+    void setElsewhere(bool elsewhere);
     /// Sets whether what is being drawn can be closed, by a click on its first place or a double click, and whether by
     /// Enter as well.
     void setClosing(bool closable, bool byEnter);
@@ -70,11 +72,12 @@ class MarksLayer : public ViewTool {
     std::optional<MarkHandle> handleAt(const ViewPointer& pointer) const;
     bool closes(const ViewPointer& pointer) const;
     void drag(const ViewPointer& pointer, bool moving);
+    void showNext(const ViewPointer& pointer);
     void paintDrawn(QPainter& painter, const ImagePlace& image) const;
     void light(const std::optional<MarkHandle>& handle);
 
     bool slice_;
-    bool drawing_ = false, closable_ = false, closableByEnter_ = false;
+    bool drawing_ = false, elsewhere_ = false, closable_ = false, closableByEnter_ = false;
     std::vector<ShownMark> marks_;
     std::map<std::uint64_t, MarkHidden> hidden_;
     ShownMark drawn_;                    ///< what is being drawn

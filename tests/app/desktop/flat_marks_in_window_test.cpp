@@ -52,7 +52,10 @@ class FlatMarksInWindowTest : public QObject, PlateTrial {
         const std::size_t before = measurements().size();
         showAxialAt(centre_);
         key(Qt::Key_O, Qt::ShiftModifier);
+        QCOMPARE(coronal().cursor().shape(), Qt::CrossCursor);
         click(centre_);
+        QCOMPARE(coronal().cursor().shape(), Qt::ForbiddenCursor);
+        QCOMPARE(axial().cursor().shape(), Qt::CrossCursor);
         QTest::mouseClick(&coronal(), Qt::LeftButton, {}, coronal().rect().center());
         const int number = nearestSlice(SliceStack(document().seen()->geometry(), AnatomicalPlane::axial), centre_) + 1;
         const QString where = QString("The figure lies in axial slice %1. Click there").arg(number);
