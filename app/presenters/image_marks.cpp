@@ -47,6 +47,7 @@ void ImageMarks::connectDrags() {
     connect(&drops_, &ImagePick::picked, this,
             [this](const PickedPlace& place) { emit moved(dropped_.id, dropped_.index, place); });
     connect(&drops_, &ImagePick::unclear, &layer_, &ui::MarksLayer::putBack);
+    connect(&layer_, &ui::MarksLayer::dragCancelled, &drops_, &ImagePick::drop);
 }
 
 void ImageMarks::setMarks(const std::vector<ui::ShownMark>& marks) {

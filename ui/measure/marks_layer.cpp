@@ -170,10 +170,11 @@ bool MarksLayer::cancel() {
         emit drawingCancelled();
         return true;
     }
-    if (!std::exchange(dragged_, std::nullopt))
+    const bool moved = std::exchange(dragging_, false) || loose_;
+    if (!std::exchange(dragged_, std::nullopt) && !moved)
         return false;
     putBack();
-    if (std::exchange(dragging_, false) && slice_)
+    if (moved)
         emit dragCancelled();
     return true;
 }

@@ -58,7 +58,7 @@ class MarksLayer : public ViewTool {
     /// Reports that place `index` of a measurement was dropped on the image: at `at`, in fractions of its width and
     /// height. It is shown there until the marks are set, or it is put back.
     void dropped(std::uint64_t id, int index, QPointF at);
-    /// Requests to restore the measurements from before the drag.
+    /// Requests to restore the measurements from before the drag; in the image, not to move the place that was dropped.
     void dragCancelled();
     void selected(std::uint64_t id);
     /// Requests to take back the last place that was set.

@@ -121,6 +121,18 @@ class MarksInImageTest : public QObject, PlateTrial {
         QCOMPARE(document().undoText(), step);
     }
 
+    /// What the image shows where an end was dropped takes a while to find. Esc until then leaves the end where it was.
+    void escapeGivesBackWhatWasDropped() {
+        const Measurement before = measurements().back();
+        const Text step = document().undoText();
+        const QPoint from = pointOf(before.places[1].mm), to = from + QPoint(0, 30);
+        dragInImage(from, to);
+        key(Qt::Key_Escape);
+        QTest::qWait(500);  // longer than it takes
+        QVERIFY(measurements().back() == before);
+        QCOMPARE(document().undoText(), step);
+    }
+
     /// Only a press and a release at one place is a click: a drag turns the image, also while something is drawn.
     void whileDrawingTheImageStillTurns() {
         const std::size_t before = measurements().size();

@@ -84,6 +84,7 @@ class RecoveryInWindowTest : public QObject {
         trial.openAndWait(series_);
         Document& document = trial.desktop.document();
         QTRY_COMPARE_WITH_TIMEOUT(document.plan().measurements.size(), std::size_t(1), test::kPatience);
+        QVERIFY(!filesIn(plans).isEmpty());  // at no moment is it only in memory
         QCOMPARE(document.plan().measurements[0].name, std::string("defect"));
         const ui::MainWindow& window = trial.desktop.window();
         QVERIFY2(const_cast<ui::MainWindow&>(window).message().text().contains("has been restored"),
