@@ -38,22 +38,28 @@ ByteSource::ByteSource(const NamedBytes& object) : memory_(object.memory) {
 ByteSource::ByteSource(std::vector<std::uint8_t> bytes)
     : ByteSource(NamedBytes{{}, std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes))}) {}
 
+std::size_t ByteSource::readFile(std::uint64_t offset, std::span<std::uint8_t> out) {
+    file_.clear();
+    file_.seekg(std::streamoff(offset));
+    file_.read(reinterpret_cast<char*>(out.data()), std::streamsize(out.size()));
+    return file_.bad() ? 0 : std::size_t(file_.gcount());
+}
+
 bool ByteSource::fillWindow(std::uint64_t offset) {
     buffer_.resize(std::size_t(std::min<std::uint64_t>(kWindowBytes, size_ - offset)));
     windowStart_ = offset;
-    file_.clear();
-    file_.seekg(std::streamoff(offset));
-    file_.read(reinterpret_cast<char*>(buffer_.data()), std::streamsize(buffer_.size()));
-    window_ = std::span(buffer_).first(std::size_t(file_.gcount()));
-    return !file_.bad();
+    window_ = std::span(buffer_).first(readFile(offset, buffer_));
+    return !window_.empty();
 }
 
 bool ByteSource::read(std::uint64_t offset, std::span<std::uint8_t> out) {
+    if (!memory_ && out.size() > kWindowBytes)
+        return offset < size_ && out.size() <= size_ - offset && readFile(offset, out) == out.size();
     while (!out.empty()) {
         if (offset >= size_ || out.size() > size_ - offset)
             return false;
         const bool inside = offset >= windowStart_ && offset < windowStart_ + window_.size();
-        if (!inside && (!fillWindow(offset) || window_.empty()))
+        if (!inside && !fillWindow(offset))
             return false;
         const std::size_t skip = std::size_t(offset - windowStart_);
         const std::size_t count = std::min(out.size(), window_.size() - skip);

@@ -26,6 +26,8 @@ class ByteSource {
     bool read(std::uint64_t offset, std::span<std::uint8_t> out);
 
   private:
+    /// Returns how many of the bytes were read.
+    std::size_t readFile(std::uint64_t offset, std::span<std::uint8_t> out);
     bool fillWindow(std::uint64_t offset);
 
     std::ifstream file_;

@@ -74,6 +74,14 @@ bool isCompressed(const std::string& transferSyntaxUid) {
     return isJpeg2000(transferSyntaxUid) || DcmXfer(transferSyntaxUid.c_str()).isEncapsulated();
 }
 
+bool isBigEndian(const std::string& transferSyntaxUid) {
+    return DcmXfer(transferSyntaxUid.c_str()).isBigEndian();
+}
+
+bool isDeflated(const std::string& transferSyntaxUid) {
+    return DcmXfer(transferSyntaxUid.c_str()).getXfer() == EXS_DeflatedLittleEndianExplicit;
+}
+
 bool canDecode(const std::string& transferSyntaxUid) {
     if (isJpeg2000(transferSyntaxUid))
         return true;

@@ -18,6 +18,12 @@ bool canDecode(const std::string& transferSyntaxUid);
 /// Returns whether pixels in this transfer syntax are compressed.
 bool isCompressed(const std::string& transferSyntaxUid);
 
+/// Returns whether pixels in this transfer syntax lie in the file with the high byte first.
+bool isBigEndian(const std::string& transferSyntaxUid);
+
+/// Returns whether an object in this transfer syntax is deflated as a whole.
+bool isDeflated(const std::string& transferSyntaxUid);
+
 /// Returns whether this transfer syntax is JPEG 2000 or High-Throughput JPEG 2000, which the toolkit does not decode.
 bool isJpeg2000(const std::string& transferSyntaxUid);
 

@@ -11,7 +11,7 @@ namespace pdr::dicom {
 
 inline constexpr std::uint32_t kUndefined = 0xFFFFFFFF;
 inline constexpr std::uint32_t kItem = 0xFFFEE000, kItemEnd = 0xFFFEE00D, kSequenceEnd = 0xFFFEE0DD;
-inline constexpr std::uint32_t kTransferSyntax = 0x00020010, kPixelData = 0x7FE00010;
+inline constexpr std::uint32_t kTransferSyntax = 0x00020010, kNumberOfFrames = 0x00280008, kPixelData = 0x7FE00010;
 
 struct Encoding {
     bool explicitVr = true;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <optional>
 #include <span>
 #include <vector>
@@ -33,11 +34,18 @@ class Allowance {
             found_.damage = phrase("cancelled");
         const bool isRead = element.length <= kReadAtOnce || element.text != Element::Text::none;
         bytes_ += isRead && element.length != kUndefined ? element.length : 0;
-        if (elements_ > kMaxElements)
+        if (elements_ > maxElements_)
             found_.damage = tooManyElements();
-        else if (bytes_ > kMaxHeaderBytes)
-            found_.damage = phrase("its header takes more than %1 MB", kMaxHeaderBytes >> 20);
+        else if (bytes_ > maxBytes_)
+            found_.damage = phrase("its header takes more than %1 MB", maxBytes_ >> 20);
         return found_.damage.empty();
+    }
+
+    /// Allows for what describes `frames` frames.
+    void raiseFor(int frames) {
+        frames = std::clamp(frames, 0, kMaxFrames);
+        maxElements_ = std::min(kMaxElements + frames * kMaxFrameElements, kMaxElementsOfAll);
+        maxBytes_ = std::min(kMaxHeaderBytes + std::size_t(frames) * kMaxFrameBytes, kMaxHeaderBytesOfAll);
     }
 
     /// Counts the values of `element`, which lies within `source`; if there are too many, sets the damage and returns
@@ -55,7 +63,7 @@ class Allowance {
         elements_ += values;
         if (values > kMaxListValues)
             found_.damage = phrase("the text %1 has more than %2 values", hexTag(element.tag), kMaxListValues);
-        else if (elements_ > kMaxElements)
+        else if (elements_ > maxElements_)
             found_.damage = tooManyElements();
         return found_.damage.empty();
     }
@@ -64,15 +72,15 @@ class Allowance {
     /// Length below which a text has too few values to count.
     static constexpr std::uint32_t kShortText = 64;
 
-    static Text tooManyElements() {
-        return phrase("it holds more than %1 elements, items, fragments and values", kMaxElements);
+    Text tooManyElements() const {
+        return phrase("it holds more than %1 elements, items, fragments and values", maxElements_);
     }
 
     const GoOn& goOn_;
     FileStructure& found_;
     std::vector<std::uint8_t> text_;
-    int elements_ = 0;
-    std::size_t bytes_ = 0;
+    int elements_ = 0, maxElements_ = kMaxElements;
+    std::size_t bytes_ = 0, maxBytes_ = kMaxHeaderBytes;
 };
 
 /// Walks one data set with a stack of its own instead of recursion.
@@ -129,8 +137,10 @@ class Walk {
         }
         if (element.tag >> 16 == 0xFFFE)
             return damaged(phrase("there is a stray delimiter %1", hexTag(element.tag)));
-        if (element.tag == kPixelData && levels_.size() == 1)
+        if (element.tag == kPixelData && levels_.size() == 1) {
             found_.reachesPixels = true;
+            found_.pixelsAt = element.value;
+        }
         if (element.tag == kPixelData && element.length == kUndefined)
             return skipFragments();
         using Kind = Element::Kind;
@@ -148,10 +158,23 @@ class Walk {
             return false;
         if (!allowance_.takeText(source_, element))
             return false;
+        if (element.tag == kNumberOfFrames && levels_.size() == 1)
+            allowance_.raiseFor(frameCount(element));
         at_ += element.length;
         if (element.tag == kPixelData && levels_.size() == 1)
             found_.pixelBytes = element.length;
         return true;
+    }
+
+    /// Returns the number that an element states as text; 0 if that is no number.
+    int frameCount(const Element& element) {
+        std::array<std::uint8_t, 12> digits{};
+        if (element.length > digits.size() || !source_.read(element.value, std::span(digits).first(element.length)))
+            return 0;
+        int count = 0;
+        const auto* first = reinterpret_cast<const char*>(digits.data());
+        std::from_chars(first, first + element.length, count);
+        return count;
     }
 
     bool open(const Element& element, bool isSequence, Encoding encoding) {

@@ -18,6 +18,7 @@ struct FileStructure {
     std::string transferSyntaxUid;  ///< transfer syntax of the data set: as stated, or as found if not stated
     bool reachesPixels = false;     ///< whether everything before the pixel data is sound
     std::uint64_t pixelBytes = 0;   ///< length of the pixel data element as it lies in the file
+    std::uint64_t pixelsAt = 0;     ///< offset of its value; in a deflated file, in what is inflated
     Text damage;                    ///< empty: sound to the last byte; else a phrase ("ends 12 bytes into ...")
 };
 
@@ -28,9 +29,16 @@ inline constexpr std::size_t kMaxInflatedBytes = std::size_t(160) << 20;
 /// Largest number of elements, items, fragments and values of long texts in one file. A CT slice has some hundred; the
 /// toolkit spends 250 bytes on each.
 inline constexpr int kMaxElements = 50'000;
+/// Number of elements that each frame of a multi-frame image adds to that, and largest sum of all. The groups of a
+/// frame hold nine to some sixty elements.
+inline constexpr int kMaxFrameElements = 500, kMaxElementsOfAll = 2'000'000;
 /// Largest number of bytes in the values that the toolkit reads into memory with the header, and in the texts that it
 /// converts.
 inline constexpr std::size_t kMaxHeaderBytes = std::size_t(64) << 20;
+/// Number of bytes that each frame of a multi-frame image adds to that, and largest sum of all.
+inline constexpr std::size_t kMaxFrameBytes = std::size_t(64) << 10, kMaxHeaderBytesOfAll = std::size_t(512) << 20;
+/// Largest number of frames in one file; a CT of the whole body has some thousands.
+inline constexpr int kMaxFrames = 16'384;
 
 /// Largest size of a text that is a list of values [bytes], and largest number of its values. A description has a
 /// hundred; in a long list the toolkit counts all values anew for each, which takes minutes and cannot be cancelled.

@@ -1,12 +1,16 @@
 #pragma once
-/// Decodes one slice into Hounsfield units.
+/// Decodes slices into Hounsfield units.
 
 #include <cstdint>
 #include <filesystem>
 #include <vector>
 
+#include "dicom/go_on.h"
 #include "dicom/import.h"
 #include "dicom/named_bytes.h"
+#include "dicom/read/file_state.h"
+#include "dicom/read/fragments.h"
+#include "dicom/read/slice_header.h"
 
 namespace pdr::dicom {
 
@@ -23,9 +27,33 @@ struct DecodedSlice {
 /// Returns the error of a `file` that is no longer the one that was scanned.
 Error changedFile(const std::filesystem::path& file);
 
-/// Decodes the slice that `object` holds. Errors: file gone, damaged, in a coding that cannot be read, or written anew
-/// meanwhile; each names the object. Thread-safe.
-Result<DecodedSlice> decodeSlice(const NamedBytes& object, Padding padding);
+/// An object that was opened to decode its frames, one or many: its header is read once, its pixels frame by frame.
+class ImageFile {
+  public:
+    /// Opens `object`. Errors: file gone, damaged, no image, or in a coding that cannot be read; each names the object.
+    /// `goOn`: see readSliceHeader().
+    static Result<ImageFile> open(const NamedBytes& object, const GoOn& goOn = always);
+
+    int frames() const { return header_.frames; }
+
+    /// Decodes the frame of that index. Errors: no such frame, damaged, or written anew since it was opened.
+    /// Thread-safe.
+    Result<DecodedSlice> decode(int frame, Padding padding) const;
+
+  private:
+    Result<void> readChecked(const GoOn& goOn);
+    Result<DecodedSlice> decodeFrame(const SliceHeader& frame, Padding padding) const;
+    Result<DecodedSlice> decodeCodedFrame(const SliceHeader& frame, Padding padding) const;
+
+    NamedBytes object_;
+    FileState state_;
+    SliceHeader header_;
+    std::vector<SliceHeader> frames_;               ///< empty: it is one image without functional groups
+    std::vector<std::vector<Fragment>> fragments_;  ///< one list for each frame, if they are compressed
+};
+
+/// Decodes a frame of `object`; the errors are those of ImageFile. Thread-safe.
+Result<DecodedSlice> decodeSlice(const NamedBytes& object, Padding padding, int frame = 0);
 
 /// Decodes `slice` of `source`. Errors: those of SeriesSource::open() and of the decoding.
 Result<DecodedSlice> decodeSlice(const SeriesSource& source, const SliceRef& slice, Padding padding);

@@ -1,6 +1,7 @@
 #include "dicom/read/refusal.h"
 
 #include "dicom/read/codecs.h"
+#include "dicom/read/file_structure.h"
 
 namespace pdr::dicom {
 
@@ -27,20 +28,24 @@ std::optional<Refusal> refusePixels(const SliceHeader& header) {
                                          : phrase("no image, but %1", header.series.modality)};
     if (header.format.samplesPerPixel != 1 || header.format.photometric.rfind("MONOCHROME", 0) != 0)
         return Refusal{Stack::notCt, phrase("a colour image (%1), not a CT slice", header.format.photometric)};
-    if (!canDecode(header.transferSyntaxUid))
+    const bool isOutOfReach = header.hasFrameGroups && isDeflated(header.transferSyntaxUid);
+    if (!canDecode(header.transferSyntaxUid) || isOutOfReach)
         return unreadable(phrase("its pixels are coded as %1, which this version cannot read",
                                  transferSyntaxName(header.transferSyntaxUid)));
     if (header.meaning.isByTable)
         return unreadable(phrase("a table gives its values (Modality LUT Sequence), which this version cannot read"));
-    if (header.frames != 1)
-        return unreadable(phrase(
-            "it holds %1 frames in one file (enhanced or multi-frame), which this version cannot read", header.frames));
+    if (header.frames != 1 && !header.hasFrameGroups)
+        return unreadable(phrase("it holds %1 frames in one file, and does not say where they lie", header.frames));
+    if (header.frames < 1 || header.frames > kMaxFrames)
+        return unreadable(
+            phrase("it states %1 frames in one file; from 1 to %2 can be read", header.frames, kMaxFrames));
     if (header.columns < 1 || header.rows < 1 || header.columns > kMaxSide || header.rows > kMaxSide)
         return unreadable(phrase("it states an impossible size of %1 x %2 pixels", header.columns, header.rows));
     if (const PixelFormat& format = header.format; !soundFormat(format))
         return unreadable(phrase("its pixel format cannot be read (%1 bits allocated, %2 stored, high bit %3)",
                                  format.bitsAllocated, format.bitsStored, format.highBit));
-    const auto bytes = std::uint64_t(header.columns) * std::uint64_t(header.rows) * (header.format.bitsAllocated / 8);
+    const auto bytes = std::uint64_t(header.columns) * std::uint64_t(header.rows) *
+                       std::uint64_t(header.format.bitsAllocated / 8) * std::uint64_t(header.frames);
     if (!isCompressed(header.transferSyntaxUid) && header.pixelBytes < bytes)
         return unreadable(phrase("it holds fewer pixels than its size of %1 x %2 says", header.columns, header.rows));
     return {};

@@ -5,72 +5,19 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <string_view>
 
 #include "dicom/read/character_set.h"
 #include "dicom/read/codecs.h"
 #include "dicom/read/file_structure.h"
+#include "dicom/read/frames.h"
+#include "dicom/read/image_values.h"
+#include "dicom/read/item_values.h"
 #include "dicom/read/parsed_object.h"
+#include "dicom/read/refusal.h"
 
 namespace pdr::dicom {
 
 namespace {
-
-constexpr std::size_t kLongestText = 512;
-
-/// Returns the value of a decimal string that is a number from end to end: "1,5" must not pass as 1.
-std::optional<double> number(std::string_view written) {
-    while (!written.empty() && (written.back() == ' ' || written.back() == '\0'))
-        written.remove_suffix(1);
-    while (!written.empty() && (written.front() == ' ' || written.front() == '+'))
-        written.remove_prefix(1);
-    double value = 0;
-    const auto [end, failure] = std::from_chars(written.data(), written.data() + written.size(), value);
-    if (failure != std::errc() || end != written.data() + written.size() || !std::isfinite(value))
-        return {};
-    return value;
-}
-
-/// Returns the values of a decimal string; none if it is absent, shorter or not all numbers.
-template <int Count>
-std::optional<std::array<double, Count>> numbers(DcmItem& item, const DcmTagKey& tag) {
-    std::array<double, Count> values;
-    for (int i = 0; i < Count; ++i) {
-        OFString written;
-        if (item.findAndGetOFString(tag, written, static_cast<unsigned long>(i)).bad())
-            return {};
-        const std::optional<double> value = number({written.c_str(), written.size()});
-        if (!value)
-            return {};
-        values[i] = *value;
-    }
-    return values;
-}
-
-int shortValue(DcmItem& item, const DcmTagKey& tag, int absent) {
-    Uint16 value = 0;
-    return item.findAndGetUint16(tag, value).good() ? int(value) : absent;
-}
-
-int integerValue(DcmItem& item, const DcmTagKey& tag, int absent) {
-    Sint32 value = 0;
-    return item.findAndGetSint32(tag, value).good() ? int(value) : absent;
-}
-
-std::string text(DcmItem& item, const DcmTagKey& tag) {
-    OFString value;
-    item.findAndGetOFStringArray(tag, value);
-    std::string result(value.c_str(), std::min(value.size(), kLongestText));
-    // A cut may fall into the middle of a UTF-8 character.
-    while (result.size() == kLongestText && (result.back() & 0xC0) == 0x80)
-        result.pop_back();
-    const auto end = result.find_last_not_of(" \0");
-    result.resize(end == std::string::npos ? 0 : end + 1);
-    return result;
-}
 
 /// Returns a person's name without the separators that may stand at its end for absent components.
 std::string personName(DcmItem& item, const DcmTagKey& tag) {
@@ -110,6 +57,9 @@ void readPixelFormat(DcmItem& item, SliceHeader& header) {
     header.columns = shortValue(item, DCM_Columns, 0);
     header.rows = shortValue(item, DCM_Rows, 0);
     header.frames = integerValue(item, DCM_NumberOfFrames, 1);
+    header.concatenation = {text(item, DCM_ConcatenationUID), shortValue(item, DCM_InConcatenationNumber, 0),
+                            shortValue(item, DCM_InConcatenationTotalNumber, 0)};
+    header.hasFrameGroups = item.tagExists(DCM_PerFrameFunctionalGroupsSequence);
     const int bits = shortValue(item, DCM_BitsAllocated, 0);
     const int stored = shortValue(item, DCM_BitsStored, bits);
     header.format = {bits,
@@ -121,62 +71,14 @@ void readPixelFormat(DcmItem& item, SliceHeader& header) {
 }
 
 void readMeaning(DcmItem& item, ValueMeaning& meaning) {
-    const auto slope = numbers<1>(item, DCM_RescaleSlope);
-    const auto intercept = numbers<1>(item, DCM_RescaleIntercept);
-    if (slope)
-        meaning.slope = (*slope)[0];
-    if (intercept)
-        meaning.intercept = (*intercept)[0];
-    meaning.rescaleIsBroken = (!slope && item.tagExistsWithValue(DCM_RescaleSlope)) || meaning.slope == 0.0 ||
-                              (!intercept && item.tagExistsWithValue(DCM_RescaleIntercept));
-    meaning.unit = text(item, DCM_RescaleType);
-    meaning.isByTable = item.tagExists(DCM_ModalityLUTSequence);
+    readRescale(item, meaning);
     meaning.paddingValue = sixteenBits(item, DCM_PixelPaddingValue);
     meaning.paddingLimit = sixteenBits(item, DCM_PixelPaddingRangeLimit);
 }
 
-/// Returns the VOI LUT Function of that name; LINEAR is meant where none is stated.
-std::optional<VoiFunction> voiFunction(const std::string& name) {
-    if (name.empty() || name == "LINEAR")
-        return VoiFunction::linear;
-    if (name == "LINEAR_EXACT")
-        return VoiFunction::linearExact;
-    if (name == "SIGMOID")
-        return VoiFunction::sigmoid;
-    return {};
-}
-
-StatedWindow readWindow(DcmItem& item) {
-    if (!item.tagExistsWithValue(DCM_WindowCenter) && !item.tagExistsWithValue(DCM_WindowWidth))
-        return {};
-    const auto centre = numbers<1>(item, DCM_WindowCenter), width = numbers<1>(item, DCM_WindowWidth);
-    if (!centre || !width)
-        return {{}, phrase("the grey window in the files is left out: its centre or its width is no number")};
-    const std::string name = text(item, DCM_VOILUTFunction);
-    const auto function = voiFunction(name);
-    if (!function)
-        return {{}, phrase("the grey window in the files is left out: its function \"%1\" is not known", name)};
-    const GreyWindow window{(*centre)[0], (*width)[0], *function};
-    if (!window.valid())
-        return {{},
-                phrase("the grey window in the files is left out: no window is %1 HU wide", numberOf(window.width))};
-    return {window, {}};
-}
-
-void readPlane(DcmItem& item, SliceHeader& header) {
-    if (const auto p = numbers<3>(item, DCM_ImagePositionPatient))
-        header.position = dvec3((*p)[0], (*p)[1], (*p)[2]);
-    if (const auto o = numbers<6>(item, DCM_ImageOrientationPatient)) {
-        header.rowDirection = dvec3((*o)[0], (*o)[1], (*o)[2]);
-        header.columnDirection = dvec3((*o)[3], (*o)[4], (*o)[5]);
-    }
-    // PixelSpacing names the distance between rows first.
-    if (const auto s = numbers<2>(item, DCM_PixelSpacing))
-        header.spacingMm = dvec2((*s)[1], (*s)[0]);
-}
-
-/// Fills `header` from the elements before the pixels. False if the toolkit cannot parse them.
-bool parseHeader(const NamedBytes& object, SliceHeader& header, bool& isDirectory) {
+/// Fills `read` from the elements before the pixels. False if the toolkit cannot parse them.
+bool parseHeader(const NamedBytes& object, HeaderRead& read, bool& isDirectory) {
+    SliceHeader& header = read.header;
     DcmFileFormat content;
     const bool parsed = parseObject(object, header, Extent::header, content);
     DcmItem& item = *content.getDataset();
@@ -192,7 +94,8 @@ bool parseHeader(const NamedBytes& object, SliceHeader& header, bool& isDirector
     header.mayBeLossy = codingMayLose(header.transferSyntaxUid) && stated.empty();
     if (const auto ratio = numbers<1>(item, DCM_LossyImageCompressionRatio))
         header.lossyRatio = (*ratio)[0];
-    const DcmTagKey phaseTags[kPhaseKeys]{DCM_TemporalPositionIdentifier,
+    const DcmTagKey phaseTags[kPhaseKeys]{DCM_StackID,
+                                          DCM_TemporalPositionIdentifier,
                                           DCM_NominalPercentageOfCardiacPhase,
                                           DCM_TriggerTime,
                                           DCM_KVP,
@@ -206,6 +109,8 @@ bool parseHeader(const NamedBytes& object, SliceHeader& header, bool& isDirector
     readMeaning(item, header.meaning);
     header.window = readWindow(item);
     readPlane(item, header);
+    if (header.hasFrameGroups && !refuseSlice(header))
+        read.frames = readFrames(item, header);
     return parsed;
 }
 
@@ -229,17 +134,21 @@ HeaderRead readSliceHeader(const NamedBytes& object, const GoOn& goOn) {
     header.hasMetaHeader = structure.hasMetaHeader;
     header.transferSyntaxUid = structure.transferSyntaxUid;
     header.pixelBytes = structure.pixelBytes;
+    header.pixelsAt = structure.pixelsAt;
     read.damage = structure.damage;
     read.kind = structure.damage.empty() ? HeaderRead::Kind::object : HeaderRead::Kind::damaged;
     if (!structure.damage.empty() && !structure.reachesPixels)
         return read;
     bool isDirectory = false;
-    const bool parsed = parseHeader(object, header, isDirectory);
+    const bool parsed = parseHeader(object, read, isDirectory);
     if (isDirectory) {
         read.kind = HeaderRead::Kind::directory;
     } else if (!parsed && structure.damage.empty()) {
         read.kind = HeaderRead::Kind::damaged;
         read.damage = phrase("its header cannot be read");
+    } else if (!read.frames.empty() && int(read.frames.size()) != header.frames && structure.damage.empty()) {
+        read.kind = HeaderRead::Kind::damaged;
+        read.damage = phrase("it states %1 frames, and describes another number of them", header.frames);
     }
     return read;
 }

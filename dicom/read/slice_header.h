@@ -1,11 +1,13 @@
 #pragma once
-/// The header of one object, up to but not including its pixels. Plain data; only the .cpp uses the toolkit.
+/// The header of one object, or of one of its frames, up to but not including its pixels. Plain data; only the .cpp
+/// uses the toolkit.
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "dicom/go_on.h"
 #include "dicom/named_bytes.h"
@@ -27,21 +29,29 @@ struct ValueMeaning {
     std::string unit;                               ///< RescaleType: "HU", or empty if nothing is stated
     bool isByTable = false;                         ///< a table (Modality LUT Sequence) gives the values
     bool rescaleIsBroken = false;                   ///< stated, but not a finite number, or a slope of 0
+    std::string quantity;                           ///< what they are instead ("RCBF, ml/100ml/s"); empty: not said
     std::optional<int> paddingValue, paddingLimit;  ///< the 16 bits as written, read as unsigned [0, 65535]
 };
 
 /// What can tell images of one place apart, in the order in which it is asked.
 enum class PhaseKey {
-    temporalPosition,   ///< TemporalPositionIdentifier
+    stack,              ///< StackID, of frames only
+    temporalPosition,   ///< TemporalPositionIdentifier; of frames, TemporalPositionIndex
     cardiacPercentage,  ///< NominalPercentageOfCardiacPhase
-    triggerTime,        ///< TriggerTime [ms]
+    triggerTime,        ///< TriggerTime [ms]; of frames, NominalCardiacTriggerDelayTime
     kvp,                ///< KVP
-    acquisitionNumber,  ///< AcquisitionNumber
-    acquisitionTime,    ///< AcquisitionTime
-    contentTime,        ///< ContentTime
-    imageType,          ///< ImageType, all values
+    acquisitionNumber,  ///< AcquisitionNumber; of frames, FrameAcquisitionNumber
+    acquisitionTime,    ///< AcquisitionTime; of frames, FrameAcquisitionDateTime
+    contentTime,        ///< ContentTime; of frames, FrameReferenceDateTime
+    imageType,          ///< ImageType, all values; of frames, FrameType
 };
-inline constexpr std::size_t kPhaseKeys = 8;
+inline constexpr std::size_t kPhaseKeys = 9;
+
+/// The place of an object among those that one multi-frame image is stored in.
+struct Concatenation {
+    std::string uid;          ///< empty: it is stored in one object
+    int part = 0, parts = 0;  ///< number of this one, from 1, and of all; 0: not stated
+};
 
 struct SliceHeader {
     std::filesystem::path file;  ///< name of the object in its source
@@ -61,7 +71,12 @@ struct SliceHeader {
     std::string transferSyntaxUid;  ///< as stated, or as found if nothing is stated
     std::uint64_t pixelBytes = 0;   ///< length of the pixel data as it lies in the file; 0 = no pixels
     bool hasFloatPixels = false;    ///< the pixels are floating-point numbers, and pixelBytes is 0
-    int columns = 0, rows = 0, frames = 1;
+    std::uint64_t pixelsAt = 0;  ///< where the pixel data begin, in the object or its inflated content; 0 = no pixels
+    int columns = 0, rows = 0;
+    int frames = 1;               ///< number of frames of the object, as stated
+    int frame = 0;                ///< index of the frame that this is the header of
+    bool hasFrameGroups = false;  ///< functional groups describe each frame
+    Concatenation concatenation;
     PixelFormat format;
     ValueMeaning meaning;
     StatedWindow window;  ///< the first, if several are stated
@@ -83,6 +98,9 @@ struct HeaderRead {
     };
     Kind kind = Kind::notDicom;
     SliceHeader header;
+    /// A header for each frame, in the order of the file; none if no functional groups describe frames, or if what the
+    /// frames share is refused (refusal.h).
+    std::vector<SliceHeader> frames;
     Text damage;  ///< a phrase ("it ends inside the compressed image")
 };
 

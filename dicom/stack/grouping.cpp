@@ -6,8 +6,9 @@
 #include <tuple>
 
 #include "dicom/read/byte_source.h"
-#include "dicom/read/pixels.h"
+#include "dicom/read/open_images.h"
 #include "dicom/read/refusal.h"
+#include "dicom/stack/concatenation.h"
 #include "dicom/stack/damaged_files.h"
 #include "dicom/stack/phases.h"
 #include "dicom/stack/stack_geometry.h"
@@ -22,7 +23,7 @@ using Headers = std::vector<const SliceHeader*>;
 std::vector<SlicePlane> planesOf(const Headers& headers, const std::filesystem::path& root) {
     std::vector<SlicePlane> planes;
     for (const SliceHeader* header : headers)
-        planes.push_back({shortName(header->file, root),
+        planes.push_back({sliceName(*header, root),
                           {header->columns, header->rows},
                           header->position,
                           header->rowDirection,
@@ -47,24 +48,35 @@ bool sameBytes(const NamedBytes& a, const NamedBytes& b) {
     return true;
 }
 
-bool sameImage(const SeriesSource& source, const SliceHeader& a, const SliceHeader& b) {
-    const auto first = source.open(a.file), second = source.open(b.file);
-    if (!first || !second)
-        return false;
-    if (sameBytes(*first, *second))
-        return true;
-    const auto left = decodeSlice(*first, Padding::keep), right = decodeSlice(*second, Padding::keep);
-    return left && right && left->hu == right->hu;
-}
+/// Compares images of a source at the same place.
+class ImageComparison {
+  public:
+    explicit ImageComparison(const SeriesSource& source) : source_(source), images_(source) {}
+
+    bool areSame(const SliceHeader& a, const SliceHeader& b) {
+        if (a.frames == 1 && b.frames == 1) {
+            const auto first = source_.open(a.file), second = source_.open(b.file);
+            if (first && second && sameBytes(*first, *second))
+                return true;
+        }
+        const auto left = images_.decode(a.file, a.frame, Padding::keep);
+        const auto right = images_.decode(b.file, b.frame, Padding::keep);
+        return left && right && left->hu == right->hu;
+    }
+
+  private:
+    const SeriesSource& source_;
+    OpenImages images_;
+};
 
 /// Returns the slices that repeat another one; empty as soon as there is one conflict, or the user cancels.
 std::set<int> copiesAmong(const Headers& headers, const StackAnalysis& analysis, const SeriesSource& source,
                           const Progress& progress) {
     std::set<int> copies;
+    ImageComparison images(source);
     for (const auto& [first, other] : analysis.samePlace) {
         const double done = double(copies.size()) / double(analysis.samePlace.size());
-        if (!progress(done, "comparing slices at the same place") ||
-            !sameImage(source, *headers[first], *headers[other]))
+        if (!progress(done, "comparing slices at the same place") || !images.areSame(*headers[first], *headers[other]))
             return {};
         copies.insert(other);
     }
@@ -82,7 +94,7 @@ StackAnalysis analyseWithoutCopies(Headers& headers, const SeriesSource& source,
     Headers kept;
     for (int i = 0; i < int(headers.size()); ++i) {
         if (copies.contains(i))
-            names.push_back(shortName(headers[i]->file, root));
+            names.push_back(sliceName(*headers[i], root));
         else
             kept.push_back(headers[i]);
     }
@@ -114,7 +126,7 @@ Series seriesOf(const Headers& headers, const StackAnalysis& analysis) {
     for (const int index : analysis.order)
         sorted.push_back(headers[index]);
     for (const SliceHeader* slice : sorted)
-        series.slices.push_back({slice->file, 0, identityOf(*slice)});
+        series.slices.push_back({slice->file, slice->frame, identityOf(*slice)});
     series.window = windowOf(sorted);
     return series;
 }
@@ -124,7 +136,10 @@ Series refusedSeries(const Headers& headers, const Refusal& refusal, const std::
     StackAnalysis analysis = analyseStack(planesOf(headers, root));
     analysis.geometry = {analysis.geometry.size, dmat4(1.0)};
     const std::string first = shortName(headers.front()->file, root);
-    const Text subject = headers.size() == 1 ? Text(first) : phrase("%1 files (%2 ...)", headers.size(), first);
+    std::set<std::filesystem::path> files;
+    for (const SliceHeader* header : headers)
+        files.insert(header->file);
+    const Text subject = files.size() == 1 ? Text(first) : phrase("%1 files (%2 ...)", files.size(), first);
     analysis.verdict = {refusal.stack, phrase("%1: %2", subject, refusal.reason), {}};
     return seriesOf(headers, analysis);
 }
@@ -267,6 +282,8 @@ std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, con
         for (const Headers& study : byStudy(kind.headers, root))
             if (kind.refusal)
                 all.push_back(refusedSeries(study, *kind.refusal, root));
+            else if (const Text missing = missingPart(study); !missing.empty())
+                all.push_back(refusedSeries(study, {Stack::gap, missing}, root));
             else
                 addStacks(study, *source, numbersOf[study.front()->series.uid], progress, all);
     }

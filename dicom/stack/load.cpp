@@ -7,7 +7,7 @@
 
 #include "dicom/import.h"
 #include "dicom/parallel.h"
-#include "dicom/read/pixels.h"
+#include "dicom/read/open_images.h"
 #include "render/base/errors.h"
 #include "render/base/free_memory.h"
 
@@ -29,16 +29,18 @@ class Filling {
     Filling(const Series& series, Padding padding)
         : series_(series),
           padding_(padding),
+          images_(*series.source),
           sliceVoxels_(std::size_t(series.geometry.size.x) * std::size_t(series.geometry.size.y)),
           hu_(series.geometry.voxelCount()),
           masks_(series.slices.size()) {}
 
-    void loadSlice(std::size_t k) {
-        Result<DecodedSlice> slice = decodeSlice(*series_.source, series_.slices[k], padding_);
+    void loadSlice(std::size_t k, const GoOn& goOn) {
+        const SliceRef& from = series_.slices[k];
+        Result<DecodedSlice> slice = images_.decode(from.file, from.frame, padding_, goOn);
         if (!slice)
             return fail(slice.error());
-        if (slice->size != ivec2(series_.geometry.size) || slice->identity != series_.slices[k].identity)
-            return fail(changedFile(series_.slices[k].file));
+        if (slice->size != ivec2(series_.geometry.size) || slice->identity != from.identity)
+            return fail(changedFile(from.file));
         std::copy(slice->hu.begin(), slice->hu.end(), hu_.begin() + std::ptrdiff_t(k * sliceVoxels_));
         masks_[k] = std::move(slice->padding);
         clipped_ += slice->clipped;
@@ -110,6 +112,7 @@ class Filling {
 
     const Series& series_;
     const Padding padding_;
+    OpenImages images_;
     const std::size_t sliceVoxels_;
     Voxels hu_;
     std::vector<std::vector<std::uint8_t>> masks_;
@@ -124,7 +127,7 @@ Result<Volume> fill(const Series& series, Padding padding, const Progress& progr
     const Progress untilFailure = [&](double fraction, std::string_view step) {
         return progress(fraction, step) && !filling.failed();
     };
-    const auto loadOne = [&](std::size_t k, const GoOn&) { filling.loadSlice(k); };
+    const auto loadOne = [&](std::size_t k, const GoOn& goOn) { filling.loadSlice(k, goOn); };
     const bool complete = onAllCores(series.slices.size(), loadOne, untilFailure, "reading slices");
     if (filling.failed())
         return filling.error();

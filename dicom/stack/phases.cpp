@@ -52,6 +52,8 @@ std::string timeOfDay(const std::string& time) {
 
 Text nameOf(PhaseKey key, const std::string& value) {
     switch (key) {
+        case PhaseKey::stack:
+            return phrase("stack %1", value);
         case PhaseKey::temporalPosition:
             return phrase("point in time %1", value);
         case PhaseKey::cardiacPercentage:

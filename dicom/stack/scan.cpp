@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <new>
 #include <utility>
 
@@ -52,7 +53,9 @@ void sortOut(const SeriesSource& source, std::vector<HeaderRead>& reads, std::ve
                 damaged.push_back(std::move(read.header));
                 break;
             case HeaderRead::Kind::object:
-                headers.push_back(std::move(read.header));
+                if (read.frames.empty())
+                    headers.push_back(std::move(read.header));
+                std::ranges::move(read.frames, std::back_inserter(headers));
                 break;
         }
     }

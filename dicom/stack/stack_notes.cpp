@@ -13,12 +13,15 @@ using Slices = std::vector<const SliceHeader*>;
 
 void noteMeaning(const Slices& slices, std::vector<Note>& notes) {
     std::size_t withoutRescale = 0;
-    std::set<std::string> frames, units, studies;
+    std::set<std::string> frames, units, studies, quantities;
     for (const SliceHeader* slice : slices) {
         studies.insert(slice->study.uid);
         withoutRescale += !slice->meaning.slope || !slice->meaning.intercept;
         frames.insert(slice->frameOfReferenceUid);
-        units.insert(slice->meaning.unit);
+        if (slice->meaning.quantity.empty())
+            units.insert(slice->meaning.unit);
+        else
+            quantities.insert(slice->meaning.quantity);
     }
     if (withoutRescale > 0)
         notes.push_back(
@@ -30,6 +33,10 @@ void noteMeaning(const Slices& slices, std::vector<Note>& notes) {
             notes.push_back(
                 {"unit", phrase("the files say that their values are in \"%1\"; they are taken as HU", unit)});
     }
+    for (const std::string& quantity : quantities)
+        notes.push_back(
+            {"no-hu", phrase("the values are no HU but another quantity (%1): no look or figure in HU is true of them",
+                             quantity)});
     if (studies.size() > 1)
         notes.push_back(
             {"studies", phrase("the files name %1 studies; their slices are taken as one series", studies.size())});
@@ -108,6 +115,11 @@ std::string listed(const std::vector<std::string>& names) {
 
 std::string shortName(const std::filesystem::path& file, const std::filesystem::path& root) {
     return file.lexically_relative(root).string();
+}
+
+std::string sliceName(const SliceHeader& slice, const std::filesystem::path& root) {
+    const std::string name = shortName(slice.file, root);
+    return slice.frames > 1 ? name + " #" + std::to_string(slice.frame + 1) : name;
 }
 
 std::vector<Note> notesOn(const Slices& slices, const std::set<int>& numbers) {

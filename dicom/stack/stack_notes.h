@@ -17,6 +17,10 @@ std::vector<Note> notesOn(const std::vector<const SliceHeader*>& slices, const s
 /// Joins names: "a.dcm, b.dcm, c.dcm ...": the first three, and a sign that there are more.
 std::string listed(const std::vector<std::string>& names);
 
+/// Returns what messages call a slice: the name of its file as seen from `root`, and behind it the number of its frame,
+/// from 1, if the file holds several: "thorax.dcm #12".
+std::string sliceName(const SliceHeader& slice, const std::filesystem::path& root);
+
 /// Returns the name of `file` as seen from `root`.
 std::string shortName(const std::filesystem::path& file, const std::filesystem::path& root);
 

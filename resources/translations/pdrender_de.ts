@@ -4900,8 +4900,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>es hat zwei Bildköpfe</translation>
     </message>
     <message>
-        <source>it holds %1 frames in one file (enhanced or multi-frame), which this version cannot read</source>
-        <translation>sie enthält %1 Bilder in einer Datei (enhanced oder multi-frame), was diese Version nicht lesen kann</translation>
+        <source>it holds %1 frames in one file, and does not say where they lie</source>
+        <translation>sie enthält %1 Einzelbilder in einer Datei und sagt nicht, wo sie liegen</translation>
     </message>
     <message>
         <source>it holds %1 segments instead of %2</source>
@@ -4998,6 +4998,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>it speaks another version of the protocol: %1</source>
         <translation>er spricht eine andere Version des Protokolls: %1</translation>
+    </message>
+    <message>
+        <source>it states %1 frames in one file; from 1 to %2 can be read</source>
+        <translation>sie gibt %1 Einzelbilder in einer Datei an; lesbar sind 1 bis %2</translation>
+    </message>
+    <message>
+        <source>it states %1 frames, and describes another number of them</source>
+        <translation>sie gibt %1 Einzelbilder an und beschreibt eine andere Anzahl</translation>
     </message>
     <message>
         <source>it states an impossible precision</source>
@@ -5512,6 +5520,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>nichts ist weggeschnitten</translation>
     </message>
     <message>
+        <source>nothing says where each of its %1 compressed frames begins</source>
+        <translation>nirgends steht, wo jedes ihrer %1 komprimierten Einzelbilder beginnt</translation>
+    </message>
+    <message>
         <source>now, %1</source>
         <translation>jetzt, %1</translation>
     </message>
@@ -5558,6 +5570,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>outside the scan</source>
         <translation>außerhalb der Aufnahme</translation>
+    </message>
+    <message>
+        <source>part %1 of %2 is missing of an image that is stored in several files (a concatenation)</source>
+        <translation>es fehlt Teil %1 von %2 einer Aufnahme, die in mehreren Dateien liegt (eine Concatenation)</translation>
     </message>
     <message>
         <source>parts of the driver are of different versions: it was updated while the computer ran</source>
@@ -5706,6 +5722,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>spacing or direction changes on the way; a pixel lies up to %1 mm from where the first slice would put it</source>
         <translation>Abstand oder Richtung ändert sich unterwegs; ein Pixel liegt bis zu %1 mm von der Stelle, an die die erste Schicht es setzen würde</translation>
+    </message>
+    <message>
+        <source>stack %1</source>
+        <translation>Stapel %1</translation>
     </message>
     <message>
         <source>stopped after %1, with %2 samples</source>
@@ -6202,6 +6222,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the time comes first: in %2, within ±%1 and with %3 samples</source>
         <translation>die Zeit kommt zuerst: in %2, innerhalb ±%1 und mit %3 Abtastungen</translation>
+    </message>
+    <message>
+        <source>the values are no HU but another quantity (%1): no look or figure in HU is true of them</source>
+        <translation>die Werte sind keine HU, sondern eine andere Größe (%1): Darstellungen und Zahlen in HU gelten für sie nicht</translation>
     </message>
     <message>
         <source>the view</source>

@@ -4900,8 +4900,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>tiene dos cabeceras de imagen</translation>
     </message>
     <message>
-        <source>it holds %1 frames in one file (enhanced or multi-frame), which this version cannot read</source>
-        <translation>contiene %1 imágenes en un archivo (enhanced o multi-frame), que esta versión no puede leer</translation>
+        <source>it holds %1 frames in one file, and does not say where they lie</source>
+        <translation>contiene %1 cuadros en un archivo y no dice dónde están</translation>
     </message>
     <message>
         <source>it holds %1 segments instead of %2</source>
@@ -4998,6 +4998,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>it speaks another version of the protocol: %1</source>
         <translation>habla otra versión del protocolo: %1</translation>
+    </message>
+    <message>
+        <source>it states %1 frames in one file; from 1 to %2 can be read</source>
+        <translation>indica %1 cuadros en un archivo; se pueden leer de 1 a %2</translation>
+    </message>
+    <message>
+        <source>it states %1 frames, and describes another number of them</source>
+        <translation>indica %1 cuadros y describe otro número de ellos</translation>
     </message>
     <message>
         <source>it states an impossible precision</source>
@@ -5512,6 +5520,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no se ha cortado nada</translation>
     </message>
     <message>
+        <source>nothing says where each of its %1 compressed frames begins</source>
+        <translation>nada dice dónde empieza cada uno de sus %1 cuadros comprimidos</translation>
+    </message>
+    <message>
         <source>now, %1</source>
         <translation>ahora, %1</translation>
     </message>
@@ -5558,6 +5570,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>outside the scan</source>
         <translation>fuera del estudio</translation>
+    </message>
+    <message>
+        <source>part %1 of %2 is missing of an image that is stored in several files (a concatenation)</source>
+        <translation>falta la parte %1 de %2 de una imagen guardada en varios archivos (una concatenación)</translation>
     </message>
     <message>
         <source>parts of the driver are of different versions: it was updated while the computer ran</source>
@@ -5706,6 +5722,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>spacing or direction changes on the way; a pixel lies up to %1 mm from where the first slice would put it</source>
         <translation>el espaciado o la dirección cambia en el camino; un píxel está hasta a %1 mm de donde lo pondría el primer corte</translation>
+    </message>
+    <message>
+        <source>stack %1</source>
+        <translation>pila %1</translation>
     </message>
     <message>
         <source>stopped after %1, with %2 samples</source>
@@ -6202,6 +6222,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the time comes first: in %2, within ±%1 and with %3 samples</source>
         <translation>el tiempo llega primero: en %2, dentro de ±%1 y con %3 muestras</translation>
+    </message>
+    <message>
+        <source>the values are no HU but another quantity (%1): no look or figure in HU is true of them</source>
+        <translation>los valores no son HU sino otra magnitud (%1): ningún aspecto ni cifra en HU es válido para ellos</translation>
     </message>
     <message>
         <source>the view</source>

@@ -87,8 +87,26 @@ class RealSeriesTest : public QObject {
             QCOMPARE(volume->paddingCount(), expected["n_pad"].get<std::size_t>());
             ++met;
         }
-        // The others: multi-frame (3), colour (3), copies left out, an odd slice listed apart.
+        // The others: multi-frame (3, two of them below), colour (3), copies left out, an odd slice listed apart.
         QCOMPARE(met, 39);
+    }
+
+    /// Two frames of a perfusion map, from the top down along the normal of their mirrored rows.
+    void framesHaveTheirChecksum() {
+        PDR_NEEDS_SHARED_CT();
+        for (const char* folder : {"enhanced_ct_le", "enhanced_ct_rle"}) {
+            const ScanResult scan = scanned(folder);
+            QCOMPARE(scan.series.size(), std::size_t(1));
+            const Series& series = scan.series.front();
+            QVERIFY2(series.verdict.loadable(), series.verdict.reason.c_str());
+            QVERIFY(series.geometry.size == ivec3(512, 512, 2));
+            QVERIFY(glm::distance(series.geometry.spacingMm(), dvec3(0.388672, 0.388672, 10)) < 1e-9);
+            QVERIFY(near(series.geometry.patientFromIndex[3].z, -149, 1e-9));
+            QVERIFY(noteSays(series, "RCBF, ml/100ml/s"));
+            const auto volume = loadSeries(series, Padding::keep, noProgress);
+            QVERIFY2(bool(volume), volume ? "" : volume.error().text().c_str());
+            QCOMPARE(checksumOf(*volume).substr(0, 16), std::string("53bfa701eeafd41c"));
+        }
     }
 
     void chestLoadsWithItsGridAndWithoutItsPadding() {

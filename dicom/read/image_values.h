@@ -1,0 +1,20 @@
+#pragma once
+/// Reads the place of an image and the meaning of its values from the item that states them: the object itself, or a
+/// functional group of a frame.
+
+#include "dicom/read/slice_header.h"
+
+class DcmItem;
+
+namespace pdr::dicom {
+
+/// Fills position, directions and spacing as far as `item` states them.
+void readPlane(DcmItem& item, SliceHeader& header);
+
+/// Fills slope, intercept and unit, and whether a table gives the values.
+void readRescale(DcmItem& item, ValueMeaning& meaning);
+
+/// Returns the first window that `item` states.
+StatedWindow readWindow(DcmItem& item);
+
+}  // namespace pdr::dicom
