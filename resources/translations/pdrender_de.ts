@@ -1502,6 +1502,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Die Datei noch einmal von ihrer Quelle kopieren.</translation>
     </message>
     <message>
+        <source>Copy the file again.</source>
+        <translation>Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
         <source>Coronal</source>
         <translation>Koronar</translation>
     </message>
@@ -1768,6 +1772,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Export the measurements</source>
         <translation>Die Messungen exportieren</translation>
+    </message>
+    <message>
+        <source>Export the scan as DICOM, or anew in this format.</source>
+        <translation>Exportieren Sie die Aufnahme als DICOM oder neu in diesem Format.</translation>
     </message>
     <message>
         <source>Exposure Render blurs every iteration over 3 x 3 pixels before it counts. That hides noise and never averages out: the image stays wrong. For comparison only.</source>
@@ -2912,6 +2920,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Projection</source>
         <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>Put both files into one folder.</source>
+        <translation>Legen Sie beide Dateien in einen Ordner.</translation>
     </message>
     <message>
         <source>Put its ends farther apart.</source>
@@ -4268,6 +4280,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>eine Zahl darin liegt außerhalb ihres Bereichs</translation>
     </message>
     <message>
+        <source>a number in its header is not finite</source>
+        <translation>eine Zahl in ihrem Kopf ist nicht endlich</translation>
+    </message>
+    <message>
         <source>a part of the body is not shown</source>
         <translation>ein Teil des Körpers wird nicht gezeigt</translation>
     </message>
@@ -4864,12 +4880,24 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>es beginnt nicht wie ein JPEG-Bild</translation>
     </message>
     <message>
+        <source>it does not say how it lies in the patient</source>
+        <translation>sie sagt nicht, wie sie im Patienten liegt</translation>
+    </message>
+    <message>
         <source>it does not say how much memory it has, and is broken or lost</source>
         <translation>es nennt seinen Speicher nicht und ist defekt oder verloren</translation>
     </message>
     <message>
         <source>it does not say its modality</source>
         <translation>sie nennt ihre Modalität nicht</translation>
+    </message>
+    <message>
+        <source>it does not say plainly where its voxels begin</source>
+        <translation>sie sagt nicht eindeutig, wo ihre Voxel beginnen</translation>
+    </message>
+    <message>
+        <source>it does not say the order of its bytes</source>
+        <translation>sie sagt die Reihenfolge ihrer Bytes nicht</translation>
     </message>
     <message>
         <source>it ends after its header</source>
@@ -4940,6 +4968,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>sie enthält keine Tabelle</translation>
     </message>
     <message>
+        <source>it holds several values for each place</source>
+        <translation>sie enthält mehrere Werte für jede Stelle</translation>
+    </message>
+    <message>
         <source>it is called as the slices beside it, but holds no DICOM</source>
         <translation>sie heißt wie die Schichten daneben, enthält aber kein DICOM</translation>
     </message>
@@ -4988,6 +5020,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>sie ist zu lang von jemandem, der noch nicht bekannt ist</translation>
     </message>
     <message>
+        <source>it is too short for its %1 x %2 x %3 voxels</source>
+        <translation>sie ist zu kurz für ihre %1 x %2 x %3 Voxel</translation>
+    </message>
+    <message>
         <source>it said goodbye</source>
         <translation>er hat sich verabschiedet</translation>
     </message>
@@ -5014,6 +5050,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>it states an impossible size of %1 x %2 pixels</source>
         <translation>sie nennt eine unmögliche Größe von %1 x %2 Pixeln</translation>
+    </message>
+    <message>
+        <source>it states its lengths in an unknown unit</source>
+        <translation>sie nennt ihre Längen in einer unbekannten Einheit</translation>
+    </message>
+    <message>
+        <source>it states two places in the patient (sform and qform) that differ by up to %1 mm</source>
+        <translation>sie nennt zwei Lagen im Patienten (sform und qform), die sich um bis zu %1 mm unterscheiden</translation>
     </message>
     <message>
         <source>its GPU has failed, and its CPU goes on: %1</source>
@@ -5044,12 +5088,24 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>sein Bildkopf ist zu kurz</translation>
     </message>
     <message>
+        <source>its grid has %1 x %2 x %3 voxels</source>
+        <translation>ihr Gitter hat %1 x %2 x %3 Voxel</translation>
+    </message>
+    <message>
         <source>its header cannot be read</source>
         <translation>ihr Kopf kann nicht gelesen werden</translation>
     </message>
     <message>
+        <source>its header has no end</source>
+        <translation>ihr Kopf hat kein Ende</translation>
+    </message>
+    <message>
         <source>its header is broken</source>
         <translation>sein Kopf ist fehlerhaft</translation>
+    </message>
+    <message>
+        <source>its header is damaged</source>
+        <translation>ihr Kopf ist beschädigt</translation>
     </message>
     <message>
         <source>its header places segments where none can be</source>
@@ -5086,6 +5142,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>its messages are laid out in another way</source>
         <translation>seine Nachrichten sind anders aufgebaut</translation>
+    </message>
+    <message>
+        <source>its packed part is damaged</source>
+        <translation>ihr gepackter Teil ist beschädigt</translation>
     </message>
     <message>
         <source>its pixel format cannot be read (%1 bits allocated, %2 stored, high bit %3)</source>
@@ -5134,6 +5194,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>its volume is of another size</source>
         <translation>ihr Volumen hat eine andere Größe</translation>
+    </message>
+    <message>
+        <source>its voxels are of a type that is not read</source>
+        <translation>ihre Voxel sind von einer Art, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>its voxels are written in a coding that is not read (%1)</source>
+        <translation>ihre Voxel sind in einer Kodierung geschrieben, die nicht gelesen wird (%1)</translation>
+    </message>
+    <message>
+        <source>its voxels lie in several files, or outside its folder</source>
+        <translation>ihre Voxel liegen in mehreren Dateien oder außerhalb ihres Ordners</translation>
     </message>
     <message>
         <source>kroesMarch knows one event on a path, but the model is %1</source>
@@ -5904,6 +5976,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die Datei konnte nicht geschrieben werden (%1)</translation>
     </message>
     <message>
+        <source>the file ends too early</source>
+        <translation>die Datei endet zu früh</translation>
+    </message>
+    <message>
         <source>the file has changed since the folder was scanned</source>
         <translation>die Datei hat sich geändert, seit der Ordner durchsucht wurde</translation>
     </message>
@@ -5926,6 +6002,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the file is no longer there</source>
         <translation>die Datei ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>the file of its voxels cannot be read (%1)</source>
+        <translation>die Datei ihrer Voxel lässt sich nicht lesen (%1)</translation>
     </message>
     <message>
         <source>the files name %1 frames of reference; their positions are taken as one</source>
@@ -6430,6 +6510,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>this is no DICOM image</source>
         <translation>das ist kein DICOM-Bild</translation>
+    </message>
+    <message>
+        <source>this is no MetaImage file</source>
+        <translation>das ist keine MetaImage-Datei</translation>
+    </message>
+    <message>
+        <source>this is no NIfTI file with header and voxels in one</source>
+        <translation>das ist keine NIfTI-Datei mit Kopf und Voxeln in einem</translation>
+    </message>
+    <message>
+        <source>this is no NRRD file</source>
+        <translation>das ist keine NRRD-Datei</translation>
     </message>
     <message>
         <source>this is no address</source>

@@ -1502,6 +1502,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Copie de nuevo el archivo desde su origen.</translation>
     </message>
     <message>
+        <source>Copy the file again.</source>
+        <translation>Vuelva a copiar el archivo.</translation>
+    </message>
+    <message>
         <source>Coronal</source>
         <translation>Coronal</translation>
     </message>
@@ -1768,6 +1772,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Export the measurements</source>
         <translation>Exportar las mediciones</translation>
+    </message>
+    <message>
+        <source>Export the scan as DICOM, or anew in this format.</source>
+        <translation>Exporte el estudio como DICOM, o de nuevo en este formato.</translation>
     </message>
     <message>
         <source>Exposure Render blurs every iteration over 3 x 3 pixels before it counts. That hides noise and never averages out: the image stays wrong. For comparison only.</source>
@@ -2912,6 +2920,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Projection</source>
         <translation>Proyección</translation>
+    </message>
+    <message>
+        <source>Put both files into one folder.</source>
+        <translation>Ponga ambos archivos en una carpeta.</translation>
     </message>
     <message>
         <source>Put its ends farther apart.</source>
@@ -4268,6 +4280,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>un número en él está fuera de su rango</translation>
     </message>
     <message>
+        <source>a number in its header is not finite</source>
+        <translation>un número de su cabecera no es finito</translation>
+    </message>
+    <message>
         <source>a part of the body is not shown</source>
         <translation>una parte del cuerpo no se muestra</translation>
     </message>
@@ -4864,12 +4880,24 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no empieza como una imagen JPEG</translation>
     </message>
     <message>
+        <source>it does not say how it lies in the patient</source>
+        <translation>no dice cómo está situado en el paciente</translation>
+    </message>
+    <message>
         <source>it does not say how much memory it has, and is broken or lost</source>
         <translation>no dice cuánta memoria tiene, y está averiado o perdido</translation>
     </message>
     <message>
         <source>it does not say its modality</source>
         <translation>no indica su modalidad</translation>
+    </message>
+    <message>
+        <source>it does not say plainly where its voxels begin</source>
+        <translation>no dice con claridad dónde empiezan sus vóxeles</translation>
+    </message>
+    <message>
+        <source>it does not say the order of its bytes</source>
+        <translation>no dice el orden de sus bytes</translation>
     </message>
     <message>
         <source>it ends after its header</source>
@@ -4940,6 +4968,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no contiene ninguna tabla</translation>
     </message>
     <message>
+        <source>it holds several values for each place</source>
+        <translation>contiene varios valores para cada lugar</translation>
+    </message>
+    <message>
         <source>it is called as the slices beside it, but holds no DICOM</source>
         <translation>se llama como los cortes de al lado, pero no contiene DICOM</translation>
     </message>
@@ -4988,6 +5020,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>es demasiado largo de alguien que aún no se conoce</translation>
     </message>
     <message>
+        <source>it is too short for its %1 x %2 x %3 voxels</source>
+        <translation>es demasiado corto para sus %1 x %2 x %3 vóxeles</translation>
+    </message>
+    <message>
         <source>it said goodbye</source>
         <translation>se ha despedido</translation>
     </message>
@@ -5014,6 +5050,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>it states an impossible size of %1 x %2 pixels</source>
         <translation>indica un tamaño imposible de %1 x %2 píxeles</translation>
+    </message>
+    <message>
+        <source>it states its lengths in an unknown unit</source>
+        <translation>indica sus longitudes en una unidad desconocida</translation>
+    </message>
+    <message>
+        <source>it states two places in the patient (sform and qform) that differ by up to %1 mm</source>
+        <translation>indica dos posiciones en el paciente (sform y qform) que difieren hasta %1 mm</translation>
     </message>
     <message>
         <source>its GPU has failed, and its CPU goes on: %1</source>
@@ -5044,11 +5088,23 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>su cabecera de imagen es demasiado corta</translation>
     </message>
     <message>
+        <source>its grid has %1 x %2 x %3 voxels</source>
+        <translation>su rejilla tiene %1 x %2 x %3 vóxeles</translation>
+    </message>
+    <message>
         <source>its header cannot be read</source>
         <translation>no se puede leer su cabecera</translation>
     </message>
     <message>
+        <source>its header has no end</source>
+        <translation>su cabecera no tiene fin</translation>
+    </message>
+    <message>
         <source>its header is broken</source>
+        <translation>su cabecera está dañada</translation>
+    </message>
+    <message>
+        <source>its header is damaged</source>
         <translation>su cabecera está dañada</translation>
     </message>
     <message>
@@ -5086,6 +5142,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>its messages are laid out in another way</source>
         <translation>sus mensajes están dispuestos de otro modo</translation>
+    </message>
+    <message>
+        <source>its packed part is damaged</source>
+        <translation>su parte comprimida está dañada</translation>
     </message>
     <message>
         <source>its pixel format cannot be read (%1 bits allocated, %2 stored, high bit %3)</source>
@@ -5134,6 +5194,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>its volume is of another size</source>
         <translation>su volumen tiene otro tamaño</translation>
+    </message>
+    <message>
+        <source>its voxels are of a type that is not read</source>
+        <translation>sus vóxeles son de un tipo que no se lee</translation>
+    </message>
+    <message>
+        <source>its voxels are written in a coding that is not read (%1)</source>
+        <translation>sus vóxeles están escritos en una codificación que no se lee (%1)</translation>
+    </message>
+    <message>
+        <source>its voxels lie in several files, or outside its folder</source>
+        <translation>sus vóxeles están en varios archivos, o fuera de su carpeta</translation>
     </message>
     <message>
         <source>kroesMarch knows one event on a path, but the model is %1</source>
@@ -5904,6 +5976,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no se pudo escribir el archivo (%1)</translation>
     </message>
     <message>
+        <source>the file ends too early</source>
+        <translation>el archivo termina demasiado pronto</translation>
+    </message>
+    <message>
         <source>the file has changed since the folder was scanned</source>
         <translation>el archivo ha cambiado desde que se examinó la carpeta</translation>
     </message>
@@ -5926,6 +6002,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the file is no longer there</source>
         <translation>el archivo ya no está</translation>
+    </message>
+    <message>
+        <source>the file of its voxels cannot be read (%1)</source>
+        <translation>el archivo de sus vóxeles no se puede leer (%1)</translation>
     </message>
     <message>
         <source>the files name %1 frames of reference; their positions are taken as one</source>
@@ -6430,6 +6510,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>this is no DICOM image</source>
         <translation>esto no es una imagen DICOM</translation>
+    </message>
+    <message>
+        <source>this is no MetaImage file</source>
+        <translation>no es un archivo MetaImage</translation>
+    </message>
+    <message>
+        <source>this is no NIfTI file with header and voxels in one</source>
+        <translation>no es un archivo NIfTI con cabecera y vóxeles en uno</translation>
+    </message>
+    <message>
+        <source>this is no NRRD file</source>
+        <translation>no es un archivo NRRD</translation>
     </message>
     <message>
         <source>this is no address</source>
