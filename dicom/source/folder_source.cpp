@@ -11,7 +11,9 @@
 
 #include "dicom/import.h"
 #include "dicom/series_source.h"
+#include "dicom/source/packed_object.h"
 #include "render/base/errors.h"
+#include "render/base/file_ending.h"
 
 namespace pdr::dicom {
 
@@ -129,7 +131,10 @@ class FolderSource : public SeriesSource {
         return found;
     }
 
-    Result<NamedBytes> open(const fs::path& name) const override { return NamedBytes{name}; }
+    /// A file that gzip has packed is unpacked into memory.
+    Result<NamedBytes> open(const fs::path& name) const override {
+        return fileEnding(name) == ".gz" ? openPacked(name) : NamedBytes{name};
+    }
 
   private:
     fs::path folder_;

@@ -4004,6 +4004,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Unbeleuchtetes Gewebe</translation>
     </message>
     <message>
+        <source>Unpack it with its password, and open the folder.</source>
+        <translation>Entpacken Sie es mit seinem Passwort, und öffnen Sie den Ordner.</translation>
+    </message>
+    <message>
+        <source>Unpack it, and open the folder.</source>
+        <translation>Entpacken Sie es, und öffnen Sie den Ordner.</translation>
+    </message>
+    <message>
         <source>Until this is fixed, unsaved work is lost if the program ends unexpectedly: save the plan yourself.</source>
         <translation>Bis das behoben ist, geht Ungesichertes verloren, wenn das Programm unerwartet endet: Sichern Sie den Plan selbst.</translation>
     </message>
@@ -4876,6 +4884,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>er hat Arbeit beantwortet, die ihm nicht gegeben war</translation>
     </message>
     <message>
+        <source>it cannot be unpacked (%1)</source>
+        <translation>sie lässt sich nicht entpacken (%1)</translation>
+    </message>
+    <message>
         <source>it does not begin as a JPEG image</source>
         <translation>es beginnt nicht wie ein JPEG-Bild</translation>
     </message>
@@ -4972,6 +4984,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>sie enthält mehrere Werte für jede Stelle</translation>
     </message>
     <message>
+        <source>it is a link</source>
+        <translation>sie ist eine Verknüpfung</translation>
+    </message>
+    <message>
+        <source>it is an archive within the archive</source>
+        <translation>sie ist ein Archiv im Archiv</translation>
+    </message>
+    <message>
         <source>it is called as the slices beside it, but holds no DICOM</source>
         <translation>sie heißt wie die Schichten daneben, enthält aber kein DICOM</translation>
     </message>
@@ -4982,6 +5002,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>it is empty</source>
         <translation>sie ist leer</translation>
+    </message>
+    <message>
+        <source>it is gone</source>
+        <translation>sie ist nicht mehr da</translation>
     </message>
     <message>
         <source>it is longer than such a message is</source>
@@ -5058,6 +5082,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>it states two places in the patient (sform and qform) that differ by up to %1 mm</source>
         <translation>sie nennt zwei Lagen im Patienten (sform und qform), die sich um bis zu %1 mm unterscheiden</translation>
+    </message>
+    <message>
+        <source>it unpacks to more than %1</source>
+        <translation>entpackt ist sie größer als %1</translation>
     </message>
     <message>
         <source>its GPU has failed, and its CPU goes on: %1</source>
@@ -5142,6 +5170,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>its messages are laid out in another way</source>
         <translation>seine Nachrichten sind anders aufgebaut</translation>
+    </message>
+    <message>
+        <source>its name leads out of the archive</source>
+        <translation>ihr Name führt aus dem Archiv hinaus</translation>
     </message>
     <message>
         <source>its packed part is damaged</source>
@@ -5866,6 +5898,30 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the aperture is 0</source>
         <translation>die Blende ist 0</translation>
+    </message>
+    <message>
+        <source>the archive holds %1 files, more than 100000</source>
+        <translation>das Archiv enthält %1 Dateien, mehr als 100000</translation>
+    </message>
+    <message>
+        <source>the archive holds another file of this name</source>
+        <translation>das Archiv enthält noch eine Datei dieses Namens</translation>
+    </message>
+    <message>
+        <source>the archive is damaged, or no ZIP archive (%1)</source>
+        <translation>das Archiv ist beschädigt oder kein ZIP-Archiv (%1)</translation>
+    </message>
+    <message>
+        <source>the archive is empty</source>
+        <translation>das Archiv ist leer</translation>
+    </message>
+    <message>
+        <source>the archive is encrypted</source>
+        <translation>das Archiv ist verschlüsselt</translation>
+    </message>
+    <message>
+        <source>the archive would unpack to %1, which is more than 64 GB or 200 times its size</source>
+        <translation>das Archiv wäre entpackt %1 groß, mehr als 64 GB oder das 200fache seiner Größe</translation>
     </message>
     <message>
         <source>the axes of the volume are not at right angles</source>

@@ -4004,6 +4004,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Tejido sin iluminar</translation>
     </message>
     <message>
+        <source>Unpack it with its password, and open the folder.</source>
+        <translation>Descomprímalo con su contraseña y abra la carpeta.</translation>
+    </message>
+    <message>
+        <source>Unpack it, and open the folder.</source>
+        <translation>Descomprímalo y abra la carpeta.</translation>
+    </message>
+    <message>
         <source>Until this is fixed, unsaved work is lost if the program ends unexpectedly: save the plan yourself.</source>
         <translation>Hasta que se resuelva, lo no guardado se pierde si el programa termina de forma inesperada: guarde el plan usted mismo.</translation>
     </message>
@@ -4876,6 +4884,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>respondió a un trabajo que no se le había dado</translation>
     </message>
     <message>
+        <source>it cannot be unpacked (%1)</source>
+        <translation>no se puede descomprimir (%1)</translation>
+    </message>
+    <message>
         <source>it does not begin as a JPEG image</source>
         <translation>no empieza como una imagen JPEG</translation>
     </message>
@@ -4972,6 +4984,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>contiene varios valores para cada lugar</translation>
     </message>
     <message>
+        <source>it is a link</source>
+        <translation>es un enlace</translation>
+    </message>
+    <message>
+        <source>it is an archive within the archive</source>
+        <translation>es un archivo comprimido dentro del archivo</translation>
+    </message>
+    <message>
         <source>it is called as the slices beside it, but holds no DICOM</source>
         <translation>se llama como los cortes de al lado, pero no contiene DICOM</translation>
     </message>
@@ -4982,6 +5002,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>it is empty</source>
         <translation>está vacío</translation>
+    </message>
+    <message>
+        <source>it is gone</source>
+        <translation>ya no está</translation>
     </message>
     <message>
         <source>it is longer than such a message is</source>
@@ -5058,6 +5082,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>it states two places in the patient (sform and qform) that differ by up to %1 mm</source>
         <translation>indica dos posiciones en el paciente (sform y qform) que difieren hasta %1 mm</translation>
+    </message>
+    <message>
+        <source>it unpacks to more than %1</source>
+        <translation>descomprimido ocupa más de %1</translation>
     </message>
     <message>
         <source>its GPU has failed, and its CPU goes on: %1</source>
@@ -5142,6 +5170,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>its messages are laid out in another way</source>
         <translation>sus mensajes están dispuestos de otro modo</translation>
+    </message>
+    <message>
+        <source>its name leads out of the archive</source>
+        <translation>su nombre lleva fuera del archivo</translation>
     </message>
     <message>
         <source>its packed part is damaged</source>
@@ -5866,6 +5898,30 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the aperture is 0</source>
         <translation>la apertura es 0</translation>
+    </message>
+    <message>
+        <source>the archive holds %1 files, more than 100000</source>
+        <translation>el archivo contiene %1 archivos, más de 100000</translation>
+    </message>
+    <message>
+        <source>the archive holds another file of this name</source>
+        <translation>el archivo contiene otro archivo con este nombre</translation>
+    </message>
+    <message>
+        <source>the archive is damaged, or no ZIP archive (%1)</source>
+        <translation>el archivo está dañado o no es un archivo ZIP (%1)</translation>
+    </message>
+    <message>
+        <source>the archive is empty</source>
+        <translation>el archivo está vacío</translation>
+    </message>
+    <message>
+        <source>the archive is encrypted</source>
+        <translation>el archivo está cifrado</translation>
+    </message>
+    <message>
+        <source>the archive would unpack to %1, which is more than 64 GB or 200 times its size</source>
+        <translation>el archivo ocuparía %1 descomprimido, más de 64 GB o 200 veces su tamaño</translation>
     </message>
     <message>
         <source>the axes of the volume are not at right angles</source>
