@@ -6,7 +6,7 @@
 #include "app/cli/failed.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/series_report.h"
-#include "dicom/import.h"
+#include "app/scan/scan_place.h"
 
 namespace pdr::app {
 
@@ -17,9 +17,9 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kHelp =
     "pdrender-cli info FOLDER [--json] [--descriptions]\n"
     "\n"
-    "Lists every series below FOLDER: its grid in the patient, its HU with and without padding, a checksum (SHA-256 "
-    "of\n"
-    "the HU as int16, x fastest, before padding is masked), whether it can be loaded and if not, why. Never a name.\n"
+    "Lists every series below FOLDER, which may also be a ZIP archive or a volume file (NIfTI, NRRD, MetaImage): its\n"
+    "grid in the patient, its HU with and without padding, a checksum (SHA-256 of the HU as int16, x fastest,\n"
+    "before padding is masked), whether it can be loaded and if not, why. Never a name.\n"
     "  --json           the same for other programs\n"
     "  --descriptions   also what was written about each series; people write names there\n";
 
@@ -66,7 +66,7 @@ int runInfo(const QStringList& arguments) {
         return true;
     };
     const std::string folder = folders.front().toStdString();
-    const Result<dicom::ScanResult> scan = dicom::scanFolder(folder, progress);
+    const Result<dicom::ScanResult> scan = scanPlace(folder, progress);
     if (!scan) {
         line.finish();
         return failed(scan.error());

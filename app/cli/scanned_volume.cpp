@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/cli/progress_line.h"
+#include "app/scan/scan_place.h"
 #include "app/scan/scene_volume.h"
 #include "render/base/file_ending.h"
 
@@ -14,9 +15,9 @@ Result<VolumeSource> sourceOf(const std::filesystem::path& path, const std::stri
     VolumeSource source;
     source.dicomFolder = path;
     std::error_code ignored;
-    if (std::filesystem::is_regular_file(path, ignored)) {
+    if (std::filesystem::is_regular_file(path, ignored) && !isScanFile(path)) {
         if (fileEnding(path) != ".json")
-            return Error{"this is a file, but neither a folder nor a scene file (.json)", path.string(),
+            return Error{"this is a file, but neither a scan nor a scene file (.json)", path.string(),
                          "Give the folder that holds the DICOM files."};
         const auto file = readSceneFile(path);
         if (!file)

@@ -9,6 +9,7 @@
 #include "app/looks/looks.h"
 #include "app/looks/small_image.h"
 #include "app/scan/environment_image.h"
+#include "app/scan/scan_place.h"
 #include "app/scan/scene_volume.h"
 #include "render/base/file_ending.h"
 #include "render/prepare/flatten.h"
@@ -21,16 +22,17 @@ namespace {
 
 constexpr ivec2 kFolderFilm{1024, 1024};
 
+/// Returns whether the input is a file other than a scan: a scene file, or nothing that can be rendered.
 bool isFile(const SceneInput& input) {
     std::error_code ignored;
-    return std::filesystem::is_regular_file(input.path, ignored);
+    return std::filesystem::is_regular_file(input.path, ignored) && !isScanFile(input.path);
 }
 
-/// Reads the scene file, or makes a scene for a folder, and applies the options that do not need the voxels.
+/// Reads the scene file, or makes a scene for a scan, and applies the options that do not need the voxels.
 Result<SceneFile> readInput(const SceneInput& input) {
     SceneFile file;
     if (isFile(input) && fileEnding(input.path) != ".json")
-        return Error{"this is a file, but neither a folder nor a scene file (.json)", input.path.string(),
+        return Error{"this is a file, but neither a scan nor a scene file (.json)", input.path.string(),
                      "Give the folder that holds the DICOM files."};
     if (isFile(input)) {
         auto read = readSceneFile(input.path);

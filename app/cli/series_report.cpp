@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "dicom/import.h"
+#include "app/scan/scan_place.h"
 #include "render/segment/hidden_table.h"
 
 namespace pdr::app {
@@ -91,7 +91,7 @@ void addTable(Json& report, const Volume& volume, const Progress& progress) {
 
 void addPixels(Json& report, const dicom::Series& series, const Progress& progress) {
     std::vector<dicom::Note> notes;
-    const Result<Volume> volume = dicom::loadSeries(series, dicom::Padding::keep, progress, &notes);
+    const Result<Volume> volume = loadVoxels(series, dicom::Padding::keep, progress, &notes);
     if (!volume) {
         if (series.verdict.loadable()) {
             report["loadable"] = false;

@@ -4,8 +4,8 @@
 #include <QThread>
 #include <utility>
 
+#include "app/scan/scan_place.h"
 #include "app/scan/scene_volume.h"
-#include "dicom/import.h"
 #include "render/base/errors.h"
 #include "ui/text/to_qt.h"
 
@@ -33,7 +33,7 @@ Result<void> waitUntilFreed(const std::weak_ptr<const Volume>& volume, std::chro
 
 void ImportJob::scanFolder(const QString& folder) {
     start([this, folder](const Progress& progress, const std::stop_token&) -> std::function<void()> {
-        auto result = dicom::scanFolder(ui::fromQt(folder), progress);
+        auto result = scanPlace(ui::fromQt(folder), progress);
         if (!result)
             return failure(result.error());
         return [this, folder, scan = std::move(*result)] {

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/scan/scan_place.h"
 #include "app/scan/series_choice.h"
-#include "dicom/import.h"
 
 namespace pdr::app {
 
 /// Decoding takes most of the time, so it gets 90 % of the progress.
 Result<FetchedVolume> fetchSeries(const dicom::Series& series, const VolumeSource& source, const Progress& progress) {
     std::vector<dicom::Note> notes = series.verdict.notes;
-    auto volume = dicom::loadSeries(series, dicom::Padding::maskAsAir, partOf(progress, 0, 0.9), &notes);
+    auto volume = loadVoxels(series, dicom::Padding::maskAsAir, partOf(progress, 0, 0.9), &notes);
     if (!volume)
         return volume.error();
     auto wanted = asWanted(*std::move(volume), source, partOf(progress, 0.9, 1));
@@ -27,7 +27,7 @@ Result<FetchedVolume> fetchVolume(const VolumeSource& source, const Progress& pr
             return raw.error();
         return FetchedVolume{*std::move(raw), {}, {}};
     }
-    const auto scan = dicom::scanFolder(source.dicomFolder, partOf(progress, 0, 0.1));
+    const auto scan = scanPlace(source.dicomFolder, partOf(progress, 0, 0.1));
     if (!scan)
         return scan.error();
     const auto series = chosenSeries(*scan, source.seriesUid);

@@ -4696,6 +4696,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>für Bilder, die von der GPU kommen</translation>
     </message>
     <message>
+        <source>for its voxels (%1)</source>
+        <translation>für ihre Voxel (%1)</translation>
+    </message>
+    <message>
         <source>for the scene</source>
         <translation>für die Szene</translation>
     </message>
@@ -5222,6 +5226,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>its text is no UTF-8</source>
         <translation>sein Text ist kein UTF-8</translation>
+    </message>
+    <message>
+        <source>its values run from %1 to %2: these are no HU, which begin at -100 or below, and end at 100 or above</source>
+        <translation>ihre Werte reichen von %1 bis %2: das sind keine HU, die bei -100 oder darunter beginnen und bei 100 oder darüber enden</translation>
     </message>
     <message>
         <source>its volume is of another size</source>
@@ -6030,6 +6038,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the file could not be written (%1)</source>
         <translation>die Datei konnte nicht geschrieben werden (%1)</translation>
+    </message>
+    <message>
+        <source>the file does not say that its values are HU; they run from %1 to %2, and are taken as HU</source>
+        <translation>die Datei sagt nicht, dass ihre Werte HU sind; sie reichen von %1 bis %2 und gelten als HU</translation>
     </message>
     <message>
         <source>the file ends too early</source>

@@ -4696,6 +4696,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>para las imágenes que vienen de la GPU</translation>
     </message>
     <message>
+        <source>for its voxels (%1)</source>
+        <translation>para sus vóxeles (%1)</translation>
+    </message>
+    <message>
         <source>for the scene</source>
         <translation>para la escena</translation>
     </message>
@@ -5222,6 +5226,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>its text is no UTF-8</source>
         <translation>su texto no es UTF-8</translation>
+    </message>
+    <message>
+        <source>its values run from %1 to %2: these are no HU, which begin at -100 or below, and end at 100 or above</source>
+        <translation>sus valores van de %1 a %2: no son HU, que empiezan en -100 o menos y terminan en 100 o más</translation>
     </message>
     <message>
         <source>its volume is of another size</source>
@@ -6030,6 +6038,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the file could not be written (%1)</source>
         <translation>no se pudo escribir el archivo (%1)</translation>
+    </message>
+    <message>
+        <source>the file does not say that its values are HU; they run from %1 to %2, and are taken as HU</source>
+        <translation>el archivo no dice que sus valores sean HU; van de %1 a %2 y se toman como HU</translation>
     </message>
     <message>
         <source>the file ends too early</source>

@@ -1,0 +1,186 @@
+#include "app/scan/grid_series.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <utility>
+
+#include "dicom/read/pixels.h"
+#include "dicom/stack/stack_geometry.h"
+#include "render/base/errors.h"
+#include "render/base/file_ending.h"
+#include "render/base/free_memory.h"
+
+namespace pdr::app {
+namespace {
+
+/// Returns one plane for each index k of the grid.
+std::vector<dicom::SlicePlane> planesOf(const VolumeGeometry& grid) {
+    const dmat4& map = grid.patientFromIndex;
+    const dvec3 mm = grid.spacingMm();
+    std::vector<dicom::SlicePlane> planes;
+    for (int k = 0; k < grid.size.z; ++k)
+        planes.push_back({"#" + std::to_string(k + 1), ivec2(grid.size), dvec3(map * dvec4(0, 0, k, 1)),
+                          dvec3(map[0]) / mm.x, dvec3(map[1]) / mm.y, dvec2(mm)});
+    return planes;
+}
+
+/// Calls `use(values)` for all values of `file`, a few thousand at a time. Errors: those of GridSamples; cancelled().
+template <class Use>
+Result<void> forEachValue(const GridFile& file, const Progress& progress, const char* step, Use use) {
+    std::array<double, 8192> piece;
+    GridSamples samples(file);
+    const std::size_t count = file.geometry.voxelCount();
+    for (std::size_t at = 0; at < count; at += piece.size()) {
+        const std::span<double> values = std::span(piece).first(std::min(piece.size(), count - at));
+        if (Result<void> ok = samples.read(values); !ok)
+            return ok;
+        for (double& value : values)
+            value = value * file.slope + file.intercept;
+        use(at, std::span<const double>(values));
+        if (!progress(double(at) / double(count), step))
+            return cancelled();
+    }
+    return {};
+}
+
+Result<ValueRange> rangeOf(const GridFile& file, const Progress& progress) {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    ValueRange range{kNone, -kNone};
+    const auto widen = [&](std::size_t, std::span<const double> values) {
+        for (const double value : values)
+            if (!std::isnan(value))
+                range = {std::min(range.lowest, value), std::max(range.highest, value)};
+    };
+    if (auto ok = forEachValue(file, progress, "reading values", widen); !ok)
+        return ok.error();
+    return range;
+}
+
+const char* formatName(const std::filesystem::path& file) {
+    const std::string ending = fileEnding(file);
+    if (ending == ".mha" || ending == ".mhd")
+        return "MetaImage";
+    return ending == ".nrrd" || ending == ".nhdr" ? "NRRD" : "NIfTI";
+}
+
+/// Judges grid and values, and gives the slices their order.
+void judge(dicom::Series& series, const GridFile& grid, const ValueRange& range) {
+    const dicom::StackAnalysis analysis = dicom::analyseStack(planesOf(grid.geometry));
+    series.verdict = analysis.verdict;
+    series.geometry = analysis.geometry;
+    for (const int k : analysis.order)
+        series.slices.push_back({grid.file, k, {}});
+    const Text lowest = numberOf(range.lowest), highest = numberOf(range.highest);
+    if (series.verdict.loadable() && !mayBeHu(range)) {
+        series.verdict.stack = dicom::Stack::notCt;
+        series.verdict.reason = phrase(
+            "its values run from %1 to %2: these are no HU, which begin at -100 or below, and end at 100 or above",
+            lowest, highest);
+    }
+    if (series.verdict.loadable())
+        series.verdict.notes.push_back(
+            {"no-unit:" + lowest + ".." + highest,
+             phrase("the file does not say that its values are HU; they run from %1 to %2, and are taken as HU", lowest,
+                    highest)});
+}
+
+/// The voxels while they are read, and flags of those that are no numbers.
+struct Filling {
+    explicit Filling(const dicom::Series& series)
+        : sliceVoxels(std::size_t(series.geometry.size.x) * std::size_t(series.geometry.size.y)),
+          place(series.slices.size()),
+          hu(series.geometry.voxelCount()) {
+        for (std::size_t k = 0; k < series.slices.size(); ++k)
+            place[std::size_t(series.slices[k].frame)] = k;
+    }
+
+    /// Takes values that lie in the file from `first` on.
+    void take(std::size_t first, std::span<const double> values) {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const std::size_t inFile = first + i;
+            const std::size_t at = place[inFile / sliceVoxels] * sliceVoxels + inFile % sliceVoxels;
+            if (std::isnan(values[i])) {
+                padding.resize(hu.size(), false);
+                padding[at] = true;
+                hu[at] = Volume::kAirHu;
+            } else {
+                isBeyond = isBeyond || !(values[i] >= INT16_MIN && values[i] <= INT16_MAX);
+                hu[at] = isBeyond ? std::int16_t(0) : std::int16_t(std::nearbyint(values[i]));
+            }
+        }
+    }
+
+    std::size_t sliceVoxels;
+    std::vector<std::size_t> place;  ///< where slice k of the file lies in the volume
+    Voxels hu;
+    std::vector<bool> padding;
+    bool isBeyond = false;  ///< whether a value lies outside int16, which the list has excluded
+};
+
+std::string codesOf(const std::vector<dicom::Note>& notes) {
+    std::string joined;
+    for (const dicom::Note& note : notes)
+        joined += (joined.empty() ? "" : " ") + note.code;
+    return joined;
+}
+
+bool isSame(const GridFile& a, const GridFile& b) {
+    return a.geometry.size == b.geometry.size && a.geometry.patientFromIndex == b.geometry.patientFromIndex &&
+           a.type == b.type && a.isBigEndian == b.isBigEndian && a.slope == b.slope && a.intercept == b.intercept;
+}
+
+}  // namespace
+
+bool mayBeHu(const ValueRange& range) {
+    constexpr double kFat = -100, kBone = 100;
+    return range.lowest >= INT16_MIN && range.lowest <= kFat && range.highest >= kBone && range.highest <= INT16_MAX;
+}
+
+Result<dicom::Series> gridSeries(const std::filesystem::path& file, const Progress& progress) {
+    Result<GridFile> grid = readGridFile(file);
+    if (!grid)
+        return grid.error();
+    const Result<ValueRange> range = rangeOf(*grid, progress);
+    if (!range)
+        return range.error();
+    dicom::Series series;
+    series.series.modality = formatName(file);
+    series.series.description = file.filename().string();
+    series.series.number = 1;
+    judge(series, *grid, *range);
+    series.source = std::make_shared<GridSource>(*std::move(grid));
+    return series;
+}
+
+Result<Volume> loadGridSeries(const dicom::Series& series, const Progress& progress) {
+    if (!series.verdict.loadable())
+        return Error{series.verdict.reason, series.series.description, phrase("Choose another series.")};
+    const GridFile& listed = static_cast<const GridSource&>(*series.source).grid();
+    const Result<GridFile> grid = readGridFile(listed.file);
+    if (!grid)
+        return grid.error();
+    if (!isSame(*grid, listed))
+        return dicom::changedFile(listed.file);
+    const std::uint64_t needed = series.geometry.voxelCount() * sizeof(std::int16_t);
+    const Error tooLarge = notEnoughMemory(phrase("for its voxels (%1)", bytesText(needed)), listed.file.string(),
+                                           phrase("Close other programs, or take a smaller volume."));
+    if (needed > freeBytes())
+        return tooLarge;
+    try {
+        Filling filling(series);
+        const auto take = [&](std::size_t first, std::span<const double> values) { filling.take(first, values); };
+        if (auto ok = forEachValue(*grid, progress, "reading slices", take); !ok)
+            return ok.error();
+        if (filling.isBeyond)
+            return dicom::changedFile(listed.file);
+        return Volume(series.geometry, std::move(filling.hu), std::move(filling.padding),
+                      codesOf(series.verdict.notes));
+    } catch (const std::bad_alloc&) {
+        return tooLarge;
+    }
+}
+
+}  // namespace pdr::app

@@ -1,0 +1,50 @@
+#pragma once
+/// Volume files (NIfTI, NRRD, MetaImage) as series: each is one entry, judged by the importer's own rules for slices,
+/// so that list, report and rendering treat it as they treat DICOM. Left-handed grids are turned by the order of their
+/// slices, which moves no voxel.
+
+#include <filesystem>
+#include <vector>
+
+#include "dicom/series.h"
+#include "dicom/series_source.h"
+#include "render/base/progress.h"
+#include "render/base/result.h"
+#include "render/volume/file/grid_file.h"
+
+namespace pdr::app {
+
+/// The source of a series that lies in a volume file. Its only object is that file, and the frame of a slice is its
+/// index k in the file.
+class GridSource : public dicom::SeriesSource {
+  public:
+    explicit GridSource(GridFile grid) : grid_(std::move(grid)) {}
+
+    std::filesystem::path root() const override { return grid_.file.parent_path(); }
+    Result<Listing> list(const Progress&) const override { return Listing{{grid_.file}, {}}; }
+    Result<dicom::NamedBytes> open(const std::filesystem::path& name) const override { return dicom::NamedBytes{name}; }
+    const GridFile& grid() const { return grid_; }
+
+  private:
+    GridFile grid_;
+};
+
+/// Values from the lowest to the highest; what is not a number is left out.
+struct ValueRange {
+    double lowest = 0, highest = 0;
+};
+
+/// Returns whether values may be HU: the lowest in [-32768, -100], which fat and air have, and the highest in [100,
+/// 32767], which bone and contrast have. Images of 0 to 255, stored values from 0 on, MR and labels are none.
+bool mayBeHu(const ValueRange& range);
+
+/// Reads the header of `file` and, for the range of its values, all samples; memory is taken for none. The series says
+/// that the file states no unit, with the range, or why it is refused. Errors: those of readGridFile() and GridSamples;
+/// cancelled().
+Result<dicom::Series> gridSeries(const std::filesystem::path& file, const Progress& progress);
+
+/// Reads the voxels of `series`, which comes from gridSeries() and must be loadable. What is not a number becomes
+/// padding. Errors: those of GridSamples; the file is not the one that was listed; not enough memory; cancelled().
+Result<Volume> loadGridSeries(const dicom::Series& series, const Progress& progress);
+
+}  // namespace pdr::app

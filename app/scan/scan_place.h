@@ -1,0 +1,27 @@
+#pragma once
+/// The places that a scan can be opened from: a folder of DICOM files, an archive of them, or a volume file. Window and
+/// command line open scans through this code.
+
+#include <filesystem>
+#include <vector>
+
+#include "dicom/import.h"
+#include "dicom/series.h"
+#include "render/base/progress.h"
+#include "render/base/result.h"
+
+namespace pdr::app {
+
+/// Returns whether `path` is a file that scanPlace() opens by itself: one that ends in one of kScanEndings. Any other
+/// file stands for its folder, or is no scan. False for folders.
+bool isScanFile(const std::filesystem::path& path);
+
+/// Lists the series of a folder, of an archive, or the one of a volume file. Errors: those of dicom::scanFolder(),
+/// dicom::scanArchive() and gridSeries().
+Result<dicom::ScanResult> scanPlace(const std::filesystem::path& path, const Progress& progress);
+
+/// Reads the voxels of `series`, which comes from scanPlace(); see dicom::loadSeries().
+Result<Volume> loadVoxels(const dicom::Series& series, dicom::Padding padding, const Progress& progress,
+                          std::vector<dicom::Note>* notes = nullptr);
+
+}  // namespace pdr::app

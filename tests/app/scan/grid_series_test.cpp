@@ -1,0 +1,137 @@
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/scan/grid_series.h"
+#include "app/scan/scan_place.h"
+#include "tests/support/grid_files.h"
+
+using namespace pdr;
+using namespace pdr::app;
+
+namespace fs = std::filesystem;
+
+/// A volume file becomes a series by the importer's own judgement.
+class GridSeriesTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    fs::path at(const std::string& name) const { return fs::path(folder_.path().toStdString()) / name; }
+    Result<dicom::Series> seriesOf(const std::string& nrrd) const {
+        return gridSeries(test::written(at("a.nrrd"), nrrd), noProgress);
+    }
+    static std::string withValues(const std::vector<std::pair<std::string, std::string>>& header,
+                                  const std::vector<std::int16_t>& values) {
+        std::string bytes = test::nrrdBytes(header);
+        return bytes.replace(bytes.size() - 480, 480, test::bytesOf(values));
+    }
+
+  private slots:
+    void aVolumeFileIsOneEntry() {
+        const auto scan = scanPlace(test::written(at("head.mha"), test::metaImageBytes()), noProgress);
+        QVERIFY(bool(scan));
+        QCOMPARE(scan->series.size(), std::size_t(1));
+        const dicom::Series& series = scan->series[0];
+        QVERIFY2(series.verdict.loadable(), series.verdict.reason.c_str());
+        QCOMPARE(series.series.modality, std::string("MetaImage"));
+        QCOMPARE(series.geometry.size, ivec3(6, 5, 8));
+        QCOMPARE(series.patient, dicom::PatientFacts());
+        const auto volume = loadVoxels(series, dicom::Padding::maskAsAir, noProgress);
+        QVERIFY(bool(volume));
+        QVERIFY(std::ranges::equal(volume->voxels(), test::steppedValues({6, 5, 8})));
+        QCOMPARE(volume->geometry().spacingMm(), dvec3(0.8, 0.9, 1.5));
+    }
+
+    /// The list, the report and images say that nothing in the file calls its values HU.
+    void itIsSaidThatTheUnitIsNotStated() {
+        const auto series = seriesOf(test::nrrdBytes());
+        QVERIFY(bool(series));
+        QCOMPARE(series->verdict.notes.size(), std::size_t(1));
+        QCOMPARE(series->verdict.notes[0].text,
+                 std::string("the file does not say that its values are HU; they run from "
+                             "-1000 to 1390, and are taken as HU"));
+        const auto volume = loadVoxels(*series, dicom::Padding::maskAsAir, noProgress);
+        QVERIFY(bool(volume));
+        QCOMPARE(volume->remarks(), std::string("no-unit:-1000..1390"));
+    }
+
+    void valuesThatAreNoHuAreRefused() {
+        QVERIFY(mayBeHu({-1024, 3071}));
+        QVERIFY(mayBeHu({-100, 100}));
+        for (const ValueRange& range : {ValueRange{0, 255},
+                                        {0, 4095},
+                                        {-50, 5},
+                                        {-1000, 50},
+                                        {-99, 3000},
+                                        {-1e5, 3000},
+                                        {-1000, 40'000},
+                                        {-1000, std::numeric_limits<double>::infinity()}})
+            QVERIFY2(!mayBeHu(range), std::to_string(range.lowest).c_str());
+    }
+
+    /// A grid that is mirrored is turned by the order of its slices: no voxel changes its place in the patient.
+    void aMirroredGridIsTurned() {
+        const std::string bytes = test::nrrdBytes({{"space directions", "(0.8,0,0) (0,0.9,0) (0,0,-1.5)"}});
+        const auto series = seriesOf(bytes);
+        QVERIFY(bool(series) && series->verdict.loadable());
+        const auto volume = loadVoxels(*series, dicom::Padding::maskAsAir, noProgress);
+        QVERIFY(bool(volume));
+        const dmat4& map = volume->geometry().patientFromIndex;
+        QVERIFY(glm::determinant(dmat3(map)) > 0);
+        const auto stored = test::steppedValues({6, 5, 8});
+        for (int k = 0; k < 8; ++k) {
+            const dvec3 there = dvec3(map * dvec4(2, 3, k, 1)), fromFile = {-10 + 2 * 0.8, -20 + 3 * 0.9, there.z};
+            QVERIFY(glm::distance(there, fromFile) < 1e-9);
+            const int inFile = int(std::lround((30 - there.z) / 1.5));
+            QCOMPARE(volume->voxels()[std::size_t((k * 5 + 3) * 6 + 2)], stored[std::size_t((inFile * 5 + 3) * 6 + 2)]);
+        }
+    }
+
+    void aShearedGridIsRefused() {
+        const auto series = seriesOf(test::nrrdBytes({{"space directions", "(0.8,0,0) (0,0.9,0) (0,0.5,1.5)"}}));
+        QVERIFY(bool(series));
+        QCOMPARE(series->verdict.stack, dicom::Stack::tilted);
+        QVERIFY(!loadVoxels(*series, dicom::Padding::maskAsAir, noProgress));
+        const auto rows = seriesOf(test::nrrdBytes({{"space directions", "(0.8,0,0) (0.1,0.9,0) (0,0,1.5)"}}));
+        QVERIFY(bool(rows));
+        QCOMPARE(rows->verdict.stack, dicom::Stack::noGeometry);
+    }
+
+    /// What is not a number was not measured.
+    void whatIsNoNumberIsPadding() {
+        std::vector<float> values(6 * 5 * 8, 40.5f);
+        values[0] = -1000;
+        values[1] = 900;
+        values[7] = std::numeric_limits<float>::quiet_NaN();
+        std::string bytes = test::nrrdBytes({{"type", "float"}});
+        bytes.resize(bytes.size() - 480);
+        bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
+        const auto series = seriesOf(bytes);
+        QVERIFY(bool(series) && series->verdict.loadable());
+        const auto volume = loadVoxels(*series, dicom::Padding::maskAsAir, noProgress);
+        QVERIFY(bool(volume));
+        QCOMPARE(volume->paddingCount(), std::size_t(1));
+        QVERIFY(volume->isPadding(7));
+        QCOMPARE(volume->voxels()[7], Volume::kAirHu);
+        QCOMPARE(volume->voxels()[8], std::int16_t(40));  // halves go to the even neighbour
+    }
+
+    void anotherFileUnderItsNameIsRefused() {
+        const auto series = seriesOf(test::nrrdBytes());
+        QVERIFY(bool(series));
+        test::written(at("a.nrrd"), test::nrrdBytes({{"space origin", "(0,0,0)"}}));
+        const auto refused = loadVoxels(*series, dicom::Padding::maskAsAir, noProgress);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().where, at("a.nrrd").string());
+    }
+
+    void cancelledWhereAsked() {
+        const auto stop = [](double, std::string_view) { return false; };
+        const auto cancelled = gridSeries(test::written(at("a.nrrd"), test::nrrdBytes()), stop);
+        QVERIFY(!cancelled);
+        QCOMPARE(cancelled.error().kind, ErrorKind::cancelled);
+    }
+};
+
+QTEST_APPLESS_MAIN(GridSeriesTest)
+#include "grid_series_test.moc"
