@@ -39,7 +39,9 @@ struct SeriesFacts {
     int number = 0;
     /// Number of this entry within its series, from 1, if the images of the series make several entries.
     int part = 1;
-    Text phase;  ///< what tells the images of this entry from others of the same place ("acquisition 2"); empty: nothing
+    Text coding;  ///< how the slices' pixels are coded ("JPEG 2000"); empty: not known
+    Text
+        phase;  ///< what tells the images of this entry from others of the same place ("acquisition 2"); empty: nothing
 
     /// Returns what identifies this entry among all others of a scan: the UID, with "#2" behind it for the second part.
     std::string id() const { return part > 1 ? uid + "#" + std::to_string(part) : uid; }

@@ -1,18 +1,22 @@
 #include "app/jobs/series_images.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "dicom/read/pixels.h"
+#include "render/slice/grey_window.h"
 
 namespace pdr::app {
 namespace {
 
-constexpr int kSide = 96;                      ///< [px]
-constexpr int kDarkHu = -300, kWhiteHu = 500;  ///< range of the greys [HU]: lungs are black, bone is white
+constexpr int kSide = 96;                  ///< [px]
+constexpr GreyWindow kWindow{100.5, 801};  ///< for files that ask for none: lungs are black, bone is white
+constexpr double kUnknownPixelMm = 1;      ///< square pixels, where a series without a grid states no spacing
 
-int grey(std::int16_t hu) {
-    return std::clamp((int(hu) - kDarkHu) * 255 / (kWhiteHu - kDarkHu), 0, 255);
+/// Returns the pixels' size along x and y [mm].
+dvec2 pixelMm(const dicom::Series& series, const dicom::SliceRef& slice) {
+    if (series.verdict.loadable())
+        return dvec2(series.geometry.spacingMm());
+    return slice.identity.spacingMm.value_or(dvec2(kUnknownPixelMm));
 }
 
 }  // namespace
@@ -24,28 +28,31 @@ QImage seriesImage(const dicom::Series& series) {
     const auto slice = dicom::decodeSlice(*series.source, middle, dicom::Padding::maskAsAir);
     if (!slice)
         return {};
+    const GreyWindow window = series.window.window.value_or(kWindow);
     QImage image(slice->size.x, slice->size.y, QImage::Format_Grayscale8);
     for (int y = 0; y < slice->size.y; ++y)
         std::transform(slice->hu.begin() + std::ptrdiff_t(y) * slice->size.x,
                        slice->hu.begin() + std::ptrdiff_t(y + 1) * slice->size.x, image.scanLine(y),
-                       [](std::int16_t hu) { return uchar(grey(hu)); });
-    const dvec3 mm = series.geometry.spacingMm();
+                       [&](std::int16_t hu) { return greyLevel(window, float(hu)); });
+    const dvec2 mm = pixelMm(series, middle);
     const QSizeF shape(slice->size.x * mm.x, slice->size.y * mm.y);
     return image.scaled(shape.scaled(kSide, kSide, Qt::KeepAspectRatio).toSize().expandedTo({1, 1}),
                         Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }
 
-void SeriesImages::make(const dicom::ScanResult& scan) {
-    start([this, all = scan.series](const Progress&, const std::stop_token& stop) -> std::function<void()> {
-        std::vector<std::pair<int, QImage>> images;
-        for (std::size_t i = 0; i < all.size() && !stop.stop_requested(); ++i)
-            if (all[i].verdict.loadable())
-                if (const QImage picture = seriesImage(all[i]); !picture.isNull())
-                    images.emplace_back(int(i), picture);
-        return [this, images] {
-            for (const auto& [series, picture] : images)
-                emit made(series, picture);
-        };
+void SeriesImages::make(const dicom::ScanResult& scan, const std::vector<int>& order) {
+    start([this, all = scan.series, order](const Progress&, const std::stop_token& stop) -> std::function<void()> {
+        for (const int index : order) {
+            if (stop.stop_requested())
+                break;
+            const QImage image = seriesImage(all[std::size_t(index)]);
+            if (!image.isNull())
+                QMetaObject::invokeMethod(this, [this, stop, index, image] {
+                    if (!stop.stop_requested())
+                        emit made(index, image);
+                });
+        }
+        return [] {};
     });
 }
 

@@ -3,6 +3,7 @@
 /// memory and are not written to disk.
 
 #include <QImage>
+#include <vector>
 
 #include "app/jobs/background_job.h"
 #include "dicom/series.h"
@@ -13,17 +14,18 @@ class SeriesImages : public BackgroundJob {
     Q_OBJECT
 
   public slots:
-    /// Reads the middle slice of each loadable series and emits made() for each. A series that cannot be read gets no
-    /// image.
-    void make(const pdr::dicom::ScanResult& scan);
+    /// Reads the middle slice of the series with these indices in `scan`, one after the other, and emits made() as soon
+    /// as it has one. A series that cannot be read gets no image.
+    void make(const pdr::dicom::ScanResult& scan, const std::vector<int>& order);
 
   signals:
     /// Reports the middle slice of the series with index `series` in the scan.
     void made(int series, const QImage& image);
 };
 
-/// Returns the middle slice of `series`, which must be loadable, seen from the feet with the first row above, in its
-/// true shape and at most 96 pixels long. Null if it cannot be read.
+/// Returns the middle slice of `series` through the window that its files ask for, else one for soft tissue and bone:
+/// seen from the feet with the first row above, in its true shape and at most 96 pixels long. Null if it cannot be
+/// read.
 QImage seriesImage(const dicom::Series& series);
 
 }  // namespace pdr::app

@@ -66,7 +66,6 @@ void SeriesPresenter::close() {
     window().viewport().setMessage({});
     window().start().show();
     window().setChoosing(false);
-    images_.cancel();
     window().setSubject({});
     window().setPatient({});
     panel_->setNothingShown();
@@ -77,6 +76,7 @@ void SeriesPresenter::showScan(const dicom::ScanResult& scan, const QString& fol
     window().message().clear();
     window().setLastFolder(folder);
     panel_->setScan(scan);
+    images_.make(scan, panel_->order());
     settings().keepFolder(folder);
     showRecentFolders();
     if (const int only = onlyLoadable(scan); only >= 0)
@@ -88,10 +88,9 @@ void SeriesPresenter::showScan(const dicom::ScanResult& scan, const QString& fol
 void SeriesPresenter::showChoice(const dicom::ScanResult& scan, const QString& folder) {
     window().setChoosing(true);
     window().start().hide();
-    images_.make(scan);
     if (firstLoadable(scan) >= 0)
         return window().viewport().setMessage(ui::MainWindow::tr("Choose a series from the list on the left."));
-    panel_->setCurrent(scan.series.empty() ? -1 : 0);
+    panel_->setCurrent(scan.series.empty() ? -1 : panel_->order().front());
     Error error = nothingLoadable(scan).in(folder.toStdString());
     error.hint = phrase("Open a folder with a CT series.");
     showError(error);

@@ -125,4 +125,33 @@ std::string transferSyntaxName(const std::string& transferSyntaxUid) {
     return syntax.getXfer() == EXS_Unknown ? transferSyntaxUid : std::string(syntax.getXferName());
 }
 
+Text codingName(const std::string& transferSyntaxUid) {
+    const std::string name = transferSyntaxName(transferSyntaxUid);
+    if (isJpeg2000(transferSyntaxUid))
+        return std::string(name.starts_with("High") ? "HTJ2K" : "JPEG 2000");
+    switch (DcmXfer(transferSyntaxUid.c_str()).getXfer()) {
+        case EXS_LittleEndianImplicit:
+        case EXS_LittleEndianExplicit:
+        case EXS_BigEndianExplicit:
+            return phrase("uncompressed");
+        case EXS_DeflatedLittleEndianExplicit:
+            return std::string("Deflate");
+        case EXS_RLELossless:
+            return std::string("RLE");
+        case EXS_JPEGProcess1:
+        case EXS_JPEGProcess2_4:
+        case EXS_JPEGProcess6_8:
+        case EXS_JPEGProcess10_12:
+            return std::string("JPEG");
+        case EXS_JPEGProcess14:
+        case EXS_JPEGProcess14SV1:
+            return phrase("JPEG lossless");
+        case EXS_JPEGLSLossless:
+        case EXS_JPEGLSLossy:
+            return std::string("JPEG-LS");
+        default:
+            return name;
+    }
+}
+
 }  // namespace pdr::dicom

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "render/base/text.h"
+
 namespace pdr::dicom {
 
 /// Sets up the toolkit. Must be called before any other use of it; later calls do nothing. Thread-safe.
@@ -35,5 +37,9 @@ bool codingIsLossy(const std::string& transferSyntaxUid);
 
 /// Returns the name of a transfer syntax: "JPEG 2000 (lossless only)", or the UID itself if it is unknown.
 std::string transferSyntaxName(const std::string& transferSyntaxUid);
+
+/// Returns the short name of a transfer syntax, for a list: "uncompressed", "JPEG 2000"; that of transferSyntaxName()
+/// if it is none that can be decoded.
+Text codingName(const std::string& transferSyntaxUid);
 
 }  // namespace pdr::dicom

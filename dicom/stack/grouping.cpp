@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "dicom/read/byte_source.h"
+#include "dicom/read/codecs.h"
 #include "dicom/read/open_images.h"
 #include "dicom/read/refusal.h"
 #include "dicom/stack/concatenation.h"
@@ -119,6 +120,14 @@ StatedWindow windowOf(const Headers& sorted) {
     return ignored == sorted.end() ? StatedWindow() : (*ignored)->window;
 }
 
+/// Returns the name of the slices' coding, if they have one in common.
+Text codingOf(const Headers& headers) {
+    const std::string& first = headers.front()->transferSyntaxUid;
+    const bool isCommon =
+        std::ranges::all_of(headers, [&](const auto* each) { return each->transferSyntaxUid == first; });
+    return isCommon ? codingName(first) : phrase("several codings");
+}
+
 Series seriesOf(const Headers& headers, const StackAnalysis& analysis) {
     const SliceHeader& first = *headers.front();
     Series series{first.patient, first.study, first.series, analysis.verdict, {}, analysis.geometry};
@@ -128,6 +137,7 @@ Series seriesOf(const Headers& headers, const StackAnalysis& analysis) {
     for (const SliceHeader* slice : sorted)
         series.slices.push_back({slice->file, slice->frame, identityOf(*slice)});
     series.window = windowOf(sorted);
+    series.series.coding = codingOf(headers);
     return series;
 }
 

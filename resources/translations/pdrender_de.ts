@@ -202,6 +202,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 hier, %2 dort</translation>
     </message>
     <message>
+        <source>%1 images</source>
+        <translation>%1 Bilder</translation>
+    </message>
+    <message>
         <source>%1 in %2</source>
         <translation>%1 in %2</translation>
     </message>
@@ -332,6 +336,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1 separate parts are kept.</source>
         <translation>%1 getrennte Teile bleiben.</translation>
+    </message>
+    <message>
+        <source>%1 slices</source>
+        <translation>%1 Schichten</translation>
     </message>
     <message>
         <source>%1 slices may be missing: the files are numbered up to %2, and number %3 and others are not there</source>
@@ -760,6 +768,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>1 file could not be read, and slices of this series may be missing (%2)</source>
         <translation>1 Datei konnte nicht gelesen werden, und Schichten dieser Serie fehlen vielleicht (%2)</translation>
+    </message>
+    <message>
+        <source>1 image</source>
+        <translation>1 Bild</translation>
     </message>
     <message>
         <source>1 iteration per frame on %1</source>
@@ -2172,6 +2184,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Its name and where it is reached</source>
         <translation>Wie er heißt und wo er erreicht wird</translation>
+    </message>
+    <message>
+        <source>JPEG lossless</source>
+        <translation>JPEG verlustfrei</translation>
     </message>
     <message>
         <source>Keep all</source>
@@ -3598,6 +3614,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Stärke der gewählten Lampe</translation>
     </message>
     <message>
+        <source>Study without a date</source>
+        <translation>Untersuchung ohne Datum</translation>
+    </message>
+    <message>
         <source>Systematic error</source>
         <translation>Systematischer Fehler</translation>
     </message>
@@ -4572,6 +4592,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>nicht lesbar</translation>
     </message>
     <message>
+        <source>clipped</source>
+        <translation>begrenzt</translation>
+    </message>
+    <message>
         <source>clipping</source>
         <translation>Schnitt</translation>
     </message>
@@ -4594,6 +4618,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>contrast</source>
         <translation>Kontrastmittel</translation>
+    </message>
+    <message>
+        <source>copies</source>
+        <translation>Kopien</translation>
     </message>
     <message>
         <source>cut: %1</source>
@@ -4622,6 +4650,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>directed scattering</source>
         <translation>gerichtete Streuung</translation>
+    </message>
+    <message>
+        <source>divided</source>
+        <translation>geteilt</translation>
     </message>
     <message>
         <source>duplicate slice position</source>
@@ -4818,6 +4850,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>in the region ±%1 (95 % of the tissue)</source>
         <translation>im Bereich ±%1 (95 % des Gewebes)</translation>
+    </message>
+    <message>
+        <source>incomplete</source>
+        <translation>unvollständig</translation>
+    </message>
+    <message>
+        <source>incomplete?</source>
+        <translation>unvollständig?</translation>
     </message>
     <message>
         <source>is "%1", must be "%2"</source>
@@ -5304,6 +5344,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>der Tisch wird gesucht</translation>
     </message>
     <message>
+        <source>lossy</source>
+        <translation>verlustbehaftet</translation>
+    </message>
+    <message>
+        <source>lossy?</source>
+        <translation>verlustbehaftet?</translation>
+    </message>
+    <message>
         <source>lung</source>
         <translation>Lunge</translation>
     </message>
@@ -5330,6 +5378,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>meetings with tissue above its bound</source>
         <translation>Treffen auf Gewebe über seiner Schranke</translation>
+    </message>
+    <message>
+        <source>mended</source>
+        <translation>berichtigt</translation>
     </message>
     <message>
         <source>metal</source>
@@ -5616,6 +5668,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>hier nicht gezeigt</translation>
     </message>
     <message>
+        <source>note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
         <source>nothing can be peeled off</source>
         <translation>nichts kann abgeschält werden</translation>
     </message>
@@ -5744,6 +5800,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Das Bild entsteht: %1 Abtastungen in %2</translation>
     </message>
     <message>
+        <source>resampled</source>
+        <translation>umgerechnet</translation>
+    </message>
+    <message>
         <source>results that never came: %1</source>
         <translation>ausgebliebene Ergebnisse: %1</translation>
     </message>
@@ -5794,6 +5854,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>separating the body parts</source>
         <translation>Körperteile werden getrennt</translation>
+    </message>
+    <message>
+        <source>several codings</source>
+        <translation>mehrere Codierungen</translation>
     </message>
     <message>
         <source>shadows</source>
@@ -6668,6 +6732,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Kacheln wären kürzer, als ein Render-Rechner zum Anlaufen braucht: %1 von %2</translation>
     </message>
     <message>
+        <source>tilted</source>
+        <translation>gekippt</translation>
+    </message>
+    <message>
         <source>time to the target</source>
         <translation>Zeit bis zum Ziel</translation>
     </message>
@@ -6690,6 +6758,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>too few measurements: %1 sizes with %2 numbers of iterations</source>
         <translation>zu wenige Messungen: %1 Größen mit %2 Anzahlen von Durchgängen</translation>
+    </message>
+    <message>
+        <source>uncompressed</source>
+        <translation>unkomprimiert</translation>
+    </message>
+    <message>
+        <source>uneven</source>
+        <translation>ungleichmäßig</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>Einheiten</translation>
     </message>
     <message>
         <source>visible background</source>

@@ -202,6 +202,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 aquí, %2 allí</translation>
     </message>
     <message>
+        <source>%1 images</source>
+        <translation>%1 imágenes</translation>
+    </message>
+    <message>
         <source>%1 in %2</source>
         <translation>%1 en %2</translation>
     </message>
@@ -332,6 +336,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1 separate parts are kept.</source>
         <translation>Se conservan %1 partes separadas.</translation>
+    </message>
+    <message>
+        <source>%1 slices</source>
+        <translation>%1 cortes</translation>
     </message>
     <message>
         <source>%1 slices may be missing: the files are numbered up to %2, and number %3 and others are not there</source>
@@ -760,6 +768,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>1 file could not be read, and slices of this series may be missing (%2)</source>
         <translation>1 archivo no se pudo leer y pueden faltar cortes de esta serie (%2)</translation>
+    </message>
+    <message>
+        <source>1 image</source>
+        <translation>1 imagen</translation>
     </message>
     <message>
         <source>1 iteration per frame on %1</source>
@@ -2172,6 +2184,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Its name and where it is reached</source>
         <translation>Cómo se llama y dónde se le encuentra</translation>
+    </message>
+    <message>
+        <source>JPEG lossless</source>
+        <translation>JPEG sin pérdida</translation>
     </message>
     <message>
         <source>Keep all</source>
@@ -3598,6 +3614,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Intensidad de la lámpara elegida</translation>
     </message>
     <message>
+        <source>Study without a date</source>
+        <translation>Estudio sin fecha</translation>
+    </message>
+    <message>
         <source>Systematic error</source>
         <translation>Error sistemático</translation>
     </message>
@@ -4572,6 +4592,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no se puede leer</translation>
     </message>
     <message>
+        <source>clipped</source>
+        <translation>recortada</translation>
+    </message>
+    <message>
         <source>clipping</source>
         <translation>corte</translation>
     </message>
@@ -4594,6 +4618,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>contrast</source>
         <translation>contraste</translation>
+    </message>
+    <message>
+        <source>copies</source>
+        <translation>copias</translation>
     </message>
     <message>
         <source>cut: %1</source>
@@ -4622,6 +4650,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>directed scattering</source>
         <translation>dispersión dirigida</translation>
+    </message>
+    <message>
+        <source>divided</source>
+        <translation>dividida</translation>
     </message>
     <message>
         <source>duplicate slice position</source>
@@ -4818,6 +4850,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>in the region ±%1 (95 % of the tissue)</source>
         <translation>en la región ±%1 (95 % del tejido)</translation>
+    </message>
+    <message>
+        <source>incomplete</source>
+        <translation>incompleta</translation>
+    </message>
+    <message>
+        <source>incomplete?</source>
+        <translation>¿incompleta?</translation>
     </message>
     <message>
         <source>is "%1", must be "%2"</source>
@@ -5304,6 +5344,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>se busca la mesa</translation>
     </message>
     <message>
+        <source>lossy</source>
+        <translation>con pérdida</translation>
+    </message>
+    <message>
+        <source>lossy?</source>
+        <translation>¿con pérdida?</translation>
+    </message>
+    <message>
         <source>lung</source>
         <translation>pulmón</translation>
     </message>
@@ -5330,6 +5378,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>meetings with tissue above its bound</source>
         <translation>encuentros con tejido por encima de su cota</translation>
+    </message>
+    <message>
+        <source>mended</source>
+        <translation>corregida</translation>
     </message>
     <message>
         <source>metal</source>
@@ -5616,6 +5668,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no se muestra aquí</translation>
     </message>
     <message>
+        <source>note</source>
+        <translation>nota</translation>
+    </message>
+    <message>
         <source>nothing can be peeled off</source>
         <translation>no se puede pelar nada</translation>
     </message>
@@ -5744,6 +5800,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Creando la imagen: %1 muestras en %2</translation>
     </message>
     <message>
+        <source>resampled</source>
+        <translation>recalculada</translation>
+    </message>
+    <message>
         <source>results that never came: %1</source>
         <translation>resultados que no llegaron: %1</translation>
     </message>
@@ -5794,6 +5854,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>separating the body parts</source>
         <translation>separando las partes del cuerpo</translation>
+    </message>
+    <message>
+        <source>several codings</source>
+        <translation>varias codificaciones</translation>
     </message>
     <message>
         <source>shadows</source>
@@ -6668,6 +6732,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>las teselas serían más cortas de lo que un equipo de render necesita para empezar: %1 de %2</translation>
     </message>
     <message>
+        <source>tilted</source>
+        <translation>inclinada</translation>
+    </message>
+    <message>
         <source>time to the target</source>
         <translation>tiempo hasta el objetivo</translation>
     </message>
@@ -6690,6 +6758,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>too few measurements: %1 sizes with %2 numbers of iterations</source>
         <translation>muy pocas mediciones: %1 tamaños con %2 números de iteraciones</translation>
+    </message>
+    <message>
+        <source>uncompressed</source>
+        <translation>sin comprimir</translation>
+    </message>
+    <message>
+        <source>uneven</source>
+        <translation>irregular</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>unidades</translation>
     </message>
     <message>
         <source>visible background</source>

@@ -1,24 +1,29 @@
 #pragma once
-/// Paints one series of the list as three or four lines: its title, the patient where several must be told apart, its
+/// Paints the rows of the series list: headings of patients and studies, and below each its series: a title, lines of
 /// facts and the verdict; beside them a thumbnail, if there is one.
 
 #include <QStyledItemDelegate>
 
 namespace pdr::ui {
 
-/// The data roles of an item in the series list. The thumbnail is in Qt::DecorationRole.
-/// kNumberRole  number of the patient in the list, from 1
-/// kWhoRole     birth date and ID where patients must be told apart; empty: no line
+/// The data roles of a row of the series list. The thumbnail is in Qt::DecorationRole.
+///   kSeriesRole            index of the series in the scan; -1: the row is a heading
+///   kTitleRole, kLinesRole the first line, and those below it (QStringList)
+///   kLoadableRole          whether the series can be loaded
+///   kDetailRole            the reason of a refusal, or notes, as sentences
+///   kPatientRole, kDetailsOfPatientRole, kNumberRole   the patient's name; birth date and ID; number in the list
+///   kStudyRole, kNamelessStudyRole                     the study of a heading, and without what may name the patient
 enum SeriesRole {
     kPatientRole = Qt::UserRole,
+    kDetailsOfPatientRole,
+    kNumberRole,
+    kStudyRole,
+    kNamelessStudyRole,
+    kSeriesRole,
     kTitleRole,
-    kFactsRole,
-    kVerdictRole,
+    kLinesRole,
     kLoadableRole,
     kDetailRole,
-    kNumberRole,
-    kWhoRole,
-    kDetailsOfPatientRole
 };
 
 class SeriesDelegate : public QStyledItemDelegate {

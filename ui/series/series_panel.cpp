@@ -1,58 +1,17 @@
 #include "ui/series/series_panel.h"
 
+#include <QKeyEvent>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "ui/series/series_delegate.h"
+#include "ui/series/series_items.h"
 #include "ui/text/room_text.h"
-#include "ui/text/series_text.h"
 #include "ui/text/to_qt.h"
 
 namespace pdr::ui {
 namespace {
-
-/// Returns the reason why a series cannot be shown, or remarks about one that can.
-QString detailOf(const dicom::GeometryVerdict& verdict) {
-    QStringList lines;
-    if (!verdict.reason.empty())
-        lines << sentence(verdict.reason);
-    for (const dicom::Note& note : verdict.notes)
-        lines << sentence(note.text);
-    return lines.join('\n');
-}
-
-bool samePatient(const dicom::Series& a, const dicom::Series& b) {
-    return dicom::samePatient(a.patient, b.patient);
-}
-
-/// Returns the number of the series' patient, from 1, in the order of the list.
-int patientNumber(const dicom::ScanResult& scan, const dicom::Series& series) {
-    int number = 0;
-    for (auto one = scan.series.begin(); one != scan.series.end(); ++one) {
-        const bool isNew = std::none_of(scan.series.begin(), one, [&](const auto& s) { return samePatient(s, *one); });
-        number += isNew ? 1 : 0;
-        if (samePatient(*one, series))
-            break;
-    }
-    return number;
-}
-
-QStandardItem* itemOf(const dicom::Series& series, int patientNumber) {
-    const QString title = seriesTitle(series), facts = seriesFacts(series), date = seriesDate(series);
-    const QString verdict = verdictText(series.verdict) + (date.isEmpty() ? "" : ", " + date);
-    auto* item = new QStandardItem(title);
-    item->setEditable(false);
-    item->setData(patientName(series.patient), kPatientRole);
-    item->setData(patientDetails(series.patient), kDetailsOfPatientRole);
-    item->setData(patientNumber, kNumberRole);
-    item->setData(facts, kFactsRole);
-    item->setData(verdict, kVerdictRole);
-    item->setData(series.verdict.loadable(), kLoadableRole);
-    item->setData(detailOf(series.verdict), kDetailRole);
-    item->setToolTip(detailOf(series.verdict));
-    return item;
-}
 
 QString fileNames(const std::vector<dicom::Problem>& problems) {
     constexpr std::size_t kAtMost = 20;
@@ -74,22 +33,27 @@ SeriesPanel::SeriesPanel(QWidget* parent) : QWidget(parent) {
     patient_.setTextFormat(Qt::PlainText);
     patient_.setWordWrap(true);
 
+    list_.setObjectName("seriesList");
     list_.setAccessibleName(tr("Series"));
     list_.setModel(&model_);
     list_.setItemDelegate(new SeriesDelegate(&list_));
     list_.setFrameShape(QFrame::NoFrame);
     list_.setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     list_.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    connect(list_.selectionModel(), &QItemSelectionModel::selectionChanged, this, &SeriesPanel::choose);
-    connect(&list_, &QListView::activated, list_.selectionModel(), [this](const QModelIndex& item) {
-        list_.selectionModel()->select(item, QItemSelectionModel::ClearAndSelect);
+    list_.installEventFilter(this);
+    connect(list_.selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        const QModelIndexList marked = list_.selectionModel()->selectedIndexes();
+        showDetail(marked.isEmpty() ? QModelIndex() : marked.front());
     });
+    connect(&list_, &QListView::clicked, this, &SeriesPanel::choose);
+    connect(&list_, &QListView::activated, this, &SeriesPanel::choose);
 
     for (QLabel* label : {&detail_, &leftOut_}) {
         label->setWordWrap(true);
         label->setTextFormat(Qt::PlainText);
         label->hide();
     }
+    detail_.setObjectName("seriesDetail");
     detail_.setAccessibleName(tr("About the series"));
     leftOut_.setAccessibleName(tr("Files that were left out"));
     leftOut_.setForegroundRole(QPalette::PlaceholderText);
@@ -105,13 +69,8 @@ SeriesPanel::SeriesPanel(QWidget* parent) : QWidget(parent) {
 
 void SeriesPanel::setScan(const dicom::ScanResult& scan) {
     const QSignalBlocker silent(this);
-    model_.clear();
-    several_ = std::any_of(scan.series.begin(), scan.series.end(),
-                           [&](const dicom::Series& series) { return !samePatient(series, scan.series.front()); });
-    for (const dicom::Series& series : scan.series) {
-        model_.appendRow(itemOf(series, patientNumber(scan, series)));
-        name(*model_.item(model_.rowCount() - 1));
-    }
+    rows_ = fillSeriesModel(model_, scan);
+    namePatients(model_, namesHidden_);
     setCurrent(-1);
     leftOut_.setVisible(!scan.problems.empty());
     leftOut_.setText(QString::fromUtf8("\u26A0  ") +
@@ -120,72 +79,74 @@ void SeriesPanel::setScan(const dicom::ScanResult& scan) {
     leftOut_.setToolTip(fileNames(scan.problems));
 }
 
+std::vector<int> SeriesPanel::order() const {
+    std::vector<int> all;
+    for (int i = 0; i < model_.rowCount(); ++i)
+        if (const int series = model_.item(i)->data(kSeriesRole).toInt(); series >= 0)
+            all.push_back(series);
+    return all;
+}
+
+QModelIndex SeriesPanel::rowOf(int series) const {
+    return series < 0 || series >= int(rows_.size()) ? QModelIndex() : model_.index(rows_[std::size_t(series)], 0);
+}
+
 void SeriesPanel::setCurrent(int index) {
     const QSignalBlocker silent(this);
-    shown_ = index;
-    const QModelIndex item = model_.index(index, 0);
-    patient_.setText(item.isValid() ? patientOf(item) : QString());
-    list_.selectionModel()->setCurrentIndex(item, QItemSelectionModel::ClearAndSelect);
-    showDetail(index);
+    shown_ = chosen_ = index;
+    const QModelIndex row = rowOf(index);
+    showPatient();
+    list_.selectionModel()->setCurrentIndex(row, QItemSelectionModel::ClearAndSelect);
+    showDetail(row);
 }
 
 void SeriesPanel::setImage(int series, const QImage& image) {
-    if (QStandardItem* item = model_.item(series))
+    if (QStandardItem* item = model_.itemFromIndex(rowOf(series)))
         item->setData(QPixmap::fromImage(image), Qt::DecorationRole);
 }
 
 void SeriesPanel::setNothingShown() {
     shown_ = -1;
-    patient_.clear();
+    showPatient();
 }
 
 void SeriesPanel::setNamesHidden(bool hidden) {
     namesHidden_ = hidden;
-    for (int i = 0; i < model_.rowCount(); ++i)
-        name(*model_.item(i));
-    if (shown_ >= 0)
-        patient_.setText(patientOf(model_.index(shown_, 0)));
+    namePatients(model_, hidden);
+    showPatient();
 }
 
 QString SeriesPanel::numberedPatient() const {
-    return numberedPatient(model_.index(shown_, 0));
+    return patientOf(rowOf(shown_), true);
 }
 
-QString SeriesPanel::numberedPatient(const QModelIndex& item) {
-    return tr("Patient %1 (name hidden)").arg(item.data(kNumberRole).toInt());
+bool SeriesPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::KeyPress || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Space)
+        return QWidget::eventFilter(watched, event);
+    list_.selectionModel()->select(list_.currentIndex(), QItemSelectionModel::ClearAndSelect);
+    choose(list_.currentIndex());
+    return true;
 }
 
-QString SeriesPanel::patientOf(const QModelIndex& item) const {
-    return namesHidden_ ? numberedPatient(item) : item.data(kPatientRole).toString();
+/// Names the patient in the image above the list. With one patient in it, the heading says the same.
+void SeriesPanel::showPatient() {
+    const QModelIndex row = rowOf(shown_);
+    patient_.setText(row.isValid() ? patientOf(row, namesHidden_) : QString());
+    patient_.setVisible(row.isValid() && hasSeveralPatients(model_));
 }
 
-/// Sets the title of the item, preceded by the patient if the list has several.
-void SeriesPanel::name(QStandardItem& item) const {
-    const QString series = item.text();
-    const QString title = several_ ? tr("%1: %2", "patient, series").arg(patientOf(item.index()), series) : series;
-    item.setData(title, kTitleRole);
-    item.setData(several_ && !namesHidden_ ? item.data(kDetailsOfPatientRole) : QVariant(), kWhoRole);
-    QStringList all{title};
-    for (const int role : {kWhoRole, kFactsRole, kVerdictRole, kDetailRole})
-        all << item.data(role).toString();
-    all.removeAll({});
-    item.setData(all.join(", "), Qt::AccessibleTextRole);
-}
-
-void SeriesPanel::showDetail(int index) {
-    const QString text = model_.index(index, 0).data(kDetailRole).toString();
+void SeriesPanel::showDetail(const QModelIndex& row) {
+    const QString text = row.data(kDetailRole).toString();
     detail_.setText(text);
     detail_.setVisible(!text.isEmpty());
 }
 
-void SeriesPanel::choose() {
-    const QModelIndexList marked = list_.selectionModel()->selectedIndexes();
-    if (marked.isEmpty())
+void SeriesPanel::choose(const QModelIndex& row) {
+    const int series = row.isValid() ? row.data(kSeriesRole).toInt() : -1;
+    if (series < 0 || series == chosen_ || !row.data(kLoadableRole).toBool())
         return;
-    const QModelIndex& item = marked.front();
-    showDetail(item.row());
-    if (item.data(kLoadableRole).toBool())
-        emit seriesChosen(item.row());
+    chosen_ = series;
+    emit seriesChosen(series);
 }
 
 }  // namespace pdr::ui

@@ -1,11 +1,13 @@
 #pragma once
-/// The list of the series in a folder: which ones can be shown, which cannot, and why. Setters emit no signals.
+/// The list of the series in a folder, by patient and study: which ones can be shown, which cannot, and why. Setters
+/// emit no signals. Series are named by their index in the scan, whatever row they have.
 
 #include <QImage>
 #include <QLabel>
 #include <QListView>
 #include <QStandardItemModel>
 #include <QWidget>
+#include <vector>
 
 #include "dicom/series.h"
 
@@ -33,24 +35,30 @@ class SeriesPanel : public QWidget {
     QString numberedPatient() const;
     QString detail() const { return detail_.text(); }
     const QListView& list() const { return list_; }
+    /// Returns the indices of the series in the scan, in the order of the list.
+    std::vector<int> order() const;
+    /// Returns the row of the series with index `series` in the scan.
+    QModelIndex rowOf(int series) const;
 
     QSize sizeHint() const override { return {240, 400}; }
 
   signals:
-    /// Reports a loadable series that was clicked, or selected or activated by the keyboard. Moving the focus to the
-    /// list by Tab selects none.
+    /// Reports a loadable series that was clicked, or chosen by Enter or the space bar. The arrow keys only mark one
+    /// and show what is said about it.
     void seriesChosen(int index);
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
-    void showDetail(int index);
-    void name(QStandardItem& item) const;
-    static QString numberedPatient(const QModelIndex& item);
-    QString patientOf(const QModelIndex& item) const;
-    void choose();
+    void showDetail(const QModelIndex& row);
+    void showPatient();
+    void choose(const QModelIndex& row);
 
     int shown_ = -1;
-    bool several_ = false;  ///< the list has several patients
+    int chosen_ = -1;  ///< what was asked for last; a double click asks once
     bool namesHidden_ = false;
+    std::vector<int> rows_;  ///< the row of each series, by its index in the scan
     QLabel patient_;
     QListView list_;
     QStandardItemModel model_;

@@ -23,33 +23,6 @@ QString dateText(const std::string& dicomDate) {
     return date.isValid() ? date.toString(Qt::ISODate) : text;
 }
 
-const char* stackWord(dicom::Stack stack) {
-    using dicom::Stack;
-    switch (stack) {
-        case Stack::even:
-            return QT_TRANSLATE_NOOP("series", "can be shown");
-        case Stack::singleSlice:
-            return QT_TRANSLATE_NOOP("series", "a single slice");
-        case Stack::gap:
-            return QT_TRANSLATE_NOOP("series", "a slice is missing");
-        case Stack::doubled:
-            return QT_TRANSLATE_NOOP("series", "duplicate slice position");
-        case Stack::tilted:
-            return QT_TRANSLATE_NOOP("series", "gantry tilt");
-        case Stack::mixedOrientation:
-            return QT_TRANSLATE_NOOP("series", "mixed slice orientations");
-        case Stack::mixedSize:
-            return QT_TRANSLATE_NOOP("series", "slices of different size");
-        case Stack::noGeometry:
-            return QT_TRANSLATE_NOOP("series", "missing position data");
-        case Stack::notCt:
-            return QT_TRANSLATE_NOOP("series", "not a CT volume");
-        case Stack::unreadable:
-            return QT_TRANSLATE_NOOP("series", "cannot be read");
-    }
-    return "";
-}
-
 /// Joins the parts that are not empty.
 QString joined(QStringList parts) {
     parts.removeAll({});
@@ -69,13 +42,17 @@ bool namesPatient(const QString& text, const dicom::PatientFacts& patient) {
 
 }  // namespace
 
-QString seriesTitle(const dicom::Series& series) {
+QString seriesName(const dicom::Series& series) {
     QString title = QString::fromStdString(series.series.description).trimmed();
     if (title.isEmpty())
         title = QString::fromStdString(series.study.description).trimmed();
     if (title.isEmpty())
         title = translated("Series %1").arg(series.series.number);
-    return series.series.phase.empty() ? title : joined({title, inWords(series.series.phase)});
+    return title;
+}
+
+QString seriesTitle(const dicom::Series& series) {
+    return joined({seriesName(series), inWords(series.series.phase)});
 }
 
 QString seriesNumber(const dicom::Series& series) {
@@ -88,26 +65,25 @@ QString windowSubject(const dicom::Series& series) {
     return described && !namesPatient(title, series.patient) ? title : seriesNumber(series);
 }
 
-QString seriesFacts(const dicom::Series& series) {
-    const QChar times(0x00D7);
+QStringList seriesFacts(const dicom::Series& series, double sliceDistanceMm) {
+    const bool loadable = series.verdict.loadable();
     const ivec3 size = series.geometry.size;
-    QStringList parts;
-    if (size.x > 0 && size.y > 0)
-        parts << QString("%1 %4 %2 %4 %3").arg(size.x).arg(size.y).arg(std::max(size.z, 1)).arg(times);
-    if (series.verdict.loadable()) {
-        const dvec3 mm = series.geometry.spacingMm();
-        parts << QString("%1 %4 %2 %4 %3 mm").arg(number(mm.x, 2), number(mm.y, 2), number(mm.z, 2)).arg(times);
-    }
-    return parts.join(", ");
+    const auto images = series.slices.size();
+    const QString count = loadable      ? translated("%1 slices").arg(size.z)
+                          : images == 1 ? translated("1 image")
+                                        : translated("%1 images").arg(images);
+    const QString apart = loadable ? number(sliceDistanceMm, 2) + " mm" : QString();
+    const QString pixels = size.x > 0 ? QString::fromUtf8("%1 × %2").arg(size.x).arg(size.y) : QString();
+    QStringList lines{joined({count, apart}), inWords(series.series.phase),
+                      joined({pixels, inWords(series.series.coding)})};
+    lines.removeAll({});
+    return lines;
 }
 
-QString seriesDate(const dicom::Series& series) {
-    return dateText(series.series.date.empty() ? series.study.date : series.series.date);
-}
-
-QString verdictText(const dicom::GeometryVerdict& verdict) {
-    const QChar symbol(verdict.loadable() ? 0x2713 : 0x2717);
-    return QString("%1  %2").arg(symbol).arg(translated(stackWord(verdict.stack)));
+QString studyText(const dicom::Series& series, bool namesHidden) {
+    const QString date = dateText(series.study.date.empty() ? series.series.date : series.study.date);
+    const QString description = QString::fromStdString(series.study.description).trimmed();
+    return joined({date, namesHidden ? QString() : description});
 }
 
 QString patientName(const dicom::PatientFacts& patient) {

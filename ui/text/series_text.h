@@ -9,18 +9,20 @@
 namespace pdr::ui {
 
 /// Returns the series' own description, or a substitute if it has none.
+QString seriesName(const dicom::Series& series);
+/// Returns that name and, behind it, the phase: "Thorax · acquisition 2".
 QString seriesTitle(const dicom::Series& series);
 /// Returns a text for the title bar, which task lists, screenshots and recordings show: the series' title, or "CT
 /// series 3" if there is none or if it contains a part of the patient's name or the ID.
 QString windowSubject(const dicom::Series& series);
 /// Returns "CT series 3", which reveals nothing about the patient.
 QString seriesNumber(const dicom::Series& series);
-/// Returns "512 x 512 x 100, 0.90 x 0.90 x 2.50 mm", or as much as is known.
-QString seriesFacts(const dicom::Series& series);
-/// Returns the date of the series, else of the study, as 2024-01-31; empty if there is none.
-QString seriesDate(const dicom::Series& series);
-/// Returns a symbol and words: "✓ can be shown", "✗ a slice is missing".
-QString verdictText(const dicom::GeometryVerdict& verdict);
+/// Returns lines that describe the images of a series, or as much as is known: "100 slices · 2.50 mm", with
+/// `sliceDistanceMm` if it can be loaded; the phase; "512 × 512 · JPEG 2000".
+QStringList seriesFacts(const dicom::Series& series, double sliceDistanceMm);
+/// Returns the date and the description of the study of `series`: "2024-01-31 · Follow-up"; the date alone if names are
+/// hidden, since descriptions sometimes contain them. Empty if nothing is stated.
+QString studyText(const dicom::Series& series, bool namesHidden);
 /// Returns "Doe, Jane" for "Doe^Jane"; the first of several representations.
 QString patientName(const dicom::PatientFacts& patient);
 

@@ -2,17 +2,20 @@
 
 #include <QDir>
 #include <QFile>
+#include <QSignalSpy>
 #include <QStandardItemModel>
 #include <QTest>
 
 #include "app/jobs/series_images.h"
 #include "app/presenters/series_presenter.h"
 #include "app/scan/series_choice.h"
+#include "dicom/import.h"
 #include "dicom/write/export.h"
 #include "render/volume/phantom.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/desktop/the.h"
 #include "tests/support/patience.h"
+#include "ui/series/series_delegate.h"
 #include "ui/series/series_panel.h"
 #include "ui/text/to_qt.h"
 
@@ -28,8 +31,8 @@ static void writeSeries(const QString& folder, const std::string& name, const st
         QVERIFY(QFile::remove(folder + "/" + files[files.size() / 2]));
 }
 
-static QVariant itemOf(Trial& trial, int row, int role) {
-    return test::the<ui::SeriesPanel>(trial.desktop.window()).list().model()->index(row, 0).data(role);
+static QVariant itemOf(Trial& trial, int series, int role) {
+    return test::the<ui::SeriesPanel>(trial.desktop.window()).rowOf(series).data(role);
 }
 
 class TestSeriesList : public QObject {
@@ -42,6 +45,8 @@ class TestSeriesList : public QObject {
     void oneLoadableAmongSeveralPatientsIsToBeChosen();
     void aRefusedFolderShowsItsListAndItsReasons();
     void whoItIsStandsInTheImage();
+    void thumbnailsComeInTheOrderOfTheList();
+    void noThumbnailComesOnceTheyAreCancelled();
 
   private:
     QString at(const QString& name) const { return place_->filePath(name); }
@@ -55,7 +60,7 @@ void TestSeriesList::severalPatientsAreToBeChosenFrom() {
     Trial trial;
     ui::MainWindow& window = trial.desktop.window();
     trial.desktop.open(at("all"));
-    QTRY_COMPARE_WITH_TIMEOUT(test::the<ui::SeriesPanel>(window).list().model()->rowCount(), 2, test::kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(test::the<ui::SeriesPanel>(window).order().size(), std::size_t(2), test::kPatience);
     QVERIFY(test::the<ui::SeriesPanel>(window).isVisible());
     QVERIFY2(window.viewport().message().contains("Choose a series"), qPrintable(window.viewport().message()));
     QTRY_VERIFY_WITH_TIMEOUT(!itemOf(trial, 1, Qt::DecorationRole).value<QPixmap>().isNull(), test::kPatience);
@@ -63,11 +68,11 @@ void TestSeriesList::severalPatientsAreToBeChosenFrom() {
     const QString first = itemOf(trial, 0, Qt::AccessibleTextRole).toString();
     QVERIFY2(first.contains("Thorax") && first.contains("ID 471"), qPrintable(first));
     QVERIFY(!trial.desktop.presenter<SeriesPresenter>().import().isRunning() && !trial.desktop.document().hasVolume());
-    const QRect second = test::the<ui::SeriesPanel>(window).list().visualRect(
-        test::the<ui::SeriesPanel>(window).list().model()->index(1, 0));
+    const QRect second =
+        test::the<ui::SeriesPanel>(window).list().visualRect(test::the<ui::SeriesPanel>(window).rowOf(1));
     QTest::mouseClick(test::the<ui::SeriesPanel>(window).list().viewport(), Qt::LeftButton, {}, second.center());
     QTRY_VERIFY_WITH_TIMEOUT(!trial.frames.empty(), test::kPatience);
-    QVERIFY(window.patient().front() == itemOf(trial, 1, Qt::UserRole).toString());
+    QVERIFY(window.patient().front() == itemOf(trial, 1, ui::kPatientRole).toString());
 }
 
 void TestSeriesList::theOnlySeriesIsShown() {
@@ -75,6 +80,7 @@ void TestSeriesList::theOnlySeriesIsShown() {
     Trial trial;
     trial.openAndWait(at("one"));
     QVERIFY(trial.desktop.document().hasVolume());
+    QTRY_VERIFY_WITH_TIMEOUT(!itemOf(trial, 0, Qt::DecorationRole).value<QPixmap>().isNull(), test::kPatience);
 }
 
 void TestSeriesList::oneLoadableAmongSeveralPatientsIsToBeChosen() {
@@ -99,6 +105,7 @@ void TestSeriesList::aRefusedFolderShowsItsListAndItsReasons() {
     QVERIFY2(test::the<ui::SeriesPanel>(window).detail().contains("mm apart"),
              qPrintable(test::the<ui::SeriesPanel>(window).detail()));
     QVERIFY2(window.viewport().message().contains("The list says why"), qPrintable(window.viewport().message()));
+    QTRY_VERIFY_WITH_TIMEOUT(!itemOf(trial, 0, Qt::DecorationRole).value<QPixmap>().isNull(), test::kPatience);
 }
 
 void TestSeriesList::whoItIsStandsInTheImage() {
@@ -114,6 +121,37 @@ void TestSeriesList::whoItIsStandsInTheImage() {
     QTest::keyClick(&window, Qt::Key_N);
     QVERIFY(!window.patient().join('\n').contains("Doe") && !window.patient().join('\n').contains("4711"));
     QVERIFY2(window.windowTitle().startsWith("CT series"), qPrintable(window.windowTitle()));
+}
+
+void TestSeriesList::thumbnailsComeInTheOrderOfTheList() {
+    writeSeries(at("all/a"), "Doe^Jane", "4711");
+    writeSeries(at("all/b"), "Roe^Richard", "4712");
+    const auto scan = dicom::scanFolder(ui::fromQt(at("all")), noProgress);
+    QVERIFY(scan && scan->series.size() == 2);
+    SeriesImages images;
+    QSignalSpy made(&images, &SeriesImages::made);
+    images.make(*scan, {1, 0});
+    QTRY_COMPARE_WITH_TIMEOUT(made.count(), 2, test::kPatience);
+    QCOMPARE(made[0][0].toInt(), 1);
+    QCOMPARE(made[1][0].toInt(), 0);
+    // The shape is that of the patient: 32 x 28 pixels of 7.8 x 9.8 mm
+    const QSize size = made[0][1].value<QImage>().size();
+    QVERIFY2(size.height() == 96 && std::abs(size.width() - 87) <= 1, qPrintable(QString::number(size.width())));
+}
+
+void TestSeriesList::noThumbnailComesOnceTheyAreCancelled() {
+    writeSeries(at("one"), "Doe^Jane", "4711");
+    const auto scan = dicom::scanFolder(ui::fromQt(at("one")), noProgress);
+    QVERIFY(scan);
+    SeriesImages images;
+    QSignalSpy made(&images, &SeriesImages::made), cancelled(&images, &SeriesImages::cancelled);
+    images.make(*scan, std::vector<int>(100, 0));
+    images.cancel();
+    QCOMPARE(cancelled.count(), 1);
+    images.make(*scan, {0});  // begins when the one before has ended
+    QTRY_COMPARE_WITH_TIMEOUT(made.count(), 1, test::kPatience);
+    QTest::qWait(20);
+    QCOMPARE(made.count(), 1);
 }
 
 }  // namespace pdr::app

@@ -49,6 +49,7 @@ class TestPanels : public QObject {
     void toReachTheListByTabChoosesNothing();
     void theListShowsAllSeriesAndTheirVerdicts();
     void choosingALoadableSeriesAsksForIt();
+    void theListWorksByTheKeyboardAlone();
     void anUnloadableSeriesGivesItsReasonInsteadOfAnImage();
     void thePatientNamedIsTheOneInTheImage();
     void namesAreHiddenEverywhereInTheList();
@@ -71,9 +72,8 @@ class TestPanels : public QObject {
 void TestPanels::aSeriesIsDescribedInWords() {
     const dicom::Series series = threeSeries().series[0];
     QCOMPARE(seriesTitle(series), "Thorax");
-    QCOMPARE(seriesFacts(series), QString::fromUtf8("512 × 256 × 100, 0.90 × 0.90 × 2.50 mm"));
-    QCOMPARE(seriesDate(series), "2024-01-31");
-    QCOMPARE(verdictText(series.verdict), QString::fromUtf8("✓  can be shown"));
+    QCOMPARE(seriesFacts(series, 2.5), QStringList({"100 slices · 2.50 mm", "512 × 256"}));
+    QCOMPARE(studyText(series, false), "2024-01-31");
     QCOMPARE(patientName(series.patient), "Family, Given");
 }
 
@@ -82,12 +82,11 @@ void TestPanels::aSeriesWithoutNameOrDateIsStillDescribed() {
     series.series.number = 7;
     series.verdict.stack = dicom::Stack::noGeometry;
     QCOMPARE(seriesTitle(series), "Series 7");
-    QCOMPARE(seriesFacts(series), "");
-    QCOMPARE(seriesDate(series), "");
-    QCOMPARE(verdictText(series.verdict), QString::fromUtf8("✗  missing position data"));
+    QCOMPARE(seriesFacts(series, 0), QStringList("0 images"));
+    QCOMPARE(studyText(series, false), "");
     QCOMPARE(patientName(series.patient), "Name not given");
     series.series.date = "sometime";
-    QCOMPARE(seriesDate(series), "sometime");
+    QCOMPARE(studyText(series, false), "sometime");
 }
 
 /// Descriptions sometimes contain names, and title bars are visible in task lists and recordings.
@@ -123,11 +122,14 @@ void TestPanels::theListShowsAllSeriesAndTheirVerdicts() {
     SeriesPanel panel;
     panel.setScan(threeSeries());
     const QAbstractItemModel& model = *panel.list().model();
-    QCOMPARE(model.rowCount(), 3);
-    const QString label = model.index(1, 0).data(Qt::AccessibleTextRole).toString();
+    QCOMPARE(model.rowCount(), 4);
+    QCOMPARE(model.index(0, 0).data(kTitleRole).toString(), "Family, Given");
+    QCOMPARE(model.index(0, 0).data(kLinesRole).toStringList(), QStringList("2024-01-31"));
+    QCOMPARE(panel.rowOf(1).row(), 3);  // refused series are last
+    const QString label = panel.rowOf(1).data(Qt::AccessibleTextRole).toString();
     for (const char* part : {"Head", "a slice is missing", "10 mm apart"})
         QVERIFY2(label.contains(part), part);
-    QVERIFY(model.index(1, 0).data(Qt::ToolTipRole).toString().contains("10 mm apart"));
+    QVERIFY(panel.rowOf(1).data(Qt::ToolTipRole).toString().contains("10 mm apart"));
 }
 
 void TestPanels::choosingALoadableSeriesAsksForIt() {
@@ -136,8 +138,39 @@ void TestPanels::choosingALoadableSeriesAsksForIt() {
     panel.show();
     panel.setScan(threeSeries());
     QSignalSpy chosen(&panel, &SeriesPanel::seriesChosen);
-    const QRect third = panel.list().visualRect(panel.list().model()->index(2, 0));
+    const QRect third = panel.list().visualRect(panel.rowOf(2));
     QTest::mouseClick(panel.list().viewport(), Qt::LeftButton, {}, third.center());
+    QCOMPARE(chosen.count(), 1);
+    QCOMPARE(chosen.first().first().toInt(), 2);
+    QTest::mouseDClick(panel.list().viewport(), Qt::LeftButton, {}, third.center());
+    QCOMPARE(chosen.count(), 1);
+}
+
+/// A heading is passed over, a mark loads nothing, and a refused series is never asked for.
+void TestPanels::theListWorksByTheKeyboardAlone() {
+    SeriesPanel panel;
+    panel.resize(330, 500);
+    panel.show();
+    panel.setScan(threeSeries());
+    QSignalSpy chosen(&panel, &SeriesPanel::seriesChosen);
+    auto* list = panel.findChild<QListView*>("seriesList");
+    const auto press = [&](int key) {
+        QTest::keyClick(list, Qt::Key(key));
+        return list->currentIndex();
+    };
+    list->setFocus();
+    QCOMPARE(press(Qt::Key_Home), panel.rowOf(0));
+    QCOMPARE(panel.detail(), "1 copy of a slice left out.");
+    QCOMPARE(press(Qt::Key_Up), panel.rowOf(0));
+    QCOMPARE(press(Qt::Key_Down), panel.rowOf(2));
+    QCOMPARE(panel.detail(), "");
+    QCOMPARE(press(Qt::Key_Down), panel.rowOf(1));
+    QCOMPARE(panel.detail(), "a.dcm and b.dcm are 10 mm apart, the others 5 mm.");
+    press(Qt::Key_Return);
+    press(Qt::Key_Space);
+    QCOMPARE(chosen.count(), 0);
+    press(Qt::Key_Up);
+    press(Qt::Key_Return);
     QCOMPARE(chosen.count(), 1);
     QCOMPARE(chosen.first().first().toInt(), 2);
 }
@@ -148,7 +181,7 @@ void TestPanels::anUnloadableSeriesGivesItsReasonInsteadOfAnImage() {
     panel.show();
     panel.setScan(threeSeries());
     QSignalSpy chosen(&panel, &SeriesPanel::seriesChosen);
-    const QRect second = panel.list().visualRect(panel.list().model()->index(1, 0));
+    const QRect second = panel.list().visualRect(panel.rowOf(1));
     QTest::mouseClick(panel.list().viewport(), Qt::LeftButton, {}, second.center());
     QCOMPARE(chosen.count(), 0);
     QCOMPARE(panel.detail(), "a.dcm and b.dcm are 10 mm apart, the others 5 mm.");
@@ -164,35 +197,39 @@ void TestPanels::thePatientNamedIsTheOneInTheImage() {
     panel.setCurrent(0);
     QCOMPARE(panel.patient(), "Family, Given");
     // Marking another series is not yet showing it.
-    const QRect third = panel.list().visualRect(panel.list().model()->index(2, 0));
+    const QRect third = panel.list().visualRect(panel.rowOf(2));
     QTest::mouseClick(panel.list().viewport(), Qt::LeftButton, {}, third.center());
     QCOMPARE(panel.patient(), "Family, Given");
-    QVERIFY(panel.list().model()->index(2, 0).data(Qt::AccessibleTextRole).toString().contains("Other, Somebody"));
+    QVERIFY(panel.rowOf(2).data(Qt::AccessibleTextRole).toString().contains("Other, Somebody"));
     panel.setCurrent(2);
     QCOMPARE(panel.patient(), "Other, Somebody");
 }
 
 void TestPanels::namesAreHiddenEverywhereInTheList() {
     dicom::ScanResult scan = threeSeries();
-    scan.series[2].patient.name = "Other^Person";
+    scan.series[2].patient = {"Other^Person", "4711", "19600517", ""};
+    scan.series[2].study.description = "Check Other";
     SeriesPanel panel;
     panel.setScan(scan);
     panel.setCurrent(2);
     const auto all = [&] {
         QStringList words{panel.patient()};
         for (int row = 0; row < panel.list().model()->rowCount(); ++row)
-            for (const int role : {int(kTitleRole), int(Qt::AccessibleTextRole), int(Qt::ToolTipRole)})
-                words << panel.list().model()->index(row, 0).data(role).toString();
+            for (const int role : {int(kTitleRole), int(kLinesRole), int(Qt::AccessibleTextRole), int(Qt::ToolTipRole)})
+                words << panel.list().model()->index(row, 0).data(role).toStringList();
         return words.join('\n');
     };
-    QVERIFY(all().contains("Other, Person: Abdomen") && all().contains("Family, Given: Thorax"));
+    for (const char* part :
+         {"Other, Person, born 1960-05-17 · ID 4711, Abdomen", "Family, Given, Thorax", "Check Other"})
+        QVERIFY2(all().contains(part), qPrintable(all()));
     panel.setNamesHidden(true);
-    QVERIFY2(!all().contains("Other") && !all().contains("Family"), qPrintable(all()));
-    QVERIFY(all().contains("Patient 1 (name hidden): Head") && panel.patient() == "Patient 2 (name hidden)");
+    for (const char* part : {"Other", "Family", "4711", "1960"})
+        QVERIFY2(!all().contains(part), qPrintable(all()));
+    QVERIFY(all().contains("Patient 1 (name hidden), Head") && panel.patient() == "Patient 2 (name hidden)");
     panel.setScan(scan);
     QVERIFY(!all().contains("Family"));
     panel.setNamesHidden(false);
-    QVERIFY(all().contains("Family, Given: Thorax"));
+    QVERIFY(all().contains("Family, Given, Thorax"));
 }
 
 void TestPanels::seriesSettersAreSilent() {
