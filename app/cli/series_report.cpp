@@ -89,7 +89,12 @@ void addTable(Json& report, const Volume& volume, const Progress& progress) {
                        {"parts", table->parts},       {"text", segment::tableText(*table)}};
 }
 
-void addPixels(Json& report, const dicom::Series& series, const Progress& progress) {
+void addPixels(Json& report, const dicom::Series& series, bool withTimes, const Progress& progress) {
+    StepClock clock;
+    const auto addSeconds = [&](const std::string& step) {
+        if (const StepTime time = clock.lap(); withTimes)
+            addTime(report, step, time);
+    };
     std::vector<dicom::Note> notes;
     const Result<Volume> volume = loadVoxels(series, dicom::Padding::keep, progress, &notes);
     if (!volume) {
@@ -99,14 +104,19 @@ void addPixels(Json& report, const dicom::Series& series, const Progress& progre
         }
         return;
     }
+    addSeconds("read");
     for (const dicom::Note& note : notes)
         report["notes"].push_back(note.text);
     report["hu"] = statisticsOf(*volume, [](std::size_t) { return true; });
     report["huWithoutPadding"] = statisticsOf(*volume, [&](std::size_t i) { return !volume->isPadding(i); });
     report["paddingVoxels"] = volume->paddingCount();
+    addSeconds("statistics");
     report["sha256"] = checksumOf(*volume);
-    if (series.verdict.loadable())
-        addTable(report, *volume, progress);
+    addSeconds("checksum");
+    if (!series.verdict.loadable())
+        return;
+    addTable(report, *volume, progress);
+    addSeconds("table");
 }
 
 std::string joined(const Json& numbers, const char* separator) {
@@ -149,14 +159,26 @@ std::string tableLine(const Json& table) {
     return line;
 }
 
+std::string secondsLine(const char* step, double seconds) {
+    char line[64];
+    std::snprintf(line, sizeof line, "  %-16s %.3f s\n", step, seconds);
+    return line;
+}
+
 }  // namespace
 
-Json reportOf(const dicom::Series& series, bool withDescription, const Progress& progress) {
+void addTime(Json& report, const std::string& step, const StepTime& time) {
+    report[step + "Seconds"] = time.passed;
+    report[step + "ProcessorSeconds"] = time.processor;
+}
+
+Json reportOf(const dicom::Series& series, const WantedFacts& wanted, const Progress& progress) {
     Json report = {{"id", series.series.id()},
                    {"uid", series.series.uid},
                    {"modality", series.series.modality},
                    {"number", series.series.number},
                    {"date", series.series.date},
+                   {"coding", std::string(series.series.coding)},
                    {"slices", series.slices.size()},
                    {"verdict", nameOf(series.verdict.stack)},
                    {"loadable", series.verdict.loadable()},
@@ -164,7 +186,7 @@ Json reportOf(const dicom::Series& series, bool withDescription, const Progress&
                    {"notes", Json::array()}};
     for (const dicom::Note& note : series.verdict.notes)
         report["notes"].push_back(note.text);
-    if (withDescription)
+    if (wanted.description)
         report["description"] = series.series.description;
     if (!series.series.phase.empty())
         report["phase"] = std::string(series.series.phase);
@@ -174,7 +196,7 @@ Json reportOf(const dicom::Series& series, bool withDescription, const Progress&
     if (series.verdict.loadable())
         addGrid(report, series.geometry);
     if (series.verdict.stack != dicom::Stack::unreadable)
-        addPixels(report, series, progress);
+        addPixels(report, series, wanted.times, progress);
     return report;
 }
 
@@ -190,6 +212,8 @@ std::string textOf(const Json& report) {
         text += "  note             " + note.get<std::string>() + "\n";
     if (report.contains("size"))
         text += "  size             " + joined(report["size"], " x ") + "\n";
+    if (const auto coding = report["coding"].get<std::string>(); !coding.empty())
+        text += "  coding           " + coding + "\n";
     if (report.contains("spacingMm")) {
         text += "  spacing          " + joined(report["spacingMm"], " x ") + " mm\n";
         text += "  origin           " + joined(report["originMm"], ", ") + " mm\n";
@@ -204,6 +228,9 @@ std::string textOf(const Json& report) {
     }
     if (report.contains("table"))
         text += tableLine(report["table"]);
+    for (const char* step : {"read", "statistics", "checksum", "table"})
+        if (const std::string key = std::string(step) + "Seconds"; report.contains(key))
+            text += secondsLine(step, report[key].get<double>());
     if (report.contains("error"))
         text += "  error            " + report["error"].get<std::string>() + "\n";
     return text + "  id               " + report["id"].get<std::string>() + "\n";
