@@ -40,11 +40,22 @@ struct SeriesFacts {
     /// Number of this entry within its series, from 1, if the images of the series make several entries.
     int part = 1;
     Text coding;  ///< how the slices' pixels are coded ("JPEG 2000"); empty: not known
-    Text
-        phase;  ///< what tells the images of this entry from others of the same place ("acquisition 2"); empty: nothing
+    /// What tells the images of this entry from others of the same place ("acquisition 2"); empty: nothing.
+    Text phase;
+    /// Whether this entry has even slices between uneven ones of the entry that is refused for them. It is shown only
+    /// if it is asked for.
+    bool resampled = false;
 
-    /// Returns what identifies this entry among all others of a scan: the UID, with "#2" behind it for the second part.
-    std::string id() const { return part > 1 ? uid + "#" + std::to_string(part) : uid; }
+    /// Returns what identifies this entry among all others of a scan: the UID, with "#2" behind it for the second part,
+    /// and "#resampled" where slices were resampled.
+    std::string id() const {
+        std::string all = uid;
+        if (part > 1)
+            all.append("#").append(std::to_string(part));
+        if (resampled)
+            all.append("#resampled");
+        return all;
+    }
 };
 
 /// The kind of stack that the slices form.
@@ -102,6 +113,14 @@ struct StatedWindow {
     Text ignored;                      ///< why a stated window cannot be used, a sentence; empty: there is no such one
 };
 
+/// A slice between two measured ones, by their indices: (1 - weight) below + weight above, pixel by pixel.
+struct SliceBlend {
+    int below = 0, above = 0;
+    double weight = 0;  ///< [0, 1]
+
+    bool operator==(const SliceBlend&) const = default;
+};
+
 /// A series and all that identifies it. Names, numbers, dates and UIDs go to the screen and into DICOM objects of the
 /// same study; none may reach a render node, a log or, unless the user asks for the patient's name on it, an image.
 struct Series {
@@ -117,6 +136,8 @@ struct Series {
     std::shared_ptr<const SeriesSource> source{};
     /// The window of the middle slice, or else of the first slice that has one.
     StatedWindow window{};
+    /// The slices of the volume where they were resampled, from `slices`; empty: it has those.
+    std::vector<SliceBlend> blends{};
 };
 
 /// A file that looks like DICOM but cannot be used at all, with the reason.

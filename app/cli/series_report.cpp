@@ -182,6 +182,7 @@ Json reportOf(const dicom::Series& series, const WantedFacts& wanted, const Prog
                    {"slices", series.slices.size()},
                    {"verdict", nameOf(series.verdict.stack)},
                    {"loadable", series.verdict.loadable()},
+                   {"resampled", series.series.resampled},
                    {"reason", series.verdict.reason},
                    {"notes", Json::array()}};
     for (const dicom::Note& note : series.verdict.notes)
@@ -205,7 +206,7 @@ std::string textOf(const Json& report) {
     std::string text = headline(report) + ", " + std::to_string(images) + (images == 1 ? " image: " : " images: ") +
                        (report.contains("error") ? "cannot be loaded, see the error"
                                                  : wordsFor(report["verdict"].get<std::string>())) +
-                       "\n";
+                       (report["resampled"].get<bool>() ? ", resampled\n" : "\n");
     if (const auto reason = report["reason"].get<std::string>(); !reason.empty())
         text += "  reason           " + reason + "\n";
     for (const Json& note : report["notes"])

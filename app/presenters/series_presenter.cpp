@@ -1,5 +1,7 @@
 #include "app/presenters/series_presenter.h"
 
+#include <algorithm>
+
 #include "app/scan/series_choice.h"
 #include "ui/text/room_text.h"
 #include "ui/text/series_text.h"
@@ -88,10 +90,16 @@ void SeriesPresenter::showScan(const dicom::ScanResult& scan, const QString& fol
 void SeriesPresenter::showChoice(const dicom::ScanResult& scan, const QString& folder) {
     window().setChoosing(true);
     window().start().hide();
+    const QString choose = ui::MainWindow::tr("Choose a series from the list on the left.");
     if (firstLoadable(scan) >= 0)
-        return window().viewport().setMessage(ui::MainWindow::tr("Choose a series from the list on the left."));
-    panel_->setCurrent(scan.series.empty() ? -1 : panel_->order().front());
+        return window().viewport().setMessage(choose);
     Error error = nothingLoadable(scan).in(folder.toStdString());
+    if (std::ranges::any_of(scan.series, [](const dicom::Series& series) { return series.series.resampled; })) {
+        error.hint = phrase("The list offers a series of even slices, interpolated between those measured.");
+        window().viewport().setMessage(choose);
+        return showError(error);
+    }
+    panel_->setCurrent(scan.series.empty() ? -1 : panel_->order().front());
     error.hint = phrase("Open a folder with a CT series.");
     showError(error);
     window().viewport().setMessage(ui::MainWindow::tr("No series here can be shown. The list says why."));

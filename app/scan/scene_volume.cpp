@@ -35,8 +35,7 @@ Result<FetchedVolume> fetchVolume(const VolumeSource& source, const Progress& pr
         return Error{series.error().what, source.dicomFolder.string(), series.error().hint};
     auto fetched = fetchSeries(*series, source, partOf(progress, 0.1, 1));
     if (fetched)
-        fetched->loadableSeries =
-            std::ranges::count_if(scan->series, [](const auto& each) { return each.verdict.loadable(); });
+        fetched->loadableSeries = std::ranges::count_if(scan->series, isShownUnasked);
     return fetched;
 }
 

@@ -5,17 +5,20 @@
 
 namespace pdr::app {
 
+bool isShownUnasked(const dicom::Series& series) {
+    return series.verdict.loadable() && !series.series.resampled;
+}
+
 int firstLoadable(const dicom::ScanResult& scan) {
-    const auto first = std::ranges::find_if(scan.series, [](const auto& series) { return series.verdict.loadable(); });
+    const auto first = std::ranges::find_if(scan.series, isShownUnasked);
     return first == scan.series.end() ? -1 : int(first - scan.series.begin());
 }
 
 int onlyLoadable(const dicom::ScanResult& scan) {
-    const auto loadable = [](const dicom::Series& series) { return series.verdict.loadable(); };
     const auto another = [&](const dicom::Series& series) {
         return !dicom::samePatient(series.patient, scan.series.front().patient);
     };
-    if (std::ranges::count_if(scan.series, loadable) != 1 || std::ranges::any_of(scan.series, another))
+    if (std::ranges::count_if(scan.series, isShownUnasked) != 1 || std::ranges::any_of(scan.series, another))
         return -1;
     return firstLoadable(scan);
 }
@@ -44,7 +47,11 @@ Result<dicom::Series> chosenSeries(const dicom::ScanResult& scan, const std::str
     if (const int first = firstLoadable(scan); first >= 0)
         return scan.series[std::size_t(first)];
     Error error = nothingLoadable(scan);
-    error.hint = phrase("\"pdrender-cli info FOLDER\" lists all of them.");
+    const auto resampled = std::ranges::find_if(scan.series, [](const auto& each) { return each.series.resampled; });
+    error.hint = resampled == scan.series.end()
+                     ? phrase("\"pdrender-cli info FOLDER\" lists all of them.")
+                     : phrase("\"--series %1\" interpolates even slices between those that were measured.",
+                              resampled->series.id());
     return error;
 }
 

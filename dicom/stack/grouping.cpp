@@ -141,6 +141,17 @@ Series seriesOf(const Headers& headers, const StackAnalysis& analysis) {
     return series;
 }
 
+/// Makes an entry of the even slices between those of `uneven`.
+Series resampledSeries(const Series& uneven, const ResampledStack& stack) {
+    Series series = uneven;
+    series.series.resampled = true;
+    series.verdict = {Stack::even, {}, uneven.verdict.notes};
+    series.verdict.notes.insert(series.verdict.notes.begin(), stack.note);
+    series.blends = stack.blends;
+    series.geometry = stack.geometry;
+    return series;
+}
+
 /// Makes one entry for images that share one reason to be refused. They are still sorted if they have a position.
 Series refusedSeries(const Headers& headers, const Refusal& refusal, const std::filesystem::path& root) {
     StackAnalysis analysis = analyseStack(planesOf(headers, root));
@@ -216,7 +227,7 @@ void addStacks(const Headers& headers, const SeriesSource& source, const std::se
     // Add the notes, and make an entry of each part
     for (Part& part : parts) {
         GeometryVerdict& verdict = part.analysis.verdict;
-        if (verdict.loadable()) {
+        if (verdict.loadable() || part.analysis.resampled) {
             Headers sorted;
             for (const int index : part.analysis.order)
                 sorted.push_back(part.slices[index]);
@@ -230,14 +241,26 @@ void addStacks(const Headers& headers, const SeriesSource& source, const std::se
                                  part.elsewhere)});
         out.push_back(seriesOf(part.slices, part.analysis));
         out.back().series.phase = part.phase;
+        if (part.analysis.resampled)
+            out.push_back(resampledSeries(out.back(), *part.analysis.resampled));
     }
 }
 
-/// Numbers the entries of each series, to tell them apart.
+/// Numbers the entries of each series, to tell them apart. A resampled one has the number of the one that it is made
+/// of.
 void numberParts(std::vector<Series>& all) {
     std::map<std::string, int> seen;
     for (Series& series : all)
-        series.series.part = ++seen[series.series.uid];
+        if (!series.series.resampled)
+            series.series.part = ++seen[series.series.uid];
+    for (Series& series : all)
+        if (series.series.resampled) {
+            const auto uneven = std::ranges::find_if(all, [&](const Series& other) {
+                return !other.series.resampled && other.slices.front().file == series.slices.front().file &&
+                       other.slices.front().frame == series.slices.front().frame;
+            });
+            series.series.part = uneven->series.part;
+        }
 }
 
 std::string seriesKey(const SliceHeader& header) {
@@ -300,8 +323,8 @@ std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, con
     noteDamaged(damaged, root, all);
     const auto rank = [](const Series& series) {
         const auto slices = std::ptrdiff_t(series.slices.size());
-        return std::tuple(!series.verdict.loadable(), series.verdict.stack == Stack::notCt, -slices,
-                          series.series.number);
+        return std::tuple(!series.verdict.loadable(), series.series.resampled, series.verdict.stack == Stack::notCt,
+                          -slices, series.series.number);
     };
     std::stable_sort(all.begin(), all.end(), [&](const Series& a, const Series& b) { return rank(a) < rank(b); });
     numberParts(all);

@@ -8,6 +8,7 @@
 #include "dicom/import.h"
 #include "dicom/parallel.h"
 #include "dicom/read/open_images.h"
+#include "dicom/stack/blend.h"
 #include "render/base/errors.h"
 #include "render/base/free_memory.h"
 
@@ -31,7 +32,7 @@ class Filling {
           padding_(padding),
           images_(*series.source),
           sliceVoxels_(std::size_t(series.geometry.size.x) * std::size_t(series.geometry.size.y)),
-          hu_(series.geometry.voxelCount()),
+          hu_(sliceVoxels_ * series.slices.size()),
           masks_(series.slices.size()) {}
 
     void loadSlice(std::size_t k, const GoOn& goOn) {
@@ -87,7 +88,10 @@ class Filling {
             std::copy(masks_[k].begin(), masks_[k].end(), flags.begin() + std::ptrdiff_t(k * sliceVoxels_));
             masks_[k] = {};
         }
-        return Volume(series_.geometry, std::move(hu_), std::move(flags), codes());
+        FlaggedVoxels voxels{std::move(hu_), std::move(flags)};
+        if (!series_.blends.empty())
+            voxels = blended(voxels, sliceVoxels_, series_.blends);
+        return Volume(series_.geometry, std::move(voxels.hu), std::move(voxels.padding), codes());
     }
 
   private:
@@ -146,10 +150,12 @@ Result<Volume> loadSeries(const Series& series, Padding padding, const Progress&
     const ivec3 size = series.geometry.size;
     if (padding == Padding::maskAsAir && !series.verdict.loadable())
         return Error{series.verdict.reason, series.series.description, phrase("Choose another series.")};
-    if (size.x < 1 || size.y < 1 || size.z < 1 || size.z != int(series.slices.size()))
+    const std::size_t slices = series.blends.empty() ? series.slices.size() : series.blends.size();
+    if (size.x < 1 || size.y < 1 || size.z < 1 || size.z != int(slices))
         return Error{phrase("the slices differ in size: %1", series.verdict.reason), series.series.description, ""};
-    // Two bytes per voxel, one for its padding flag until the end, one bit after.
-    const std::uint64_t needed = std::uint64_t(series.geometry.voxelCount()) * 3;
+    // Two bytes per voxel, one for its padding flag until the end, one bit after. Resampled slices come beside them.
+    const std::uint64_t resampled = series.blends.empty() ? 0 : std::uint64_t(size.x) * size.y * series.slices.size();
+    const std::uint64_t needed = (std::uint64_t(series.geometry.voxelCount()) + resampled) * 3;
     if (needed > freeBytes())
         return outOfMemory(series, needed);
     try {

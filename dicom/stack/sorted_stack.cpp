@@ -169,6 +169,15 @@ VolumeGeometry SortedStack::geometry() const {
     return {ivec3(first.size, count()), map};
 }
 
+VolumeGeometry SortedStack::geometryOf(int slices) const {
+    VolumeGeometry grid = geometry();
+    const int last = count() - 1;
+    grid.size.z = slices;
+    grid.patientFromIndex[2] = dvec4(normal_ * ((height(last) - height(0)) / (slices - 1)), 0.0);
+    grid.patientFromIndex[3] = dvec4(position(0), 1.0);
+    return grid;
+}
+
 double SortedStack::gridDeviationMm() const {
     double worst = 0;
     for (const SlicePlane& slice : slices_)

@@ -46,6 +46,8 @@ class SortedStack {
     dvec2 drift(int k) const;
     /// Returns the even grid in the place of the lowest slice.
     VolumeGeometry geometry() const;
+    /// Returns the grid of so many even slices from the lowest slice to the highest.
+    VolumeGeometry geometryOf(int slices) const;
     /// Returns the largest distance of a pixel of any slice from that grid, due to its spacing and directions [mm].
     double gridDeviationMm() const;
     /// Returns the largest distance of a slice's first pixel from that grid [mm].

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "dicom/stack/even_fill.h"
 #include "dicom/stack/sorted_stack.h"
 
 namespace pdr::dicom {
@@ -41,6 +42,29 @@ GeometryVerdict judgeAgreement(const std::vector<SlicePlane>& slices) {
     return {Stack::even, "", {}};
 }
 
+Text distancesText(double low, double high) {
+    return high - low < 0.05 ? phrase("%1 mm", inMm(high)) : phrase("%1 to %2 mm", inMm(low), inMm(high));
+}
+
+/// Returns even slices between those of an uneven stack; none if that has holes that are too wide.
+std::optional<ResampledStack> resampled(const SortedStack& stack) {
+    std::vector<double> heights;
+    for (int k = 0; k < stack.count(); ++k)
+        heights.push_back(stack.height(k));
+    std::optional<EvenFill> fill = evenFill(heights, stack.toleranceMm());
+    if (!fill)
+        return std::nullopt;
+    const int count = int(fill->slices.size());
+    return ResampledStack{
+        std::move(fill->slices),
+        stack.geometryOf(count),
+        {"resampled",
+         phrase("%1 slices, %2 apart, were resampled to %3 every %4 mm; a slice lies up to %5 mm from where anything "
+                "was measured",
+                stack.count(), distancesText(fill->closestMm, fill->widestMm), count, inMm(fill->gapMm),
+                inMm(fill->furthestMm))}};
+}
+
 }  // namespace
 
 StackAnalysis analyseStack(const std::vector<SlicePlane>& slices) {
@@ -62,6 +86,8 @@ StackAnalysis analyseStack(const std::vector<SlicePlane>& slices) {
     // Judge an agreeing stack, and note small deviations
     analysis.samePlace = findSamePlace(stack);
     analysis.verdict = judge(stack);
+    if (analysis.verdict.stack == Stack::gap)
+        analysis.resampled = resampled(stack);
     if (!analysis.verdict.loadable())
         return analysis;
     analysis.geometry = stack.geometry();

@@ -12,6 +12,7 @@
 ///               four decimals turn the normal by that much.
 ///   grid        0.2 mm at the far corner of a slice (slice_plane.h); a note names the largest from 0.01 mm on.
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,13 @@
 
 namespace pdr::dicom {
 
+/// An even stack in the place of an uneven one (even_fill.h).
+struct ResampledStack {
+    std::vector<SliceBlend> blends;  ///< by the place of the measured slices in StackAnalysis::order
+    VolumeGeometry geometry;
+    Note note;  ///< what was done, in millimetres
+};
+
 struct StackAnalysis {
     GeometryVerdict verdict;
     /// Indices of the slices, ascending along the normal of the first; in the order given if one has no geometry.
@@ -29,6 +37,8 @@ struct StackAnalysis {
     VolumeGeometry geometry;
     /// Pairs at the same position (each with the first one there): copies, or two different images.
     std::vector<std::pair<int, int>> samePlace;
+    /// For Stack::gap: what can be shown if it is asked for.
+    std::optional<ResampledStack> resampled;
 };
 
 /// Judges `slices`, of which there must be at least one.

@@ -44,6 +44,10 @@
         <translation>„%1“ ist kein Port: Ports sind Zahlen von 1 bis 65535.</translation>
     </message>
     <message>
+        <source>"--series %1" interpolates even slices between those that were measured.</source>
+        <translation>„--series %1“ interpoliert gleichmäßige Schichten zwischen den gemessenen.</translation>
+    </message>
+    <message>
         <source>"pdrender-cli info FOLDER" lists all of them.</source>
         <translation>„pdrender-cli info ORDNER“ listet alle auf.</translation>
     </message>
@@ -370,6 +374,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 Schichten wurden mit Verlust komprimiert, ohne dass ihre Dateien es angeben: Die HU sind nicht die gemessenen</translation>
     </message>
     <message>
+        <source>%1 slices, %2 apart, were resampled to %3 every %4 mm; a slice lies up to %5 mm from where anything was measured</source>
+        <translation>%1 Schichten im Abstand von %2 wurden auf %3 alle %4 mm umgerechnet; eine Schicht liegt bis zu %5 mm von dem entfernt, was gemessen wurde</translation>
+    </message>
+    <message>
         <source>%1 states a pixel spacing of %2 mm x %3 mm</source>
         <translation>%1 nennt einen Pixelabstand von %2 mm x %3 mm</translation>
     </message>
@@ -388,6 +396,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1 thin lines hidden by denoising: E shows where</source>
         <translation>%1 dünne Linien durch das Entrauschen verdeckt: E zeigt, wo</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 bis %2 mm</translation>
     </message>
     <message>
         <source>%1 voxels lie beyond what 16 bits hold and were put at their end (-32768 or 32767 HU)</source>
@@ -3704,6 +3716,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>The last one is cuda:%1.</source>
         <translation>Die letzte ist cuda:%1.</translation>
+    </message>
+    <message>
+        <source>The list offers a series of even slices, interpolated between those measured.</source>
+        <translation>Die Liste bietet eine Serie mit gleichmäßigen Schichten an, interpoliert zwischen den gemessenen.</translation>
     </message>
     <message>
         <source>The lungs are not shown; %1 mm at the pleura remain.</source>

@@ -44,6 +44,10 @@
         <translation>«%1» no es un puerto: los puertos son números del 1 al 65535.</translation>
     </message>
     <message>
+        <source>"--series %1" interpolates even slices between those that were measured.</source>
+        <translation>«--series %1» interpola cortes uniformes entre los medidos.</translation>
+    </message>
+    <message>
         <source>"pdrender-cli info FOLDER" lists all of them.</source>
         <translation>«pdrender-cli info CARPETA» las muestra todas.</translation>
     </message>
@@ -370,6 +374,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 cortes se comprimieron con pérdida, y sus archivos no lo indican: las HU no son las medidas</translation>
     </message>
     <message>
+        <source>%1 slices, %2 apart, were resampled to %3 every %4 mm; a slice lies up to %5 mm from where anything was measured</source>
+        <translation>%1 cortes, a %2 de distancia, se remuestrearon a %3 cada %4 mm; un corte está a un máximo de %5 mm de donde se midió algo</translation>
+    </message>
+    <message>
         <source>%1 states a pixel spacing of %2 mm x %3 mm</source>
         <translation>%1 indica un espaciado de píxel de %2 mm x %3 mm</translation>
     </message>
@@ -388,6 +396,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1 thin lines hidden by denoising: E shows where</source>
         <translation>%1 líneas finas ocultas al eliminar el ruido: E muestra dónde</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 a %2 mm</translation>
     </message>
     <message>
         <source>%1 voxels lie beyond what 16 bits hold and were put at their end (-32768 or 32767 HU)</source>
@@ -3704,6 +3716,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>The last one is cuda:%1.</source>
         <translation>La última es cuda:%1.</translation>
+    </message>
+    <message>
+        <source>The list offers a series of even slices, interpolated between those measured.</source>
+        <translation>La lista ofrece una serie de cortes uniformes, interpolados entre los medidos.</translation>
     </message>
     <message>
         <source>The lungs are not shown; %1 mm at the pleura remain.</source>

@@ -213,9 +213,10 @@ class NotesTest : public QObject {
         };
         const auto oneOrTwo = [](int k) { return k % 2 ? "2" : "1"; };
         const ScanResult hole = scanned([](int k) { return k != 6; }, oneOrTwo);
-        QCOMPARE(loadable(hole), 1);
-        QCOMPARE(hole.series.size(), std::size_t(2));
-        QCOMPARE(hole.series[1].verdict.stack, Stack::gap);
+        QCOMPARE(loadable(hole), 2);
+        QCOMPARE(hole.series.size(), std::size_t(3));
+        QVERIFY(!hole.series[0].series.resampled && hole.series[1].series.resampled);
+        QCOMPARE(hole.series[2].verdict.stack, Stack::gap);
         QCOMPARE(loadable(scanned([](int k) { return k != 14; }, oneOrTwo)), 2);
         for (const auto& value : {std::function<const char*(int)>([](int) { return "1"; }),
                                   std::function<const char*(int)>([](int k) { return k < 4 ? "1" : "2"; })}) {

@@ -25,11 +25,11 @@ dvec3 normalOf(const VolumeGeometry& geometry) {
 
 /// Returns the place of a series among those of its study; the lowest comes first.
 auto rankOf(const dicom::Series& series) {
-    enum { axialCt, otherVolume, refused, noVolume } kind = refused;
+    enum { axialCt, otherVolume, resampled, refused, noVolume } kind = refused;
     long distance = 0;  // [0.01 mm], so that rounding in the files does not matter
     if (series.verdict.loadable()) {
         const bool isCt = series.series.modality.empty() || series.series.modality == "CT";
-        kind = isCt && isAxial(series.geometry) ? axialCt : otherVolume;
+        kind = series.series.resampled ? resampled : isCt && isAxial(series.geometry) ? axialCt : otherVolume;
         distance = std::lround(sliceDistanceMm(series.geometry) * 100);
     } else if (series.verdict.stack == dicom::Stack::notCt) {
         kind = noVolume;

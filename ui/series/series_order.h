@@ -22,8 +22,8 @@ bool isAxial(const VolumeGeometry& geometry);
 
 /// Returns the studies of `scan` in the order of the list. Patients with a series that can be loaded come first, then
 /// they ascend by name; of one patient, studies that can be loaded come first, then newer ones. Within a study: axial
-/// CT series that can be loaded, others that can be loaded, refused ones, and images that are no volume; among equals,
-/// the smaller slice distance first (to 0.01 mm), then more slices, then the lower number.
+/// CT series that can be loaded, others that can be loaded, resampled ones, refused ones, and images that are no
+/// volume; among equals, the smaller slice distance first (to 0.01 mm), then more slices, then the lower number.
 std::vector<ListedStudy> listedStudies(const dicom::ScanResult& scan);
 
 }  // namespace pdr::ui

@@ -21,14 +21,15 @@
 
 namespace pdr::app {
 
-/// A small series of that patient in a folder of its own; every other slice is missing where there is a `gap`.
-static void writeSeries(const QString& folder, const std::string& name, const std::string& id, bool gap = false) {
+/// A small series of that patient in a folder of its own, with slices 9 mm apart; so many are missing in the middle.
+static void writeSeries(const QString& folder, const std::string& name, const std::string& id, int missing = 0) {
     QVERIFY(QDir().mkpath(folder));
     const Volume head = headPhantom({32, 28, 24}, {7.8, 9.8, 9});
     const dicom::ExportFacts facts{name, id, "Study", "Thorax", "Made from formulas."};
     QVERIFY(dicom::writeSeries(head, facts, ui::fromQt(folder), noProgress));
-    if (const QStringList files = QDir(folder).entryList(QDir::Files); gap)
-        QVERIFY(QFile::remove(folder + "/" + files[files.size() / 2]));
+    const QStringList files = QDir(folder).entryList(QDir::Files);
+    for (int i = 0; i < missing; ++i)
+        QVERIFY(QFile::remove(folder + "/" + files[files.size() / 2 + i]));
 }
 
 static QVariant itemOf(Trial& trial, int series, int role) {
@@ -44,6 +45,7 @@ class TestSeriesList : public QObject {
     void theOnlySeriesIsShown();
     void oneLoadableAmongSeveralPatientsIsToBeChosen();
     void aRefusedFolderShowsItsListAndItsReasons();
+    void aSeriesWithASmallHoleIsShownResampledOnRequest();
     void whoItIsStandsInTheImage();
     void thumbnailsComeInTheOrderOfTheList();
     void noThumbnailComesOnceTheyAreCancelled();
@@ -91,12 +93,16 @@ void TestSeriesList::oneLoadableAmongSeveralPatientsIsToBeChosen() {
     QCOMPARE(onlyLoadable({.series = {good, good}}), -1);
     QCOMPARE(onlyLoadable({.series = {bad}}), -1);
     QCOMPARE(onlyLoadable({}), -1);
+    dicom::Series made = good;
+    made.series.resampled = true;
+    QCOMPARE(onlyLoadable({.series = {made, bad}}), -1);
+    QCOMPARE(onlyLoadable({.series = {made, good}}), 1);
     bad.patient.birthDate = "19600517";
     QCOMPARE(onlyLoadable({.series = {good, bad}}), -1);
 }
 
 void TestSeriesList::aRefusedFolderShowsItsListAndItsReasons() {
-    writeSeries(at("gap"), "Doe^Jane", "4711", true);
+    writeSeries(at("gap"), "Doe^Jane", "4711", 3);
     Trial trial;
     ui::MainWindow& window = trial.desktop.window();
     trial.desktop.open(at("gap"));
@@ -106,6 +112,22 @@ void TestSeriesList::aRefusedFolderShowsItsListAndItsReasons() {
              qPrintable(test::the<ui::SeriesPanel>(window).detail()));
     QVERIFY2(window.viewport().message().contains("The list says why"), qPrintable(window.viewport().message()));
     QTRY_VERIFY_WITH_TIMEOUT(!itemOf(trial, 0, Qt::DecorationRole).value<QPixmap>().isNull(), test::kPatience);
+}
+
+void TestSeriesList::aSeriesWithASmallHoleIsShownResampledOnRequest() {
+    writeSeries(at("gap"), "Doe^Jane", "4711", 1);
+    Trial trial;
+    ui::MainWindow& window = trial.desktop.window();
+    trial.desktop.open(at("gap"));
+    QTRY_VERIFY_WITH_TIMEOUT(window.message().text().contains("The list offers"), test::kPatience);
+    QVERIFY2(window.message().text().contains("18 mm apart"), qPrintable(window.message().text()));
+    QVERIFY(window.viewport().message().startsWith("Choose a series") && !trial.desktop.document().hasVolume());
+    auto& panel = test::the<ui::SeriesPanel>(window);
+    QCOMPARE(panel.list().model()->rowCount(), 3);  // the study, the resampled series, the refused one
+    QTest::mouseClick(panel.list().viewport(), Qt::LeftButton, {}, panel.list().visualRect(panel.rowOf(0)).center());
+    QTRY_VERIFY_WITH_TIMEOUT(!trial.frames.empty(), test::kPatience);
+    QVERIFY2(window.message().text().contains("were resampled to 24"), qPrintable(window.message().text()));
+    QCOMPARE(trial.desktop.document().scan()->size().z, 24);
 }
 
 void TestSeriesList::whoItIsStandsInTheImage() {
