@@ -54,3 +54,8 @@ grep -q "cu13/bin/nvcc" "$folder/tree/build/release/CMakeCache.txt"
 rm "$folder/calls"
 if said PIP_FAILS= PDR_FETCH_NVCC=1 | grep "CUDA compiler"; then exit 1; fi
 [ ! -e "$folder/calls" ]
+# A build folder that does not know yet of one that was fetched for another.
+echo "PDR_NVCC:FILEPATH=PDR_NVCC-NOTFOUND" >"$folder/tree/build/release/CMakeCache.txt"
+said PIP_FAILS= PDR_FETCH_NVCC=1 >/dev/null
+[ ! -e "$folder/calls" ]
+grep -q "cu13/bin/nvcc" "$folder/tree/build/release/CMakeCache.txt"
