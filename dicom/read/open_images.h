@@ -5,7 +5,7 @@
 #include <memory>
 #include <mutex>
 
-#include "dicom/read/pixels.h"
+#include "dicom/read/image_file.h"
 
 namespace pdr::dicom {
 

@@ -6,18 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <new>
 #include <span>
 #include <utility>
 
 #include "dicom/read/codecs.h"
 #include "dicom/read/compressed_image.h"
-#include "dicom/read/frame_object.h"
+#include "dicom/read/image_file.h"
 #include "dicom/read/parsed_object.h"
-#include "dicom/read/refusal.h"
-#include "render/base/errors.h"
-#include "render/base/plain_file.h"
 
 namespace pdr::dicom {
 
@@ -27,10 +22,6 @@ namespace {
 /// another.
 constexpr int kGeOutsideField = -2000;
 constexpr double kGeIntercept = -1024.0;
-
-Error damaged(const NamedBytes& object, Text what) {
-    return {std::move(what), object.name.string(), phrase("Copy the file again from its source.")};
-}
 
 /// Converts the raw bits of a pixel to the number that they store.
 class StoredValue {
@@ -135,14 +126,39 @@ DecodedSlice toHu(const Raw* raw, const SliceHeader& header, const Decoding& dec
     return slice;
 }
 
+/// Reads the pixels of a frame that is not compressed, and lies in the object as it is.
+template <class Raw>
+Result<DecodedSlice> readPlainFrame(const NamedBytes& object, const SliceHeader& frame, Padding padding) {
+    std::vector<Raw> raw(std::size_t(frame.columns) * std::size_t(frame.rows));
+    const std::span bytes(reinterpret_cast<std::uint8_t*>(raw.data()), raw.size() * sizeof(Raw));
+    ByteSource source(object);
+    if (!source.read(frame.pixelsAt + std::uint64_t(frame.frame) * bytes.size(), bytes))
+        return damagedObject(object, phrase("the image holds fewer pixels than its header says"));
+    if (isBigEndian(frame.transferSyntaxUid))
+        for (std::size_t i = 0; i + 1 < bytes.size(); i += 2)
+            std::swap(bytes[i], bytes[i + 1]);
+    return toHu(raw.data(), frame, Decoding{.format = frame.format}, padding);
+}
+
+}  // namespace
+
+Error damagedObject(const NamedBytes& object, Text what) {
+    return {std::move(what), object.name.string(), phrase("Copy the file again from its source.")};
+}
+
+Error changedFile(const std::filesystem::path& file) {
+    return {phrase("the file has changed since the folder was scanned"), file.string(),
+            phrase("Open the folder again: it may hold another patient's images now."), ErrorKind::refused};
+}
+
 Result<DecodedSlice> decodePixels(const NamedBytes& object, const SliceHeader& header, Padding padding) {
     DcmFileFormat content;
     if (!parseObject(object, header, Extent::all, content))
-        return damaged(object, phrase("the file is damaged: it cannot be parsed to its end"));
+        return damagedObject(object, phrase("the file is damaged: it cannot be parsed to its end"));
     DcmDataset& data = *content.getDataset();
     const Decoding decoding = decompress(data, header);
     if (!decoding.damage.empty())
-        return damaged(object, decoding.damage);
+        return damagedObject(object, decoding.damage);
 
     const unsigned long expected = static_cast<unsigned long>(header.columns) * static_cast<unsigned long>(header.rows);
     unsigned long count = 0;
@@ -155,108 +171,12 @@ Result<DecodedSlice> decodePixels(const NamedBytes& object, const SliceHeader& h
         if (data.findAndGetUint8Array(DCM_PixelData, raw, &count).good() && raw && count >= expected)
             return toHu(raw, header, decoding, padding);
     }
-    return damaged(object, phrase("the image holds fewer pixels than its header says"));
+    return damagedObject(object, phrase("the image holds fewer pixels than its header says"));
 }
 
-/// Reads the pixels of a frame that is not compressed, and lies in the object as it is.
-template <class Raw>
 Result<DecodedSlice> decodePlainFrame(const NamedBytes& object, const SliceHeader& frame, Padding padding) {
-    std::vector<Raw> raw(std::size_t(frame.columns) * std::size_t(frame.rows));
-    const std::span bytes(reinterpret_cast<std::uint8_t*>(raw.data()), raw.size() * sizeof(Raw));
-    ByteSource source(object);
-    if (!source.read(frame.pixelsAt + std::uint64_t(frame.frame) * bytes.size(), bytes))
-        return damaged(object, phrase("the image holds fewer pixels than its header says"));
-    if (isBigEndian(frame.transferSyntaxUid))
-        for (std::size_t i = 0; i + 1 < bytes.size(); i += 2)
-            std::swap(bytes[i], bytes[i + 1]);
-    return toHu(raw.data(), frame, Decoding{.format = frame.format}, padding);
-}
-
-template <class Work>
-auto withinMemory(const NamedBytes& object, Work work) -> decltype(work()) {
-    try {
-        return work();
-    } catch (const std::bad_alloc&) {
-        return notEnoughMemory(phrase("to decode it"), object.name.string(), phrase("Close other programs."));
-    }
-}
-
-}  // namespace
-
-Error changedFile(const std::filesystem::path& file) {
-    return {phrase("the file has changed since the folder was scanned"), file.string(),
-            phrase("Open the folder again: it may hold another patient's images now."), ErrorKind::refused};
-}
-
-Result<void> ImageFile::readChecked(const GoOn& goOn) {
-    HeaderRead read = readSliceHeader(object_, goOn);
-    if (read.kind != HeaderRead::Kind::object)
-        return damaged(object_, read.damage.empty() ? phrase("this is no DICOM image")
-                                                    : phrase("the file is damaged: %1", read.damage));
-    header_ = std::move(read.header);
-    frames_ = std::move(read.frames);
-    if (const std::optional<Refusal> refusal = refusePixels(header_))
-        return Error{refusal->reason, object_.name.string(), ""};
-    if (frames_.empty() || !isCompressed(header_.transferSyntaxUid))
-        return {};
-    ByteSource source(object_);
-    fragments_ = fragmentsOfFrames(source, readFragments(source, header_.pixelsAt), header_.frames);
-    if (fragments_.empty())
-        return damaged(object_, phrase("nothing says where each of its %1 compressed frames begins", header_.frames));
-    return {};
-}
-
-Result<ImageFile> ImageFile::open(const NamedBytes& object, const GoOn& goOn) {
-    ImageFile image;
-    image.object_ = object;
-    if (!object.memory) {
-        std::error_code failure;
-        if (!std::filesystem::exists(object.name, failure))
-            return Error{phrase("the file is no longer there"), object.name.string(), phrase("Open the folder again.")};
-        if (auto ok = checkPlainFile(object.name); !ok)
-            return ok.error();
-        image.state_ = stateOf(object.name);
-    }
-    if (auto ok = withinMemory(object, [&] { return image.readChecked(goOn); }); !ok)
-        return ok.error();
-    return image;
-}
-
-Result<DecodedSlice> ImageFile::decodeCodedFrame(const SliceHeader& frame, Padding padding) const {
-    std::vector<std::uint8_t> stream;
-    ByteSource source(object_);
-    for (const Fragment& fragment : fragments_[std::size_t(frame.frame)]) {
-        const std::size_t before = stream.size();
-        stream.resize(before + fragment.bytes);
-        if (!source.read(fragment.at, std::span(stream).subspan(before)))
-            return damaged(object_, phrase("the image holds fewer pixels than its header says"));
-    }
-    SliceHeader alone = frame;
-    alone.hasMetaHeader = false;
-    const auto bytes = std::make_shared<const std::vector<std::uint8_t>>(frameObject(alone, stream));
-    return decodePixels({object_.name, bytes}, alone, padding);
-}
-
-Result<DecodedSlice> ImageFile::decodeFrame(const SliceHeader& frame, Padding padding) const {
-    if (frame.meaning.rescaleIsBroken)
-        return damaged(object_, phrase("its rescale slope or intercept is no usable number"));
-    if (frames_.empty())
-        return decodePixels(object_, frame, padding);
-    if (!fragments_.empty())
-        return decodeCodedFrame(frame, padding);
-    return frame.format.bitsAllocated == 16 ? decodePlainFrame<Uint16>(object_, frame, padding)
-                                            : decodePlainFrame<Uint8>(object_, frame, padding);
-}
-
-Result<DecodedSlice> ImageFile::decode(int frame, Padding padding) const {
-    const auto count = frames_.empty() ? 1 : int(frames_.size());
-    if (frame < 0 || frame >= count)
-        return changedFile(object_.name);
-    const SliceHeader& header = frames_.empty() ? header_ : frames_[std::size_t(frame)];
-    Result<DecodedSlice> decoded = withinMemory(object_, [&] { return decodeFrame(header, padding); });
-    if (decoded)
-        decoded->identity = identityOf(header);
-    return object_.memory || stateOf(object_.name) == state_ ? std::move(decoded) : changedFile(object_.name);
+    return frame.format.bitsAllocated == 16 ? readPlainFrame<Uint16>(object, frame, padding)
+                                            : readPlainFrame<Uint8>(object, frame, padding);
 }
 
 Result<DecodedSlice> decodeSlice(const NamedBytes& object, Padding padding, int frame) {

@@ -28,7 +28,9 @@ std::optional<Refusal> refusePixels(const SliceHeader& header) {
                                          : phrase("no image, but %1", header.series.modality)};
     if (header.format.samplesPerPixel != 1 || header.format.photometric.rfind("MONOCHROME", 0) != 0)
         return Refusal{Stack::notCt, phrase("a colour image (%1), not a CT slice", header.format.photometric)};
-    const bool isOutOfReach = header.hasFrameGroups && isDeflated(header.transferSyntaxUid);
+    // The order of bytes in words depends on how the element is written, and no CT is known that needs it.
+    const bool hasSwappedBytes = header.format.bitsAllocated == 8 && isBigEndian(header.transferSyntaxUid);
+    const bool isOutOfReach = header.hasFrameGroups && (isDeflated(header.transferSyntaxUid) || hasSwappedBytes);
     if (!canDecode(header.transferSyntaxUid) || isOutOfReach)
         return unreadable(phrase("its pixels are coded as %1, which this version cannot read",
                                  transferSyntaxName(header.transferSyntaxUid)));

@@ -43,7 +43,7 @@ class Filling {
         if (slice->size != ivec2(series_.geometry.size) || slice->identity != from.identity)
             return fail(changedFile(from.file));
         std::copy(slice->hu.begin(), slice->hu.end(), hu_.begin() + std::ptrdiff_t(k * sliceVoxels_));
-        masks_[k] = std::move(slice->padding);
+        masks_[k].assign(slice->padding.begin(), slice->padding.end());
         clipped_ += slice->clipped;
         lossy_ += slice->hasLost;
         mended_ += slice->isMended;
@@ -119,7 +119,7 @@ class Filling {
     OpenImages images_;
     const std::size_t sliceVoxels_;
     Voxels hu_;
-    std::vector<std::vector<std::uint8_t>> masks_;
+    std::vector<std::vector<bool>> masks_;             ///< padding of each slice; empty: it has none
     std::atomic<std::size_t> clipped_ = 0;             ///< voxels
     std::atomic<std::size_t> lossy_ = 0, mended_ = 0;  ///< slices; see DecodedSlice
     std::mutex mutex_;
@@ -153,9 +153,10 @@ Result<Volume> loadSeries(const Series& series, Padding padding, const Progress&
     const std::size_t slices = series.blends.empty() ? series.slices.size() : series.blends.size();
     if (size.x < 1 || size.y < 1 || size.z < 1 || size.z != int(slices))
         return Error{phrase("the slices differ in size: %1", series.verdict.reason), series.series.description, ""};
-    // Two bytes per voxel, one for its padding flag until the end, one bit after. Resampled slices come beside them.
+    // Two bytes per voxel, and a bit for its padding flag: twice while the slices' flags are joined. Resampled slices come
+    // beside them.
     const std::uint64_t resampled = series.blends.empty() ? 0 : std::uint64_t(size.x) * size.y * series.slices.size();
-    const std::uint64_t needed = (std::uint64_t(series.geometry.voxelCount()) + resampled) * 3;
+    const std::uint64_t needed = (std::uint64_t(series.geometry.voxelCount()) + resampled) * 9 / 4;
     if (needed > freeBytes())
         return outOfMemory(series, needed);
     try {
