@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "dicom/read/codecs.h"
@@ -23,51 +25,52 @@ namespace {
 constexpr int kGeOutsideField = -2000;
 constexpr double kGeIntercept = -1024.0;
 
-/// Converts the raw bits of a pixel to the number that they store.
+/// Converts the raw bits of a pixel to the number that they store. `Number` holds any of them: int, or std::int64_t for
+/// pixels of 32 bits.
+template <class Number>
 class StoredValue {
   public:
     explicit StoredValue(const PixelFormat& format)
         : shift_(format.highBit + 1 - format.bitsStored),
-          mask_((1u << format.bitsStored) - 1),
-          signBit_(format.isSigned ? 1u << (format.bitsStored - 1) : 0) {}
+          mask_(~0u >> (32 - format.bitsStored)),
+          signBit_(format.isSigned ? Number(1) << (format.bitsStored - 1) : 0) {}
 
-    int of(unsigned raw) const {
-        const unsigned bits = raw >> shift_ & mask_;
-        return int(bits ^ signBit_) - int(signBit_);
-    }
+    Number of(unsigned raw) const { return (Number(raw >> shift_ & mask_) ^ signBit_) - signBit_; }
 
     /// Converts a padding value, which is written as a number, not as bits of a pixel, and often with the other
     /// signedness.
-    int ofPadding(int sixteenBits) const {
+    Number ofPadding(int sixteenBits) const {
         if (signBit_ == 0)
             return sixteenBits;
         const int asSigned = std::int16_t(sixteenBits);
-        if (asSigned >= -int(signBit_) && asSigned < int(signBit_))
+        if (asSigned >= -signBit_ && asSigned < signBit_)
             return asSigned;
         // These are the bits of a pixel, then, and not a number; what is wider than a pixel stays so and matches none.
-        return int(unsigned(sixteenBits) ^ signBit_) - int(signBit_);
+        return (Number(sixteenBits) ^ signBit_) - signBit_;
     }
 
   private:
     int shift_;
     unsigned mask_;
-    unsigned signBit_;
+    Number signBit_;
 };
 
 /// The stored values that mean "nothing measured here".
 class PaddingRule {
   public:
-    PaddingRule(const ValueMeaning& meaning, const StoredValue& stored, Padding padding) {
+    template <class Number>
+    PaddingRule(const ValueMeaning& meaning, const StoredValue<Number>& stored, Padding padding) {
         if (meaning.paddingValue) {
-            const int first = stored.ofPadding(*meaning.paddingValue);
-            const int last = meaning.paddingLimit ? stored.ofPadding(*meaning.paddingLimit) : first;
+            const auto first = int(stored.ofPadding(*meaning.paddingValue));
+            const auto last = meaning.paddingLimit ? int(stored.ofPadding(*meaning.paddingLimit)) : first;
             lowest_ = std::min(first, last);
             highest_ = std::max(first, last);
         }
         geOutside_ = padding == Padding::maskAsAir && meaning.intercept == kGeIntercept && meaning.slope == 1.0;
     }
 
-    bool matches(int stored) const {
+    template <class Number>
+    bool matches(Number stored) const {
         return (stored >= lowest_ && stored <= highest_) || (geOutside_ && stored == kGeOutsideField);
     }
 
@@ -86,11 +89,13 @@ class Rescale {
         shift_ = isShift_ ? int(intercept_) : 0;
     }
 
-    /// Returns HU, clamped to a million: far beyond what a slice can hold, and nowhere near the end of int.
-    int of(int stored) const {
-        if (isShift_)
-            return stored + shift_;
-        return int(std::clamp(std::round(stored * slope_ + intercept_), -1e6, 1e6));
+    int of(int stored) const { return isShift_ ? stored + shift_ : of(double(stored)); }
+
+    /// Returns HU, clamped to a million: far beyond what a slice can hold, and nowhere near the end of int. What is no
+    /// number is air.
+    int of(double stored) const {
+        const double hu = std::round(stored * slope_ + intercept_);
+        return std::isnan(hu) ? Volume::kAirHu : int(std::clamp(hu, -1e6, 1e6));
     }
 
   private:
@@ -99,10 +104,11 @@ class Rescale {
     int shift_ = 0;
 };
 
-template <class Raw>
-DecodedSlice toHu(const Raw* raw, const SliceHeader& header, const Decoding& decoding, Padding padding) {
-    const StoredValue storedValue(decoding.format);
-    const PaddingRule rule(header.meaning, storedValue, padding);
+/// Makes a slice of numbers, as int or double: `numberOf(i)` is that of pixel i, and `isPadding` tells those that mean
+/// "nothing measured here".
+template <class NumberOf, class IsPadding>
+DecodedSlice sliceOf(const SliceHeader& header, const Decoding& decoding, Padding padding, NumberOf numberOf,
+                     IsPadding isPadding) {
     const Rescale rescale(header.meaning);
     DecodedSlice slice;
     slice.size = {header.columns, header.rows};
@@ -110,10 +116,10 @@ DecodedSlice toHu(const Raw* raw, const SliceHeader& header, const Decoding& dec
     slice.isMended = decoding.isMended;
     slice.hu.resize(std::size_t(header.columns) * std::size_t(header.rows));
     for (std::size_t i = 0; i < slice.hu.size(); ++i) {
-        const int stored = storedValue.of(raw[i]);
+        const auto stored = numberOf(i);
         const int hu = rescale.of(stored);
         slice.hu[i] = std::int16_t(std::clamp(hu, -32768, 32767));
-        if (!rule.matches(stored)) {
+        if (!isPadding(stored)) {
             slice.clipped += slice.hu[i] != hu;
             continue;
         }
@@ -124,6 +130,48 @@ DecodedSlice toHu(const Raw* raw, const SliceHeader& header, const Decoding& dec
             slice.hu[i] = Volume::kAirHu;
     }
     return slice;
+}
+
+template <class Raw>
+DecodedSlice toHu(const Raw* raw, const SliceHeader& header, const Decoding& decoding, Padding padding) {
+    constexpr bool kIsWide = sizeof(Raw) == 4;
+    const StoredValue<std::conditional_t<kIsWide, std::int64_t, int>> stored(decoding.format);
+    const PaddingRule rule(header.meaning, stored, padding);
+    using Number = std::conditional_t<kIsWide, double, int>;
+    return sliceOf(
+        header, decoding, padding, [&](std::size_t i) { return Number(stored.of(raw[i])); },
+        [&](Number number) { return rule.matches(number); });
+}
+
+/// Returns the HU of floating-point pixels; what is no finite number was not measured.
+template <class Real>
+DecodedSlice realsToHu(const Real* raw, const SliceHeader& header, Padding padding) {
+    const std::optional<double> stated = header.meaning.realPadding;
+    return sliceOf(
+        header, {}, padding, [&](std::size_t i) { return double(raw[i]); },
+        [&](double number) { return !std::isfinite(number) || number == stated; });
+}
+
+/// Reads the pixels of Float Pixel Data or Double Float Pixel Data (PS3.3, C.7.6.24 and C.7.6.25).
+Result<DecodedSlice> decodeReals(const NamedBytes& object, DcmDataset& data, const SliceHeader& header,
+                                 Padding padding) {
+    const auto expected = static_cast<unsigned long>(header.columns) * static_cast<unsigned long>(header.rows);
+    unsigned long count = 0;
+    const Float32* single = nullptr;
+    if (data.findAndGetFloat32Array(DCM_FloatPixelData, single, &count).good() && single && count >= expected)
+        return realsToHu(single, header, padding);
+    const Float64* twice = nullptr;
+    if (data.findAndGetFloat64Array(DCM_DoubleFloatPixelData, twice, &count).good() && twice && count >= expected)
+        return realsToHu(twice, header, padding);
+    return damagedObject(object, phrase("the image holds fewer pixels than its header says"));
+}
+
+/// Returns pixels of 32 bits, of which the toolkit knows the words, the lower one first.
+std::vector<Uint32> joinedWords(const Uint16* words, std::size_t pixels) {
+    std::vector<Uint32> joined(pixels);
+    for (std::size_t i = 0; i < pixels; ++i)
+        joined[i] = words[2 * i] | Uint32(words[2 * i + 1]) << 16;
+    return joined;
 }
 
 /// Reads the pixels of a frame that is not compressed, and lies in the object as it is.
@@ -156,16 +204,21 @@ Result<DecodedSlice> decodePixels(const NamedBytes& object, const SliceHeader& h
     if (!parseObject(object, header, Extent::all, content))
         return damagedObject(object, phrase("the file is damaged: it cannot be parsed to its end"));
     DcmDataset& data = *content.getDataset();
+    if (header.hasFloatPixels)
+        return decodeReals(object, data, header, padding);
     const Decoding decoding = decompress(data, header);
     if (!decoding.damage.empty())
         return damagedObject(object, decoding.damage);
 
     const unsigned long expected = static_cast<unsigned long>(header.columns) * static_cast<unsigned long>(header.rows);
     unsigned long count = 0;
-    if (decoding.format.bitsAllocated == 16) {
+    if (decoding.format.bitsAllocated > 8) {
+        const bool isWide = decoding.format.bitsAllocated == 32;
         const Uint16* raw = nullptr;
-        if (data.findAndGetUint16Array(DCM_PixelData, raw, &count).good() && raw && count >= expected)
-            return toHu(raw, header, decoding, padding);
+        if (data.findAndGetUint16Array(DCM_PixelData, raw, &count).good() && raw &&
+            count >= expected * (isWide ? 2 : 1))
+            return isWide ? toHu(joinedWords(raw, expected).data(), header, decoding, padding)
+                          : toHu(raw, header, decoding, padding);
     } else {
         const Uint8* raw = nullptr;
         if (data.findAndGetUint8Array(DCM_PixelData, raw, &count).good() && raw && count >= expected)
@@ -175,8 +228,14 @@ Result<DecodedSlice> decodePixels(const NamedBytes& object, const SliceHeader& h
 }
 
 Result<DecodedSlice> decodePlainFrame(const NamedBytes& object, const SliceHeader& frame, Padding padding) {
-    return frame.format.bitsAllocated == 16 ? readPlainFrame<Uint16>(object, frame, padding)
-                                            : readPlainFrame<Uint8>(object, frame, padding);
+    switch (frame.format.bitsAllocated) {
+        case 8:
+            return readPlainFrame<Uint8>(object, frame, padding);
+        case 16:
+            return readPlainFrame<Uint16>(object, frame, padding);
+        default:
+            return readPlainFrame<Uint32>(object, frame, padding);
+    }
 }
 
 Result<DecodedSlice> decodeSlice(const NamedBytes& object, Padding padding, int frame) {

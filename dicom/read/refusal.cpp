@@ -11,18 +11,26 @@ Refusal unreadable(Text reason) {
     return {Stack::unreadable, std::move(reason)};
 }
 
-bool soundFormat(const PixelFormat& format) {
+bool soundFormat(const SliceHeader& header) {
+    const PixelFormat& format = header.format;
     const int bits = format.bitsAllocated;
-    return (bits == 8 || bits == 16) && format.bitsStored >= 1 && format.bitsStored <= bits &&
-           format.highBit >= format.bitsStored - 1 && format.highBit < bits;
+    if (header.hasFloatPixels)
+        return bits == 32 || bits == 64;
+    // Decoders give at most 16 bits, and which word of 32 is the lower one is known of little endian only.
+    const bool isPlain = !isCompressed(header.transferSyntaxUid) && !isBigEndian(header.transferSyntaxUid);
+    const bool isKnown = bits == 8 || bits == 16 || (bits == 32 && isPlain);
+    return isKnown && format.bitsStored >= 1 && format.bitsStored <= bits && format.highBit >= format.bitsStored - 1 &&
+           format.highBit < bits;
 }
 
 }  // namespace
 
 std::optional<Refusal> refusePixels(const SliceHeader& header) {
-    if (header.hasFloatPixels)
-        return unreadable(phrase("its pixels are floating-point numbers, which this version cannot read"));
-    if (header.pixelBytes == 0)
+    if (header.hasFloatPixels && (header.pixelBytes != 0 || header.frames != 1 || header.hasFrameGroups))
+        return unreadable(phrase(
+            "it holds floating-point numbers in several frames or beside other pixels, which this version cannot "
+            "read"));
+    if (header.pixelBytes == 0 && !header.hasFloatPixels)
         return Refusal{Stack::notCt, header.series.modality.empty()
                                          ? phrase("no image, but another kind of object")
                                          : phrase("no image, but %1", header.series.modality)};
@@ -43,19 +51,19 @@ std::optional<Refusal> refusePixels(const SliceHeader& header) {
             phrase("it states %1 frames in one file; from 1 to %2 can be read", header.frames, kMaxFrames));
     if (header.columns < 1 || header.rows < 1 || header.columns > kMaxSide || header.rows > kMaxSide)
         return unreadable(phrase("it states an impossible size of %1 x %2 pixels", header.columns, header.rows));
-    if (const PixelFormat& format = header.format; !soundFormat(format))
+    if (const PixelFormat& format = header.format; !soundFormat(header))
         return unreadable(phrase("its pixel format cannot be read (%1 bits allocated, %2 stored, high bit %3)",
                                  format.bitsAllocated, format.bitsStored, format.highBit));
     const auto bytes = std::uint64_t(header.columns) * std::uint64_t(header.rows) *
                        std::uint64_t(header.format.bitsAllocated / 8) * std::uint64_t(header.frames);
-    if (!isCompressed(header.transferSyntaxUid) && header.pixelBytes < bytes)
+    if (!isCompressed(header.transferSyntaxUid) && !header.hasFloatPixels && header.pixelBytes < bytes)
         return unreadable(phrase("it holds fewer pixels than its size of %1 x %2 says", header.columns, header.rows));
     return {};
 }
 
 std::optional<Refusal> refuseSlice(const SliceHeader& header) {
     const std::string& modality = header.series.modality;
-    if (header.pixelBytes != 0 && modality != "CT")
+    if ((header.pixelBytes != 0 || header.hasFloatPixels) && modality != "CT")
         return Refusal{Stack::notCt,
                        modality.empty() ? phrase("it does not say its modality") : phrase("%1, not CT", modality)};
     if (header.imageType.find("LOCALIZER") != std::string::npos)

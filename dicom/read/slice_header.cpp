@@ -70,8 +70,20 @@ void readPixelFormat(DcmItem& item, SliceHeader& header) {
                      text(item, DCM_PhotometricInterpretation)};
 }
 
+/// Returns the padding value of floating-point pixels, of either width.
+std::optional<double> realPadding(DcmItem& item) {
+    Float32 single = 0;
+    Float64 twice = 0;
+    if (item.findAndGetFloat32(DCM_FloatPixelPaddingValue, single).good())
+        return double(single);
+    if (item.findAndGetFloat64(DCM_DoubleFloatPixelPaddingValue, twice).good())
+        return twice;
+    return {};
+}
+
 void readMeaning(DcmItem& item, ValueMeaning& meaning) {
     readRescale(item, meaning);
+    meaning.realPadding = realPadding(item);
     meaning.paddingValue = sixteenBits(item, DCM_PixelPaddingValue);
     meaning.paddingLimit = sixteenBits(item, DCM_PixelPaddingRangeLimit);
 }

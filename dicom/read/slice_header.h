@@ -30,6 +30,7 @@ struct ValueMeaning {
     bool isByTable = false;                         ///< a table (Modality LUT Sequence) gives the values
     bool rescaleIsBroken = false;                   ///< stated, but not a finite number, or a slope of 0
     std::string quantity;                           ///< what they are instead ("RCBF, ml/100ml/s"); empty: not said
+    std::optional<double> realPadding;              ///< the padding value of floating-point pixels
     std::optional<int> paddingValue, paddingLimit;  ///< the 16 bits as written, read as unsigned [0, 65535]
 };
 

@@ -5024,6 +5024,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>sie enthält weniger Pixel, als ihre Größe von %1 x %2 besagt</translation>
     </message>
     <message>
+        <source>it holds floating-point numbers in several frames or beside other pixels, which this version cannot read</source>
+        <translation>sie enthält Gleitkommazahlen in mehreren Einzelbildern oder neben anderen Bildpunkten, was diese Version nicht lesen kann</translation>
+    </message>
+    <message>
         <source>it holds more restart markers than pixels</source>
         <translation>es enthält mehr Neustartmarken als Pixel</translation>
     </message>
@@ -5246,10 +5250,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>its pixels are coded as %1, which this version cannot read</source>
         <translation>ihre Pixel sind als %1 kodiert, was diese Version nicht lesen kann</translation>
-    </message>
-    <message>
-        <source>its pixels are floating-point numbers, which this version cannot read</source>
-        <translation>seine Pixel sind Gleitkommazahlen, die diese Version nicht lesen kann</translation>
     </message>
     <message>
         <source>its rescale slope or intercept is no usable number</source>

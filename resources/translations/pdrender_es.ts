@@ -5024,6 +5024,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>contiene menos píxeles de los que dice su tamaño de %1 x %2</translation>
     </message>
     <message>
+        <source>it holds floating-point numbers in several frames or beside other pixels, which this version cannot read</source>
+        <translation>contiene números de coma flotante en varios cuadros o junto a otros píxeles, lo que esta versión no puede leer</translation>
+    </message>
+    <message>
         <source>it holds more restart markers than pixels</source>
         <translation>contiene más marcas de reinicio que píxeles</translation>
     </message>
@@ -5246,10 +5250,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>its pixels are coded as %1, which this version cannot read</source>
         <translation>sus píxeles están codificados como %1, que esta versión no puede leer</translation>
-    </message>
-    <message>
-        <source>its pixels are floating-point numbers, which this version cannot read</source>
-        <translation>sus píxeles son números de coma flotante, que esta versión no puede leer</translation>
     </message>
     <message>
         <source>its rescale slope or intercept is no usable number</source>

@@ -2,6 +2,7 @@
 
 #include <QTemporaryDir>
 #include <QTest>
+#include <limits>
 
 #include "dicom/import.h"
 
@@ -82,6 +83,62 @@ class PixelsTest : public QObject {
             data.putAndInsertUint8Array(DCM_PixelData, bytes, 12);
         };
         QVERIFY((Folder(slice).voxels(3) == Values{255, 1, 2}));
+    }
+
+    void pixelsOfThirtyTwoBitsLoad() {
+        SliceFile slice;
+        slice.change = [](DcmDataset& data) {
+            std::vector<Uint16> words;
+            for (const int value : {-5, 7, 70'000, -100'000, 0, 0, 0, 0, 0, 0, 0, 0}) {
+                words.push_back(Uint16(unsigned(value)));
+                words.push_back(Uint16(unsigned(value) >> 16));
+            }
+            data.putAndInsertUint16(DCM_BitsAllocated, 32);
+            data.putAndInsertUint16(DCM_BitsStored, 32);
+            data.putAndInsertUint16(DCM_HighBit, 31);
+            data.putAndInsertString(DCM_RescaleSlope, "0.01");
+            data.putAndInsertUint16Array(DCM_PixelData, words.data(), 24);
+        };
+        QVERIFY((Folder(slice).voxels(4) == Values{0, 0, 700, -1000}));
+        slice.isSigned = false;  // the same bits are large numbers, then
+        QVERIFY((Folder(slice).voxels(4) == Values{32767, 0, 700, 32767}));
+    }
+
+    void floatingPointPixelsLoad() {
+        SliceFile slice;
+        slice.change = [](DcmDataset& data) {
+            delete data.remove(DCM_PixelData);
+            std::vector<Float32> values(12, 40.4f);
+            values[1] = -0.6f;
+            values[2] = std::numeric_limits<float>::quiet_NaN();
+            values[3] = 9e9f;
+            values[4] = -7;
+            auto* pixels = new DcmFloatingPointSingle(DCM_FloatPixelData);
+            pixels->putFloat32Array(values.data(), 12);
+            data.insert(pixels);
+            data.putAndInsertUint16(DCM_BitsAllocated, 32);
+            data.putAndInsertFloat32(DCM_FloatPixelPaddingValue, -7);
+            data.putAndInsertString(DCM_RescaleSlope, "10");
+        };
+        const Folder single(slice);
+        QVERIFY((single.voxels(5) == Values{404, -6, -1024, 32767, -1024}));
+        QVERIFY((single.voxels(5, Padding::keep) == Values{404, -6, -1024, 32767, -70}));
+        QCOMPARE(single.paddingCount(), std::size_t(4));
+        slice.change = [](DcmDataset& data) {
+            delete data.remove(DCM_PixelData);
+            const std::vector<Float64> values(12, 40.6);
+            auto* pixels = new DcmFloatingPointDouble(DCM_DoubleFloatPixelData);
+            pixels->putFloat64Array(values.data(), 12);
+            data.insert(pixels);
+            data.putAndInsertUint16(DCM_BitsAllocated, 64);
+        };
+        QVERIFY((Folder(slice).voxels(2) == Values{41, 41}));
+        const SliceFile whole = slice;
+        slice.change = [&whole](DcmDataset& data) {
+            whole.change(data);
+            data.putAndInsertUint16(DCM_Rows, 4);
+        };
+        QVERIFY(!Folder(slice).load(Padding::keep));
     }
 
     void huIsRoundedToTheNearest() {

@@ -82,6 +82,7 @@ void addRefusals(std::vector<Text>& texts) {
     add([](SliceHeader& header) { header.transferSyntaxUid = "1.2.840.10008.1.2.4.90"; });
     add([](SliceHeader& header) { header.frames = 7; });
     add([](SliceHeader& header) { header.frames = 0, header.hasFrameGroups = true; });
+    add([](SliceHeader& header) { header.hasFloatPixels = true; });
     add([](SliceHeader& header) { header.columns = 0; });
     add([](SliceHeader& header) { header.format.bitsStored = 17; });
     add([](SliceHeader& header) { header.pixelBytes = 6; });
