@@ -78,6 +78,19 @@ class BombsTest : public QObject {
         QVERIFY(!structureOf(head() + repeated(small, kMaxElements + 10)).damage.empty());
     }
 
+    /// What describes a frame is allowed for each, but no number of frames allows for everything.
+    void framesAllowForTheirElements() {
+        const Bytes small = tag(8, 0x104) + little(2, 4) + "xx";
+        const auto withFrames = [&](const Bytes& count, int elements) {
+            const Bytes frames = tag(0x28, 8) + little(std::uint32_t(count.size()), 4) + count;
+            return structureOf(head() + frames + repeated(small, elements)).damage;
+        };
+        QCOMPARE(withFrames("1000", 10 * kMaxElements), Bytes());
+        QVERIFY(!withFrames("10", 2 * kMaxElements).empty());
+        QVERIFY(!withFrames("-1000 ", 2 * kMaxElements).empty());
+        QVERIFY(withFrames("99999999", kMaxElementsOfAll + 10).find("more than 2000000 elements") != Bytes::npos);
+    }
+
     void fragmentsAreCounted() {
         const Bytes open = tag(0x7FE0, 0x10) + little(0xFFFFFFFF, 4);
         const Bytes fragment = tag(0xFFFE, 0xE000) + little(2, 4) + "xx";

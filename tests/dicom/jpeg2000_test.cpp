@@ -1,5 +1,6 @@
 /// Slices in JPEG 2000: the numbers that were coded, or a sentence that says why not.
 
+#include "tests/support/dicom/enhanced_file.h"
 #include "tests/support/dicom/j2k_slice.h"
 
 #include <QTemporaryDir>
@@ -128,6 +129,31 @@ class Jpeg2000Test : public QObject {
         test::SliceFile honest = header();
         honest.change = [](DcmDataset& data) { data.putAndInsertString(DCM_LossyImageCompression, "01"); };
         QVERIFY(!decoded(test::j2kStream(kSize, values, {16, true, 8}), honest, kEither)->hasLost);  // noted already
+    }
+
+    /// Frames of a multi-frame image, in fragments that only their markers assign.
+    void framesAreRead() {
+        test::EnhancedFile image{.size = kSize};
+        std::vector<std::string> streams;
+        for (int k = 0; k < 3; ++k) {
+            test::EnhancedFrame frame{.position = {0, 0, 2.0 * k}};
+            frame.raw = test::tissueSlice(kSize, unsigned(k) + 1).raw;
+            image.frames.push_back(frame);
+            const std::vector<std::uint8_t> stream = test::j2kStream(kSize, tissue(0, unsigned(k) + 1), {12, false});
+            streams.emplace_back(stream.begin(), stream.end());
+        }
+        const auto folder = file_.parent_path() / "frames";
+        std::filesystem::create_directory(folder);
+        test::writeCodedEnhancedFile(folder / "all", image, streams, EXS_JPEG2000LosslessOnly, {2, false});
+        const auto scan = scanFolder(folder, noProgress);
+        QVERIFY(scan && scan->series.size() == 1 && scan->series[0].verdict.loadable());
+        const auto volume = loadSeries(scan->series[0], Padding::keep, noProgress);
+        QVERIFY2(bool(volume), volume ? "" : volume.error().text().c_str());
+        for (int k = 0; k < 3; ++k) {
+            const std::vector<int> expected = tissue(1024, unsigned(k) + 1);
+            const auto first = volume->voxels().begin() + std::ptrdiff_t(std::size_t(k) * expected.size());
+            QCOMPARE(std::vector<int>(first, first + std::ptrdiff_t(expected.size())), expected);
+        }
     }
 
     void notesSayWhatIsKnown() {
