@@ -5544,6 +5544,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>weder dieses Programm noch der Treiber hat Code für die GPU (%1)</translation>
     </message>
     <message>
+        <source>no HU</source>
+        <translation>keine HU</translation>
+    </message>
+    <message>
         <source>no answer</source>
         <translation>keine Antwort</translation>
     </message>

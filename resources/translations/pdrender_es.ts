@@ -5544,6 +5544,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>ni este programa ni el controlador tienen código para la GPU (%1)</translation>
     </message>
     <message>
+        <source>no HU</source>
+        <translation>sin HU</translation>
+    </message>
+    <message>
         <source>no answer</source>
         <translation>sin respuesta</translation>
     </message>

@@ -23,13 +23,19 @@ dvec3 normalOf(const VolumeGeometry& geometry) {
     return glm::normalize(glm::cross(dvec3(geometry.patientFromIndex[0]), dvec3(geometry.patientFromIndex[1])));
 }
 
+/// Returns whether nothing speaks against HU: a perfusion map is CT, too, but shows a flow.
+bool isCt(const dicom::Series& series) {
+    const auto& notes = series.verdict.notes;
+    return (series.series.modality.empty() || series.series.modality == "CT") &&
+           std::ranges::find(notes, "no-hu", &dicom::Note::code) == notes.end();
+}
+
 /// Returns the place of a series among those of its study; the lowest comes first.
 auto rankOf(const dicom::Series& series) {
     enum { axialCt, otherVolume, resampled, refused, noVolume } kind = refused;
     long distance = 0;  // [0.01 mm], so that rounding in the files does not matter
     if (series.verdict.loadable()) {
-        const bool isCt = series.series.modality.empty() || series.series.modality == "CT";
-        kind = series.series.resampled ? resampled : isCt && isAxial(series.geometry) ? axialCt : otherVolume;
+        kind = series.series.resampled ? resampled : isCt(series) && isAxial(series.geometry) ? axialCt : otherVolume;
         distance = std::lround(sliceDistanceMm(series.geometry) * 100);
     } else if (series.verdict.stack == dicom::Stack::notCt) {
         kind = noVolume;

@@ -11,10 +11,12 @@ struct NoteWord {
     const char* word;
 };
 
-/// Notes with a word of their own, the gravest first: values that were not measured, then slices that are not there,
-/// then where the slices lie, then what the values mean. A question mark stands where the note says "may".
+/// Notes with a word of their own, the gravest first: values of another quantity, values that were not measured, then
+/// slices that are not there, then where the slices lie, then what the values mean. A question mark stands where the
+/// note says "may".
 constexpr NoteWord kNoteWords[] = {
-    {"resampled", QT_TRANSLATE_NOOP("series", "resampled")},  //
+    {"no-hu", QT_TRANSLATE_NOOP("series", "no HU")},
+    {"resampled", QT_TRANSLATE_NOOP("series", "resampled")},
     {"lossy", QT_TRANSLATE_NOOP("series", "lossy")},
     {"maybe-lossy", QT_TRANSLATE_NOOP("series", "lossy?")},
     {"clipped", QT_TRANSLATE_NOOP("series", "clipped")},

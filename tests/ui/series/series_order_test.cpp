@@ -54,12 +54,14 @@ class TestSeriesOrder : public QObject {
 void TestSeriesOrder::theThinnestEvenAxialCtIsFirst() {
     dicom::Series magnetic = axial(0.2);
     magnetic.series.modality = "MR";
+    dicom::Series flow = axial(0.3);
+    flow.verdict.notes = {{"no-hu", "a perfusion map"}};
     const dicom::ScanResult scan{{refused(dicom::Stack::notCt), refused(dicom::Stack::gap), magnetic, coronal(0.5),
-                                  axial(5), axial(0.625), axial(1.25)},
+                                  axial(5), axial(0.625), axial(1.25), flow},
                                  {}};
     const auto studies = listedStudies(scan);
     QCOMPARE(studies.size(), std::size_t(1));
-    QCOMPARE(studies[0].series, (std::vector{5, 6, 4, 2, 3, 1, 0}));
+    QCOMPARE(studies[0].series, (std::vector{5, 6, 4, 2, 7, 3, 1, 0}));
 }
 
 /// Rounding in the files makes no slice thinner.
@@ -99,6 +101,7 @@ void TestSeriesOrder::theGravestNoteIsTheWord() {
     QCOMPARE(unusualWord({copies}), "copies");
     QCOMPARE(unusualWord({copies, missing}), "incomplete?");
     QCOMPARE(unusualWord({copies, missing, lossy}), "lossy");
+    QCOMPARE(unusualWord({lossy, {"no-hu", "a perfusion map"}}), "no HU");
     QCOMPARE(verdictText({dicom::Stack::even, "", {copies, lossy}}), QString::fromUtf8("✓  lossy"));
 }
 
