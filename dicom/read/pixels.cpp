@@ -83,13 +83,15 @@ class PaddingRule {
 class Rescale {
   public:
     explicit Rescale(const ValueMeaning& meaning)
-        : slope_(meaning.slope.value_or(1.0)), intercept_(meaning.intercept.value_or(0.0)) {
-        // True for nearly every CT: no rounding is needed, which takes half of the time.
-        isShift_ = slope_ == 1.0 && std::abs(intercept_) < 1e6 && intercept_ == std::floor(intercept_);
-        shift_ = isShift_ ? int(intercept_) : 0;
-    }
+        : slope_(meaning.slope.value_or(1.0)), intercept_(meaning.intercept.value_or(0.0)) {}
 
-    int of(int stored) const { return isShift_ ? stored + shift_ : of(double(stored)); }
+    /// Returns the whole number that is added to every stored value; none if there is more to it. True for nearly every
+    /// CT: no rounding is needed, which takes most of the time.
+    std::optional<int> shift() const {
+        if (slope_ == 1.0 && std::abs(intercept_) < 1e6 && intercept_ == std::floor(intercept_))
+            return int(intercept_);
+        return {};
+    }
 
     /// Returns HU, clamped to a million: far beyond what a slice can hold, and nowhere near the end of int. What is no
     /// number is air.
@@ -100,35 +102,49 @@ class Rescale {
 
   private:
     double slope_, intercept_;
-    bool isShift_ = false;
-    int shift_ = 0;
 };
 
-/// Makes a slice of numbers, as int or double: `numberOf(i)` is that of pixel i, and `isPadding` tells those that mean
-/// "nothing measured here".
+/// Converts the pixels of `slice`, whose HU and padding flags have their final size: `numberOf(i)` is the number of
+/// pixel i, `isPadding` tells those that mean "nothing measured here", and `huOf` is the rescale. Returns whether there
+/// is padding. Without branches, and with rules that no flag can overwrite, it becomes vector instructions.
+template <class NumberOf, class IsPadding, class HuOf>
+bool convert(const NumberOf numberOf, const IsPadding isPadding, const HuOf huOf, Padding padding,
+             DecodedSlice& slice) {
+    const bool masksAsAir = padding == Padding::maskAsAir;
+    std::int16_t* hu = slice.hu.data();
+    std::uint8_t* flags = slice.padding.data();
+    unsigned none = 0, beyond = 0;
+    for (std::size_t i = 0, count = slice.hu.size(); i < count; ++i) {
+        const auto number = numberOf(i);
+        const int value = huOf(number), held = std::clamp(value, -32768, 32767);
+        const bool isNone = isPadding(number);
+        hu[i] = std::int16_t(isNone && masksAsAir ? Volume::kAirHu : held);
+        flags[i] = isNone;
+        none |= unsigned(isNone);
+        beyond += unsigned(held != value && !isNone);
+    }
+    slice.clipped = beyond;
+    return none != 0;
+}
+
+/// Makes a slice of numbers, as int or double; see convert(). The functions must hold what they need by value.
 template <class NumberOf, class IsPadding>
 DecodedSlice sliceOf(const SliceHeader& header, const Decoding& decoding, Padding padding, NumberOf numberOf,
                      IsPadding isPadding) {
-    const Rescale rescale(header.meaning);
     DecodedSlice slice;
     slice.size = {header.columns, header.rows};
     slice.hasLost = decoding.hasLost && !header.isLossy;
     slice.isMended = decoding.isMended;
     slice.hu.resize(std::size_t(header.columns) * std::size_t(header.rows));
-    for (std::size_t i = 0; i < slice.hu.size(); ++i) {
-        const auto stored = numberOf(i);
-        const int hu = rescale.of(stored);
-        slice.hu[i] = std::int16_t(std::clamp(hu, -32768, 32767));
-        if (!isPadding(stored)) {
-            slice.clipped += slice.hu[i] != hu;
-            continue;
-        }
-        if (slice.padding.empty())
-            slice.padding.resize(slice.hu.size(), 0);
-        slice.padding[i] = 1;
-        if (padding == Padding::maskAsAir)
-            slice.hu[i] = Volume::kAirHu;
-    }
+    slice.padding.resize(slice.hu.size());
+    const auto convertBy = [&](auto huOf) { return convert(numberOf, isPadding, huOf, padding, slice); };
+    const Rescale rescale(header.meaning);
+    const std::optional<int> shift = rescale.shift();
+    constexpr bool kIsWhole = std::is_same_v<decltype(numberOf(0)), int>;
+    const bool hasPadding = kIsWhole && shift ? convertBy([add = *shift](auto number) { return int(number) + add; })
+                                              : convertBy([rescale](auto number) { return rescale.of(number); });
+    if (!hasPadding)
+        slice.padding = {};
     return slice;
 }
 
@@ -139,8 +155,8 @@ DecodedSlice toHu(const Raw* raw, const SliceHeader& header, const Decoding& dec
     const PaddingRule rule(header.meaning, stored, padding);
     using Number = std::conditional_t<kIsWide, double, int>;
     return sliceOf(
-        header, decoding, padding, [&](std::size_t i) { return Number(stored.of(raw[i])); },
-        [&](Number number) { return rule.matches(number); });
+        header, decoding, padding, [raw, stored](std::size_t i) { return Number(stored.of(raw[i])); },
+        [rule](Number number) { return rule.matches(number); });
 }
 
 /// Returns the HU of floating-point pixels; what is no finite number was not measured.
@@ -148,8 +164,8 @@ template <class Real>
 DecodedSlice realsToHu(const Real* raw, const SliceHeader& header, Padding padding) {
     const std::optional<double> stated = header.meaning.realPadding;
     return sliceOf(
-        header, {}, padding, [&](std::size_t i) { return double(raw[i]); },
-        [&](double number) { return !std::isfinite(number) || number == stated; });
+        header, {}, padding, [raw](std::size_t i) { return double(raw[i]); },
+        [stated](double number) { return !std::isfinite(number) || number == stated; });
 }
 
 /// Reads the pixels of Float Pixel Data or Double Float Pixel Data (PS3.3, C.7.6.24 and C.7.6.25).

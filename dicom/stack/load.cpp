@@ -24,6 +24,15 @@ Error outOfMemory(const Series& series, std::uint64_t needed) {
             series.series.description, phrase("Close other programs, or import fewer slices."), ErrorKind::memory};
 }
 
+/// Copies flags run by run: padding lies in a ring around the image, and bits that are set together cost little.
+void copyRuns(const std::vector<std::uint8_t>& mask, std::vector<bool>::iterator flags) {
+    for (auto end = mask.begin(); end != mask.end();) {
+        const auto begin = std::find(end, mask.end(), 1);
+        end = std::find(begin, mask.end(), 0);
+        std::fill(flags + (begin - mask.begin()), flags + (end - mask.begin()), true);
+    }
+}
+
 /// The voxels while several threads fill them, one slice at a time.
 class Filling {
   public:
@@ -32,8 +41,7 @@ class Filling {
           padding_(padding),
           images_(*series.source),
           sliceVoxels_(std::size_t(series.geometry.size.x) * std::size_t(series.geometry.size.y)),
-          hu_(sliceVoxels_ * series.slices.size()),
-          masks_(series.slices.size()) {}
+          hu_(sliceVoxels_ * series.slices.size()) {}
 
     void loadSlice(std::size_t k, const GoOn& goOn) {
         const SliceRef& from = series_.slices[k];
@@ -43,7 +51,8 @@ class Filling {
         if (slice->size != ivec2(series_.geometry.size) || slice->identity != from.identity)
             return fail(changedFile(from.file));
         std::copy(slice->hu.begin(), slice->hu.end(), hu_.begin() + std::ptrdiff_t(k * sliceVoxels_));
-        masks_[k].assign(slice->padding.begin(), slice->padding.end());
+        if (!slice->padding.empty())
+            flag(slice->padding, k);
         clipped_ += slice->clipped;
         lossy_ += slice->hasLost;
         mended_ += slice->isMended;
@@ -80,21 +89,20 @@ class Filling {
     }
 
     Volume finish() {
-        std::vector<bool> flags;
-        for (std::size_t k = 0; k < masks_.size(); ++k) {
-            if (masks_[k].empty())
-                continue;
-            flags.resize(hu_.size(), false);
-            std::copy(masks_[k].begin(), masks_[k].end(), flags.begin() + std::ptrdiff_t(k * sliceVoxels_));
-            masks_[k] = {};
-        }
-        FlaggedVoxels voxels{std::move(hu_), std::move(flags)};
+        FlaggedVoxels voxels{std::move(hu_), std::move(flags_)};
         if (!series_.blends.empty())
             voxels = blended(voxels, sliceVoxels_, series_.blends);
         return Volume(series_.geometry, std::move(voxels.hu), std::move(voxels.padding), codes());
     }
 
   private:
+    /// Flags the padding of slice k. Slices share words of flags, so one is flagged at a time.
+    void flag(const std::vector<std::uint8_t>& mask, std::size_t k) {
+        const std::lock_guard lock(mutex_);
+        flags_.resize(hu_.size(), false);
+        copyRuns(mask, flags_.begin() + std::ptrdiff_t(k * sliceVoxels_));
+    }
+
     /// Returns one word for each kind of note.
     std::string codes() const {
         std::set<std::string> all;
@@ -119,7 +127,7 @@ class Filling {
     OpenImages images_;
     const std::size_t sliceVoxels_;
     Voxels hu_;
-    std::vector<std::vector<bool>> masks_;             ///< padding of each slice; empty: it has none
+    std::vector<bool> flags_;                          ///< padding, guarded by mutex_; empty: there is none so far
     std::atomic<std::size_t> clipped_ = 0;             ///< voxels
     std::atomic<std::size_t> lossy_ = 0, mended_ = 0;  ///< slices; see DecodedSlice
     std::mutex mutex_;
@@ -153,10 +161,9 @@ Result<Volume> loadSeries(const Series& series, Padding padding, const Progress&
     const std::size_t slices = series.blends.empty() ? series.slices.size() : series.blends.size();
     if (size.x < 1 || size.y < 1 || size.z < 1 || size.z != int(slices))
         return Error{phrase("the slices differ in size: %1", series.verdict.reason), series.series.description, ""};
-    // Two bytes per voxel, and a bit for its padding flag: twice while the slices' flags are joined. Resampled slices come
-    // beside them.
+    // Two bytes per voxel, and a bit for its padding flag. Resampled slices come beside the measured ones.
     const std::uint64_t resampled = series.blends.empty() ? 0 : std::uint64_t(size.x) * size.y * series.slices.size();
-    const std::uint64_t needed = (std::uint64_t(series.geometry.voxelCount()) + resampled) * 9 / 4;
+    const std::uint64_t needed = (std::uint64_t(series.geometry.voxelCount()) + resampled) * 17 / 8;
     if (needed > freeBytes())
         return outOfMemory(series, needed);
     try {

@@ -53,6 +53,22 @@ class NotesTest : public QObject {
         QCOMPARE(volume->remarks(), std::string("clipped"));
     }
 
+    void paddingBeyondSixteenBitsIsNotSaid() {
+        test::SliceFolder folder;
+        folder.addStack(2, {.size = {4, 3}}, "", [](int, SliceFile& slice) {
+            slice.raw = {0x8000, 0x8000, 100};
+            slice.change = [](DcmDataset& data) {
+                data.putAndInsertString(DCM_RescaleIntercept, "-1024");
+                data.putAndInsertSint16(DCM_PixelPaddingValue, -32768);
+            };
+        });
+        std::vector<Note> notes;
+        const auto volume = loadSeries(folder.scan().series.front(), Padding::maskAsAir, noProgress, &notes);
+        QVERIFY(bool(volume));
+        QCOMPARE(volume->paddingCount(), std::size_t(4));
+        QCOMPARE(noteOf(notes, "clipped"), std::string());
+    }
+
     void lossyCodingIsSaid() {
         test::SliceFolder folder;
         for (int k = 0; k < 2; ++k) {
