@@ -23,6 +23,13 @@ bool soundFormat(const SliceHeader& header) {
            format.highBit < bits;
 }
 
+/// Returns whether images of another modality say that their values are HU: exports of cone-beam scanners (OT), and 3D
+/// angiography (XA).
+bool isStatedInHu(const SliceHeader& header) {
+    const std::string& modality = header.series.modality;
+    return (modality == "OT" || modality == "XA") && header.meaning.unit == "HU" && header.meaning.quantity.empty();
+}
+
 }  // namespace
 
 std::optional<Refusal> refusePixels(const SliceHeader& header) {
@@ -63,7 +70,7 @@ std::optional<Refusal> refusePixels(const SliceHeader& header) {
 
 std::optional<Refusal> refuseSlice(const SliceHeader& header) {
     const std::string& modality = header.series.modality;
-    if ((header.pixelBytes != 0 || header.hasFloatPixels) && modality != "CT")
+    if ((header.pixelBytes != 0 || header.hasFloatPixels) && modality != "CT" && !isStatedInHu(header))
         return Refusal{Stack::notCt,
                        modality.empty() ? phrase("it does not say its modality") : phrase("%1, not CT", modality)};
     if (header.imageType.find("LOCALIZER") != std::string::npos)

@@ -18,8 +18,8 @@ struct Refusal {
 /// Returns why this image's pixels cannot be decoded into numbers; none if they can.
 std::optional<Refusal> refusePixels(const SliceHeader& header);
 
-/// Returns why this image is not a readable CT slice: as refusePixels(), or other modality, localizer, unusable
-/// rescale.
+/// Returns why this image is not a readable CT slice: as refusePixels(), or localizer, unusable rescale, other
+/// modality, unless that is one of volumes in HU and states HU.
 std::optional<Refusal> refuseSlice(const SliceHeader& header);
 
 }  // namespace pdr::dicom

@@ -121,7 +121,7 @@ bool parseHeader(const NamedBytes& object, HeaderRead& read, bool& isDirectory) 
     readMeaning(item, header.meaning);
     header.window = readWindow(item);
     readPlane(item, header);
-    if (header.hasFrameGroups && !refuseSlice(header))
+    if (header.hasFrameGroups && !refusePixels(header))
         read.frames = readFrames(item, header);
     return parsed;
 }

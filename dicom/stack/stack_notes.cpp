@@ -33,6 +33,8 @@ void noteMeaning(const Slices& slices, std::vector<Note>& notes) {
             notes.push_back(
                 {"unit", phrase("the files say that their values are in \"%1\"; they are taken as HU", unit)});
     }
+    if (const std::string& modality = slices.front()->series.modality; modality != "CT" && !modality.empty())
+        notes.push_back({"modality", phrase("the files call the series %1, not CT, and its values HU", modality)});
     for (const std::string& quantity : quantities)
         notes.push_back(
             {"no-hu", phrase("the values are no HU but another quantity (%1): no look or figure in HU is true of them",

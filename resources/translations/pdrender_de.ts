@@ -5420,6 +5420,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>mm</translation>
     </message>
     <message>
+        <source>modality</source>
+        <translation>Modalität</translation>
+    </message>
+    <message>
         <source>more than half of what is solid is thinner than 20 mm</source>
         <translation>mehr als die Hälfte von allem Festen ist dünner als 20 mm</translation>
     </message>
@@ -6158,6 +6162,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the file of its voxels cannot be read (%1)</source>
         <translation>die Datei ihrer Voxel lässt sich nicht lesen (%1)</translation>
+    </message>
+    <message>
+        <source>the files call the series %1, not CT, and its values HU</source>
+        <translation>die Dateien nennen die Serie %1, nicht CT, und ihre Werte HU</translation>
     </message>
     <message>
         <source>the files name %1 frames of reference; their positions are taken as one</source>

@@ -5420,6 +5420,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>mm</translation>
     </message>
     <message>
+        <source>modality</source>
+        <translation>modalidad</translation>
+    </message>
+    <message>
         <source>more than half of what is solid is thinner than 20 mm</source>
         <translation>más de la mitad de lo sólido tiene menos de 20 mm de grosor</translation>
     </message>
@@ -6158,6 +6162,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the file of its voxels cannot be read (%1)</source>
         <translation>el archivo de sus vóxeles no se puede leer (%1)</translation>
+    </message>
+    <message>
+        <source>the files call the series %1, not CT, and its values HU</source>
+        <translation>los archivos llaman a la serie %1, no CT, y a sus valores HU</translation>
     </message>
     <message>
         <source>the files name %1 frames of reference; their positions are taken as one</source>

@@ -208,6 +208,21 @@ class MultiFrameTest : public QObject {
         QCOMPARE(int(volume->voxels()[1000]), int(file.frames[3].raw[1000]) - 1000);
     }
 
+    /// A 3D angiography whose groups call its values HU is one in HU; one that does not is none.
+    void anotherModalityMayStateHu() {
+        test::EnhancedFile file = thorax(3);
+        file.change = [](DcmDataset& data) { data.putAndInsertString(DCM_Modality, "XA"); };
+        test::writeEnhancedFile(this->file(), file);
+        verifyIsRead(file);
+        QVERIFY(scanned().series.at(0).verdict.notes.at(0).text.find("XA, not CT") != std::string::npos);
+        for (test::EnhancedFrame& frame : file.frames)
+            frame.change = [](DcmItem& own) {
+                test::itemIn(own, DCM_PixelValueTransformationSequence).putAndInsertString(DCM_RescaleType, "US");
+            };
+        test::writeEnhancedFile(this->file(), file);
+        QCOMPARE(reasonOf(scanned()), std::string("thorax: XA, not CT"));
+    }
+
     void anotherQuantityIsNoHu() {
         test::EnhancedFile file = thorax(3);
         for (test::EnhancedFrame& frame : file.frames)

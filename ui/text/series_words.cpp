@@ -27,6 +27,7 @@ constexpr NoteWord kNoteWords[] = {
     {"tilt", QT_TRANSLATE_NOOP("series", "tilted")},
     {"uneven", QT_TRANSLATE_NOOP("series", "uneven")},
     {"grid", QT_TRANSLATE_NOOP("series", "uneven")},
+    {"modality", QT_TRANSLATE_NOOP("series", "modality")},
     {"unit", QT_TRANSLATE_NOOP("series", "units")},
     {"rescale", QT_TRANSLATE_NOOP("series", "units")},
     {"copies", QT_TRANSLATE_NOOP("series", "copies")},
