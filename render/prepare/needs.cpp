@@ -127,9 +127,12 @@ double steepestCut(const Scene& scene) {
 double steepestMask(const Scene& scene) {
     if (!scene.mask)
         return 0;
-    const dvec3 nodesMm = scene.volume->geometry().spacingMm() * dvec3(ivec3(1) << scene.mask->grid().shift);
+    const dmat3 perMm = glm::transpose(glm::inverse(dmat3(scene.volume->geometry().patientFromIndex)));
+    double nodesPerMm = 0;  // across the layers of nodes along i, j and k: on a sheared grid, slopes may add up
+    for (int axis = 0; axis < 3; ++axis)
+        nodesPerMm += glm::length(perMm[axis]) / double(1 << scene.mask->grid().shift[axis]);
     const float highest = float(scene.volume->storedRange().highest) + kHuSlack;
-    return double(cutSteepness(highest, float(glm::min(nodesMm.x, glm::min(nodesMm.y, nodesMm.z))))) * std::sqrt(3.0);
+    return double(cutSteepness(highest, 1)) * nodesPerMm;
 }
 
 /// Returns whether some random number makes an event a surface; see normalAt(). The smallest one is 2^-24.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/volume/sheared.h"
+
 namespace pdr::segment {
 namespace {
 
@@ -13,13 +15,14 @@ constexpr double kCellMm = 2;
 CellGrid CellGrid::over(const VolumeGeometry& geometry) {
     CellGrid grid;
     grid.voxels = geometry.size;
-    const dvec3 spacing = geometry.spacingMm();
+    const dvec3 spacing = statedSpacingMm(geometry);
     for (int axis = 0; axis < 3; ++axis) {
         const double wanted = std::min(kCellMm / spacing[axis], double(geometry.size[axis]));
         grid.block[axis] = std::max(1, int(std::lround(wanted)));
         grid.size[axis] = (geometry.size[axis] + grid.block[axis] - 1) / grid.block[axis];
         grid.spacingMm[axis] = spacing[axis] * grid.block[axis];
     }
+    grid.driftMm = sliceDrift(geometry).sidewaysMm * double(grid.block.z);
     return grid;
 }
 

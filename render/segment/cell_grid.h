@@ -20,7 +20,8 @@ struct CellGrid {
     ivec3 size{0};         ///< cells along i, j, k
     ivec3 block{1};        ///< voxels along the edges of a cell
     ivec3 voxels{0};       ///< voxels of the volume
-    dvec3 spacingMm{1.0};  ///< between the centres of cells
+    dvec3 spacingMm{1.0};  ///< between the layers of cells along i, j, k
+    dvec2 driftMm{0};      ///< how far each layer along k lies sideways of the one before, along i and j
 
     static CellGrid over(const VolumeGeometry& geometry);
 
@@ -34,7 +35,7 @@ struct CellGrid {
         const ivec3 edges = glm::min(block, voxels - cell * block);
         return edges.x * edges.y * edges.z;
     }
-    /// Returns the volume of a whole cell.
+    /// Returns the volume of a whole cell: sideways drift leaves it as it is.
     double cellMl() const { return spacingMm.x * spacingMm.y * spacingMm.z / 1000; }
     /// Returns the longest edge of a cell.
     double longestMm() const { return glm::max(spacingMm.x, glm::max(spacingMm.y, spacingMm.z)); }

@@ -64,12 +64,9 @@ class RowsApart {
     float squaredStep_;
 };
 
-}  // namespace
-
-/// Processes one axis after the other, as Felzenszwalb and Huttenlocher (2012) do, but only up to `reachMm`: there,
-/// visiting all neighbours within reach, whole rows at a time, is faster than their lower envelope.
-std::vector<float> squaredDistances(const Cells& cells, std::uint8_t value, const CellGrid& grid, double reachMm,
-                                    const Checkpoint& checkpoint) {
+/// Returns the squared distances within each layer of cells (along i and j).
+std::vector<float> withinLayers(const Cells& cells, std::uint8_t value, const CellGrid& grid, double reachMm,
+                                const Checkpoint& checkpoint) {
     std::vector<float> distances(grid.count());
     tbb::enumerable_thread_specific<std::vector<float>> room;
     const RowsApart alongY(grid.size.x, grid.size.y, grid.spacingMm.y, reachMm);
@@ -79,6 +76,79 @@ std::vector<float> squaredDistances(const Cells& cells, std::uint8_t value, cons
                      &distances[grid.index(0, y, z)]);
         alongY.spread(&distances[grid.index(0, 0, z)], std::size_t(grid.size.x), room.local());
     });
+    return distances;
+}
+
+/// The layers of a sheared grid, with so much room around them that each is known where others lie above it.
+class DriftingLayers {
+  public:
+    DriftingLayers(const Cells& cells, std::uint8_t value, const CellGrid& grid, double reachMm,
+                   const Checkpoint& checkpoint)
+        : grid_(grid), wide_(grid), reach_(std::min(int(std::ceil(reachMm / grid.spacingMm.z)), grid.size.z - 1)) {
+        margin_ = ivec2(glm::ceil(glm::abs(grid.driftMm) * double(reach_) / dvec2(grid.spacingMm))) + 1;
+        wide_.size += ivec3(2 * margin_, 0);
+        // Interpolation reaches one cell farther than the distances that are wanted.
+        const double known = reachMm + grid.longestMm();
+        mm_ = withinLayers(withMargin(cells), value, wide_, known, checkpoint);
+        for (float& mm : mm_)
+            mm = std::min(std::sqrt(mm), float(known));
+    }
+
+    /// Writes the squared distances of layer `z`, as the cells of all layers within reach make them.
+    void spread(int z, float* layer) const {
+        std::fill_n(layer, grid_.sliceCount(), kFar);
+        for (int other = std::max(0, z - reach_); other <= std::min(grid_.size.z - 1, z + reach_); ++other)
+            for (int y = 0; y < grid_.size.y; ++y)
+                lowerRow(layer + std::size_t(y) * std::size_t(grid_.size.x), y, z, other);
+    }
+
+  private:
+    /// Returns the cells with a margin that is neither 0 nor 1.
+    Cells withMargin(const Cells& cells) const {
+        Cells wide(wide_.count(), 2);
+        for (int z = 0; z < grid_.size.z; ++z)
+            for (int y = 0; y < grid_.size.y; ++y)
+                std::copy_n(&cells[grid_.index(0, y, z)], grid_.size.x,
+                            &wide[wide_.index(margin_.x, y + margin_.y, z)]);
+        return wide;
+    }
+
+    /// Lowers the row `y` of layer `z` by the distances to cells of layer `other`, linear between those of its cells.
+    void lowerRow(float* row, int y, int z, int other) const {
+        const dvec2 at = dvec2(margin_) + dvec2(0, y) + double(z - other) * grid_.driftMm / dvec2(grid_.spacingMm);
+        const ivec2 cell(glm::floor(at));
+        const vec2 share(at - dvec2(cell));
+        const float* low = &mm_[wide_.index(cell.x, cell.y, other)];
+        const float* high = low + wide_.size.x;
+        const auto apart = float(std::pow((other - z) * grid_.spacingMm.z, 2));
+        for (int x = 0; x < grid_.size.x; ++x) {
+            const float mm =
+                glm::mix(glm::mix(low[x], low[x + 1], share.x), glm::mix(high[x], high[x + 1], share.x), share.y);
+            row[x] = std::min(row[x], mm * mm + apart);
+        }
+    }
+
+    const CellGrid& grid_;
+    CellGrid wide_;  ///< with the margin, in cells, on either side along i and j
+    ivec2 margin_{0};
+    int reach_;
+    std::vector<float> mm_;  ///< within the layers of `wide_`
+};
+
+}  // namespace
+
+/// Processes one axis after the other, as Felzenszwalb and Huttenlocher (2012) do, but only up to `reachMm`: there,
+/// visiting all neighbours within reach, whole rows at a time, is faster than their lower envelope.
+std::vector<float> squaredDistances(const Cells& cells, std::uint8_t value, const CellGrid& grid, double reachMm,
+                                    const Checkpoint& checkpoint) {
+    if (grid.driftMm != dvec2(0)) {
+        std::vector<float> distances(grid.count());
+        const DriftingLayers layers(cells, value, grid, reachMm, checkpoint);
+        forEachSlice(grid.size.z, checkpoint, [&](int z) { layers.spread(z, &distances[grid.index(0, 0, z)]); });
+        return distances;
+    }
+    std::vector<float> distances = withinLayers(cells, value, grid, reachMm, checkpoint);
+    tbb::enumerable_thread_specific<std::vector<float>> room;
     const RowsApart alongZ(grid.size.x, grid.size.z, grid.spacingMm.z, reachMm);
     forEachSlice(grid.size.y, checkpoint,
                  [&](int y) { alongZ.spread(&distances[grid.index(0, y, 0)], grid.sliceCount(), room.local()); });

@@ -21,7 +21,9 @@ inline bool atMost(float squaredMm2, double mm) {
 
 /// Returns for each cell the squared distance [mm^2] from its centre to that of the nearest cell whose flag is `value`.
 /// Exact up to `reachMm`; beyond, and where there is no such cell, at least the square of `reachMm`. There are no cells
-/// outside the grid. The result is the same for any number of threads, and mirrored, bit by bit, for a mirrored mask.
+/// outside the grid. On a sheared grid, distances to the cells of other layers are linear between those that lie where
+/// the layers are crossed: right to half the edge of a cell. The result is the same for any number of threads, and
+/// mirrored, bit by bit, for a mirrored mask.
 std::vector<float> squaredDistances(const Cells& cells, std::uint8_t value, const CellGrid& grid, double reachMm,
                                     const Checkpoint& checkpoint = goOn);
 

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/volume/sheared.h"
+
 namespace pdr::segment {
 namespace {
 
@@ -130,14 +132,13 @@ Findings findingsOn(const Volume& scan, const VolumeGeometry& bodyBox) {
     const VolumeGeometry& geometry = scan.geometry();
     const ivec3 block = blockOf(geometry);
     const CellCounts counts = countCells(scan, block);
-    const dvec3 spacing = geometry.spacingMm();
-    const double voxelMl = spacing.x * spacing.y * spacing.z / 1000, cellMl = voxelMl * block.x * block.y * block.z;
+    const double voxel = voxelMl(geometry), cellMl = voxel * block.x * block.y * block.z;
     const dmat4& axes = bodyBox.patientFromIndex;
     Findings findings;
     for (int axis = 0; axis < 3; ++axis)
         findings.widthMm += std::abs(axes[axis].x) * bodyBox.size[axis];
     findings.lungMl = cellMl * double(counts.within(meanBin(-950), meanBin(-600), kSpreads));
-    findings.metalMl = voxelMl * double(counts.metal);
+    findings.metalMl = voxel * double(counts.metal);
     findings.blood = bloodPeak(counts, cellMl);
     return findings;
 }

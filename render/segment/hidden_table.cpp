@@ -11,6 +11,7 @@
 #include "render/segment/for_each_slice.h"
 #include "render/segment/outside_metal.h"
 #include "render/segment/rule.h"
+#include "render/volume/sheared.h"
 
 namespace pdr::segment {
 namespace {
@@ -98,10 +99,9 @@ HiddenTable tableOf(const Volume& volume, BodyMask mask, const Checkpoint& check
         table.metalMl = showMetal(volume, mask);
         all = masked(volume, mask, checkpoint);
     }
-    const dvec3 spacing = volume.geometry().spacingMm();
     table.bodyBox = boxIn(volume, mask);
     table.outlineMm = placesOf(volume.geometry(), mask.rowEnds);
-    table.hiddenMl = double(all.hidden.seen) * spacing.x * spacing.y * spacing.z / 1000;
+    table.hiddenMl = double(all.hidden.seen) * voxelMl(volume.geometry());
     table.cutMl = volumeMl(mask.cut, mask.grid);
     table.bodyMl = mask.bodyMl;
     table.parts = mask.parts;

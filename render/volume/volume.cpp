@@ -61,7 +61,16 @@ dvec3 VolumeGeometry::centreMm() const {
 }
 
 double VolumeGeometry::radiusMm() const {
-    return 0.5 * glm::length(dvec3(patientFromIndex * dvec4(dvec3(size), 0.0)));
+    // The diagonals of an upright box are equal, and rounding must not choose among them.
+    constexpr double kLonger = 1 + 1e-9;
+    const auto diagonal = [this](dvec3 signs) {
+        return glm::length(dvec3(patientFromIndex * dvec4(signs * dvec3(size), 0.0)));
+    };
+    double longest = diagonal({1, 1, 1});
+    for (const dvec3 signs : {dvec3(-1, 1, 1), dvec3(1, -1, 1), dvec3(1, 1, -1)})
+        if (const double other = diagonal(signs); other > kLonger * longest)
+            longest = other;
+    return 0.5 * longest;
 }
 
 VolumeGeometry VolumeGeometry::part(ivec3 first, ivec3 partSize) const {

@@ -1,6 +1,7 @@
 #pragma once
-/// Tissue that both scatters and reflects, seen along one ray: on rotated grids, through clip planes, in light of every
-/// kind. Each scene is made for what it is sensitive to; together they hold every term of the written formulas.
+/// Tissue that both scatters and reflects, seen along one ray: on rotated and sheared grids, through clip planes, in
+/// light of every kind. Each scene is made for what it is sensitive to; together they hold every term of the written
+/// formulas.
 
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ enum class Curve {
 struct HybridScene {
     std::string name;
     dvec3 spacing{1};        ///< mm; the grid is oblique
+    double shear = 0;        ///< how far slices drift along their columns, over their distance: a tilted gantry
     double steepness = 200;  ///< HU/mm into the tissue
     Curve curve = Curve::slope;
     float extinctionPerMm = 1;
@@ -50,10 +52,12 @@ struct HybridScene {
 };
 
 /// Voxels of a surface through the origin, uneven, whose HU rise by about `steepness` inwards.
-inline std::shared_ptr<const Volume> unevenSurface(dvec3 spacing, double steepness) {
+/// `shear`: see HybridScene.
+inline std::shared_ptr<const Volume> unevenSurface(dvec3 spacing, double steepness, double shear) {
     const ivec3 size = glm::max(ivec3(glm::ceil(dvec3(14) / spacing)), ivec3(4));
     const dmat4 turned = glm::rotate(dmat4(1), 0.7, glm::normalize(dvec3(1, 2, -0.5)));
     dmat4 map = glm::scale(turned, spacing);
+    map[2] += shear * spacing.z * turned[1];
     map[3] = map * dvec4(-0.5 * dvec3(size - 1) + 0.13, 1);
     Voxels voxels;
     for (int k = 0; k < size.z; ++k)
@@ -91,7 +95,7 @@ inline std::vector<TransferNode> nodesOf(const HybridScene& from) {
 
 inline Scene HybridScene::scene() const {
     Scene scene;
-    scene.volume = unevenSurface(spacing, steepness);
+    scene.volume = unevenSurface(spacing, steepness, shear);
     scene.transferFunction = {extinctionPerMm, nodesOf(*this)};
     scene.gradientFactor = gradientFactor;
     scene.phaseG = g;

@@ -19,6 +19,10 @@ namespace {
 const Scanner kThick{{0.9, 0.9, 2.5}, {0.6, 0.6, 0.9}, 15}, kThin{{0.7, 0.7, 1.0}, {0.6, 0.6, 0.7}, 15};
 const Contrast kBone{1000, 40};
 
+/// Gantries that were tilted by 18.5 and 35 degrees, one of them about both axes of the slice.
+const Scanner kTilted{{0.5, 0.5, 1.19}, {0.6, 0.6, 0.7}, 15, 0.7, {0, 0.397}},
+    kAskew{{0.7, 0.7, 0.82}, {0.6, 0.6, 0.6}, 15, 0.7, {-0.3, 0.48}};
+
 /// Returns the scan of a half space that is `high` where dot(p, normal) > 0.
 Volume scannedStep(const Scanner& scanner, dvec3 normal, double low, double high, std::mt19937& random) {
     const double blur = test::blurAlong(scanner, normal);
@@ -123,6 +127,51 @@ class EdgeTest : public QObject {
             held += !stated || stated->high >= thickness;
         }
         QVERIFY2(bounds >= 58 && held == 60, qPrintable(QString("%1, %2").arg(bounds).arg(held)));
+    }
+
+    /// Steps and plates of a tilted scan are where they are in the patient, as surely as those of an upright one.
+    void aTiltedScanMeasuresAsAnUprightOne() {
+        std::mt19937 random(9);
+        for (const Scanner& scanner : {kTilted, kAskew}) {
+            test::Sample steps, inSigmas, plates;
+            int held = 0;
+            for (int trial = 0; trial < 40; ++trial) {
+                const dvec3 normal = test::randomDirection(random);
+                const Volume step = scannedStep(scanner, normal, 40, 400, random);
+                const EdgeSearch found = edgeNear(step, 0.6 * test::randomDirection(random));
+                QVERIFY(found.edge);
+                QVERIFY(glm::dot(found.edge->normal, normal) > 0.98);
+                const double error = glm::dot(found.edge->mm, normal), thickness = trial % 2 ? 8 : 5;
+                steps.add(error);
+                inSigmas.add(std::pow(error / std::hypot(found.edge->edgeSigma, found.edge->gridSigma), 2));
+                const Volume plate = test::scannedPlate(scanner, thickness, normal, kBone, 13, random);
+                const auto stated = measuredPlate(plate, thickness, normal, random);
+                QVERIFY(stated && stated->bound == Bound::none);
+                plates.add(stated->value - thickness);
+                held += stated->low <= thickness && thickness <= stated->high;
+            }
+            QVERIFY2(std::abs(steps.mean()) < 0.03, qPrintable(QString::number(steps.mean())));
+            QVERIFY2(inSigmas.mean() > 0.3 && inSigmas.mean() < 1.6, qPrintable(QString::number(inSigmas.mean())));
+            QVERIFY2(std::abs(plates.mean()) < 0.025, qPrintable(QString::number(plates.mean())));
+            QVERIFY2(held >= 34, qPrintable(QString::number(held)));
+        }
+    }
+
+    /// A tilted scan does not lengthen a ball along the table, nor across it.
+    void aBallOfATiltedScanHasItsDiameter() {
+        std::mt19937 random(10);
+        Scanner scanner = kTilted;
+        scanner.blurMm = dvec3(0.6);
+        const Volume scan = test::scannedBall(scanner, 12, kBone, 20, random);
+        test::Sample diameters;
+        for (int trial = 0; trial < 40; ++trial) {
+            const dvec3 out = trial % 4 == 0 ? dvec3(0, 0, 1) : test::randomDirection(random);
+            const EdgeSearch a = edgeNear(scan, 12.4 * out), b = edgeNear(scan, -11.7 * out);
+            QVERIFY(a.edge && b.edge);
+            diameters.add(glm::distance(a.edge->mm, b.edge->mm) - 24);
+            QVERIFY(glm::dot(a.edge->normal, out) < -0.98);
+        }
+        QVERIFY2(std::abs(diameters.mean()) < 0.2, qPrintable(QString::number(diameters.mean())));
     }
 
     void whatWasClickedOnASliceStaysInIt() {

@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include "render/measure/measured_voxels.h"
 #include "render/measure/noise.h"
 #include "render/measure/region_statistics.h"
 #include "tests/support/scenes/edge_phantoms.h"
@@ -62,6 +63,25 @@ class RegionStatisticsTest : public QObject {
         QCOMPARE(found->padding, std::size_t(1));
         QCOMPARE(found->highestHu, 40.0);
         QVERIFY(!regionStatistics(ramp(padding), Ball{{3, 0, 0}, 1}));
+    }
+
+    /// A ball holds as many millilitres as its radius says, and a plane takes each voxel of a tilted scan once.
+    void regionsOfATiltedScanAreAsLargeAsTheyAre() {
+        std::mt19937 random(2);
+        const Scanner tilted{{0.9, 0.9, 2.37}, {0.6, 0.6, 0.9}, 0, 0.7, {0, 0.79}};
+        const Volume scan = noisyWater(tilted, 20, random);
+        const auto ball = regionStatistics(scan, Ball{{1, -2, 0.5}, 15});
+        QVERIFY(ball && !ball->cut);
+        QVERIFY(std::abs(ball->millilitres / (4 * std::acos(-1.0) / 3 * 3.375) - 1) < 0.01);
+        for (const dvec3 normal : {dvec3(0, 0, 1), dvec3(0, 1, 0), glm::normalize(dvec3(0, 2.37, -0.79))}) {
+            const double layer = layerMm(scan.geometry(), normal);
+            const dvec3 u = 90.0 * glm::normalize(glm::cross(normal, dvec3(1, 0, 0))), v = glm::cross(normal, u);
+            std::size_t voxels = 0;
+            for (int n = -90; n <= 90; ++n)
+                if (const auto found = regionStatistics(scan, PlaneEllipse{(0.23 + n) * layer * normal, u, v}))
+                    voxels += found->count;
+            QCOMPARE(voxels, scan.geometry().voxelCount());
+        }
     }
 
     /// Planes side by side share no voxel and lose none.

@@ -8,6 +8,7 @@
 #include "render/segment/distance.h"
 #include "render/segment/outline.h"
 #include "render/segment/pieces.h"
+#include "render/volume/sheared.h"
 #include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
@@ -16,7 +17,7 @@ using namespace pdr::segment;
 namespace {
 
 CellGrid gridOf(ivec3 size, dvec3 spacing) {
-    return {size, ivec3(1), spacing};
+    return {.size = size, .spacingMm = spacing};
 }
 
 /// Returns flags, one in `rarity` of them set.
@@ -98,6 +99,44 @@ class CellsTest : public QObject {
                     QVERIFY(atLeast(found[i], kReach));
             });
         }
+    }
+
+    /// Layers that drift sideways, as those of a tilted gantry do: not to the last bit, but to half of a cell.
+    void distancesOnAShearedGridAreThoseInTheRoom() {
+        CellGrid grid = gridOf({17, 19, 13}, {1.9, 2.1, 2.4});
+        grid.driftMm = {-0.7, 1.6};
+        constexpr double kReach = 9, kHalfCell = 1.1;
+        for (const unsigned rarity : {40u, 700u}) {
+            const Cells cells = randomCells(grid, rarity, rarity);
+            const std::vector<float> found = squaredDistances(cells, 1, grid, kReach);
+            eachCell(grid, [&](ivec3 here, std::size_t i) {
+                double nearest = 1e30;
+                eachCell(grid, [&](ivec3 there, std::size_t j) {
+                    const dvec3 way =
+                        dvec3(there - here) * grid.spacingMm + dvec3(double(there.z - here.z) * grid.driftMm, 0);
+                    if (cells[j])
+                        nearest = std::min(nearest, glm::length(way));
+                });
+                const double mm = std::sqrt(double(found[i]));
+                QVERIFY(cells[i] ? mm == 0 : mm > 0);
+                if (nearest <= kReach - kHalfCell)
+                    QVERIFY2(std::abs(mm - nearest) <= kHalfCell, qPrintable(QString("%1 %2").arg(mm).arg(nearest)));
+                else if (nearest > kReach + kHalfCell)
+                    QVERIFY(mm >= kReach - kHalfCell);
+            });
+        }
+    }
+
+    /// A cell keeps its volume when the layers drift, and a layer's thickness is that across it.
+    void cellsOfATiltedScanHoldWhatItsVoxelsHold() {
+        VolumeGeometry tilted = VolumeGeometry::aligned({60, 50, 40}, {0.5, 0.5, 2.5}, dvec3(0));
+        const double angle = glm::radians(18.5);
+        tilted.patientFromIndex[1] = dvec4(0, 0.5 * std::cos(angle), -0.5 * std::sin(angle), 0);
+        const CellGrid grid = CellGrid::over(tilted);
+        QVERIFY(std::abs(grid.spacingMm.z - 2.5 * std::cos(angle)) < 1e-12);
+        QVERIFY(std::abs(grid.driftMm.y + 2.5 * std::sin(angle)) < 1e-12 && std::abs(grid.driftMm.x) < 1e-12);
+        QVERIFY(std::abs(grid.cellMl() - 2 * 2 * 2.5 * std::cos(angle) / 1000) < 1e-12);
+        QVERIFY(std::abs(volumeMl(Cells(grid.count(), 1), grid) - 60 * 50 * 40 * voxelMl(tilted)) < 1e-9);
     }
 
     void piecesAreWhatFacesJoin() {

@@ -18,6 +18,7 @@ struct Scanner {
     dvec3 blurMm;               ///< standard deviations of the point spread function
     double noiseHu = 0;         ///< standard deviation
     double noiseGrainMm = 0.7;  ///< standard deviation of the filter in the slice that makes the noise of white noise
+    dvec2 driftMm{0};           ///< each slice from the one before, sideways, as with a tilted gantry
 };
 
 /// HU on either side of a border.
@@ -35,11 +36,16 @@ inline dvec3 randomDirection(std::mt19937& random) {
 
 /// Returns a grid that covers `halfMm` to all sides of the origin, which lies anywhere within a voxel.
 inline VolumeGeometry gridAround(const Scanner& scanner, double halfMm, std::mt19937& random) {
-    const ivec3 size = 2 * ivec3(glm::ceil(halfMm / scanner.spacingMm)) + 1;
+    const dvec2 sideways = glm::abs(scanner.driftMm) * std::ceil(halfMm / scanner.spacingMm.z);
+    const ivec3 size = 2 * ivec3(glm::ceil((halfMm + dvec3(sideways, 0)) / scanner.spacingMm)) + 1;
     std::uniform_real_distribution<double> within(-0.5, 0.5);
     const double x = within(random), y = within(random);
     const dvec3 shift(x, y, within(random));
-    return VolumeGeometry::aligned(size, scanner.spacingMm, -scanner.spacingMm * (dvec3(size - 1) / 2.0 + shift));
+    VolumeGeometry geometry =
+        VolumeGeometry::aligned(size, scanner.spacingMm, -scanner.spacingMm * (dvec3(size - 1) / 2.0 + shift));
+    geometry.patientFromIndex[2] += dvec4(scanner.driftMm, 0, 0);
+    geometry.patientFromIndex[3] -= dvec4(double(size.z - 1) / 2 * scanner.driftMm, 0, 0);
+    return geometry;
 }
 
 /// Smooths along one axis of a grid with a Gaussian of `sigma` voxels, going round from the last voxel to the first:
