@@ -1,5 +1,6 @@
 #include "app/cli/slice_command.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -36,8 +37,10 @@ Result<ChosenSlice> chosenSlice(const SliceOptions& options, const VolumeGeometr
                        : options.plane == AnatomicalPlane::coronal ? "y"
                                                                    : "x";
     const auto placed = [&](const SlicePlane& plane, const std::string& which) {
-        return ChosenSlice{
-            plane, name + which + ", " + axis + " = " + fixedNumber(stack.positionMm(plane.originMm), 2) + " mm"};
+        const std::string mm = fixedNumber(stack.positionMm(plane.originMm), 2) + " mm";
+        const dvec3 across = glm::abs(stack.across());
+        const bool alongAnAxis = std::max({across.x, across.y, across.z}) > 1 - 1e-9;
+        return ChosenSlice{plane, name + which + ", " + (alongAnAxis ? axis + (" = " + mm) : mm + " along its normal")};
     };
     if (options.atMm) {
         const dvec2 range = stack.rangeMm();

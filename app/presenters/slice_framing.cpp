@@ -33,7 +33,14 @@ int nearestSlice(const SliceStack& stack, dvec3 placeMm) {
 dvec3 stepped(const SliceStack& stack, dvec3 crosshairMm, int count) {
     const int index = std::clamp(nearestSlice(stack, crosshairMm) + count, 0, stack.count() - 1);
     const SlicePlane slice = stack.slice(index);
-    return crosshairMm - slice.depthMm(crosshairMm) * slice.normal();
+    const dvec3 step = stack.voxelStepMm();
+    return crosshairMm - slice.depthMm(crosshairMm) / glm::dot(step, slice.normal()) * step;
+}
+
+dvec2 lineOf(const SliceStack& other, const SlicePlane& slice) {
+    const dvec3 along = glm::cross(slice.normal(), other.across());
+    const dvec2 line(glm::dot(along, slice.right), glm::dot(along, slice.down));
+    return std::abs(line.x) > std::abs(line.y) ? line / line.x : line / line.y;
 }
 
 dvec3 nudged(const SliceStack& stack, const VolumeGeometry& geometry, dvec3 crosshairMm, ivec2 voxels) {

@@ -15,8 +15,12 @@ SlicePlane framed(const SlicePlane& slice, const SliceFraming& framing, ivec2 pi
 SliceFraming zoomed(const SliceFraming& framing, const SlicePlane& slice, double factor, dvec3 placeMm);
 
 /// Returns the crosshair after `count` steps through the slices of `stack`, from the slice that lies nearest to it; it
-/// stops at the ends.
+/// stops at the ends. It moves from voxel to voxel: in a scan with a tilted gantry along the table or along the slices
+/// that were taken, so that it stays in the scan and the other views keep their slices.
 dvec3 stepped(const SliceStack& stack, dvec3 crosshairMm, int count);
+
+/// Returns the direction, in pixels, of the line in which the slices of `other` cut `slice`; its larger part is 1.
+dvec2 lineOf(const SliceStack& other, const SlicePlane& slice);
 
 /// Returns the crosshair moved within its slice of `stack` by `voxels`, to the right and down. It stays in the scan on
 /// `geometry`.

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "app/presenters/place_text.h"
+#include "app/presenters/slice_framing.h"
 #include "app/presenters/window_menu.h"
 #include "render/slice/window_presets.h"
 #include "ui/text/language.h"
@@ -271,8 +272,16 @@ void SlicesPresenter::requestAll(bool moving) {
 }
 
 void SlicesPresenter::show(Slice& slice, const QImage& grey, const SlicePlane& plane, const GreyWindow& window) {
-    if (slice.stack)
-        slice.view->setSlice({grey, plane, textsOf(slice, plane, window)});
+    if (!slice.stack)
+        return;
+    ui::ShownSlice shown{grey, plane, textsOf(slice, plane, window)};
+    for (const Slice& other : slices_) {
+        if (&other == &slice || !other.stack)
+            continue;
+        const dvec2 line = lineOf(*other.stack, plane);
+        (std::abs(line.x) > std::abs(line.y) ? shown.lineAcross : shown.lineDown) = line;
+    }
+    slice.view->setSlice(shown);
 }
 
 QStringList SlicesPresenter::textsOf(const Slice& slice, const SlicePlane& plane, const GreyWindow& window) const {

@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
+#include <tuple>
+#include <utility>
+
+#include "render/volume/sheared.h"
 
 namespace pdr {
 namespace {
@@ -44,11 +49,38 @@ FollowedAxis reversed(const FollowedAxis& axis) {
     return {axis.axis, -axis.sign, -axis.unit};
 }
 
-/// Returns the number of whole pixels that lie before the first voxel's centre, and sets `pixels` to that of all.
-int pixelsBefore(int voxels, double pixelsPerVoxel, int& pixels) {
-    const int before = int(0.5 * pixelsPerVoxel);
-    pixels = before + 1 + int((voxels - 0.5) * pixelsPerVoxel);
-    return before;
+/// Returns how far voxels reach along `unit` when they are followed along other axes than that of the image [mm]:
+/// backwards (x) and forwards (y).
+dvec2 reachMm(dvec3 unit, const VolumeGeometry& geometry, std::initializer_list<FollowedAxis> along) {
+    dvec2 reach(0);
+    for (const FollowedAxis& axis : along) {
+        const double step = axis.sign * glm::dot(unit, dvec3(geometry.patientFromIndex[axis.axis]));
+        const double low = -0.5 * step, high = (geometry.size[axis.axis] - 0.5) * step;
+        reach += dvec2(std::max(-low, -high), std::max(low, high));
+    }
+    return reach;
+}
+
+/// The pixels along one direction of an image.
+struct PixelLine {
+    int before, count;  ///< whole pixels before the centre of the first voxel, and all
+};
+
+/// Returns the pixels along `unit` for the voxels along an axis, and for how far others lead along it, as reachMm()
+/// returns it.
+PixelLine pixelsFor(int voxels, double voxelMm, dvec2 othersMm, double mmPerPixel) {
+    const double pixels = voxelMm / mmPerPixel;
+    const int before = int(0.5 * pixels + othersMm.x / mmPerPixel);
+    return {before, before + 1 + int((voxels - 0.5) * pixels + othersMm.y / mmPerPixel)};
+}
+
+/// Returns the directions of rows and columns of an image along two axes of the volume. Of two that are not at right
+/// angles, the one along the table (k) stays, and the other one is turned.
+std::pair<dvec3, dvec3> rowsAndColumns(const FollowedAxis& right, const FollowedAxis& down, bool isUpright) {
+    const double off = glm::dot(down.unit, right.unit);
+    if (!isUpright && down.axis == 2)
+        return {glm::normalize(right.unit - off * down.unit), down.unit};
+    return {right.unit, glm::normalize(down.unit - off * right.unit)};
 }
 
 }  // namespace
@@ -72,20 +104,27 @@ SliceStack::SliceStack(const VolumeGeometry& geometry, AnatomicalPlane plane) {
     const FollowedAxis next = plane == AnatomicalPlane::axial ? head : plane == AnatomicalPlane::coronal ? back : left;
 
     // Lay the pixels so that the voxel in the first corner is centred on one.
+    const bool isUpright = sliceDrift(geometry).isUpright();
     const dvec3 spacing = geometry.spacingMm();
-    first_.right = right.unit;
-    first_.down = glm::normalize(down.unit - glm::dot(down.unit, right.unit) * right.unit);
+    std::tie(first_.right, first_.down) = rowsAndColumns(right, down, isUpright);
     first_.mmPerPixel = std::min(spacing[right.axis], spacing[down.axis]);
+    voxelStepMm_ = double(next.sign) * dvec3(geometry.patientFromIndex[next.axis]);
+    across_ = glm::dot(voxelStepMm_, first_.normal()) < 0 ? -first_.normal() : first_.normal();
+    // Slices across those that were taken stay in place sideways, and hold what drifts past them.
+    const bool staysInPlace = !isUpright && next.axis != 2;
+    stepMm_ = staysInPlace ? glm::dot(voxelStepMm_, across_) * across_ : voxelStepMm_;
+    const auto pixels = [&](const FollowedAxis& axis, dvec3 unit, const FollowedAxis& other) {
+        const double mm = staysInPlace ? spacing[axis.axis] * glm::dot(axis.unit, unit) : spacing[axis.axis];
+        const dvec2 others = staysInPlace ? reachMm(unit, geometry, {other, next}) : dvec2(0);
+        return pixelsFor(geometry.size[axis.axis], mm, others, first_.mmPerPixel);
+    };
+    const PixelLine rows = pixels(right, first_.right, down), columns = pixels(down, first_.down, right);
+    first_.size = {rows.count, columns.count};
     dvec3 corner;
     for (const FollowedAxis& axis : {right, down, next})
         corner[axis.axis] = axis.sign > 0 ? 0 : geometry.size[axis.axis] - 1;
-    const int before = pixelsBefore(geometry.size[right.axis], spacing[right.axis] / first_.mmPerPixel, first_.size.x);
-    const int above = pixelsBefore(geometry.size[down.axis], spacing[down.axis] / first_.mmPerPixel, first_.size.y);
     first_.originMm = dvec3(geometry.patientFromIndex * dvec4(corner, 1));
-    first_.originMm = first_.mmAt({-before, -above});
-
-    stepMm_ = double(next.sign) * dvec3(geometry.patientFromIndex[next.axis]);
-    across_ = glm::dot(stepMm_, first_.normal()) < 0 ? -first_.normal() : first_.normal();
+    first_.originMm = first_.mmAt({-rows.before, -columns.before});
     count_ = geometry.size[next.axis];
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """check_slices.py PROGRAM: compares slices that PROGRAM (oblique_slices) makes with SimpleITK's, at 200,000 places of
-the chest and of the made volume. Ends with 77 where a package (SimpleITK, numpy, pydicom) or the chest is missing.
+each of the volumes. Ends with 77 where a package (SimpleITK, numpy, pydicom) or the chest is missing.
 """
 import json
 import os
@@ -55,6 +55,8 @@ def main(program):
         skip("the real CT data is not there: put it beside the source tree as shared/data, or name it in PDR_SHARED")
     good = compare(program, "made", "made", volumes.made_volume(), 0.15)
     good = compare(program, "chest", volumes.chest_folder(), chest, 1.5) and good
+    good = compare(program, "sheared", "sheared", volumes.sheared_volume(), 0.15) and good
+    good = compare(program, "tilted head", volumes.tilted_head_folder(), volumes.tilted_head(), 0.5) and good
     sys.exit(0 if good else 1)
 
 

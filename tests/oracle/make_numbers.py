@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""make_numbers.py FOLDER: writes the numbers that slices must show, into FOLDER/made.json and FOLDER/chest.json.
+"""make_numbers.py FOLDER: writes the numbers that slices must show, into made.json, chest.json and sheared.json.
 
 They come from SimpleITK alone and are in the tree (tests/oracle/numbers), so that tests need none of these packages:
 SimpleITK, numpy, pydicom. Seeds are fixed: another run writes the same files.
@@ -38,7 +38,8 @@ def write(folder, name, numbers):
 def main(folder):
     random = np.random.default_rng(20261126)
     for name, image, pixels, mm in (("made.json", volumes.made_volume(), (56, 48), 0.625),
-                                    ("chest.json", volumes.chest(), (56, 48), 5.5)):
+                                    ("chest.json", volumes.chest(), (56, 48), 5.5),
+                                    ("sheared.json", volumes.sheared_volume(), (56, 48), 0.625)):
         if image is None:
             sys.exit("the chest is not there: name the shared data in PDR_SHARED")
         places = [tuple(np.round(place, 3).tolist()) for place in volumes.places_in(image, 1000, random)]

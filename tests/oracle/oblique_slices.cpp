@@ -1,5 +1,5 @@
 /// Writes slices on any planes for tests/oracle/check_slices.py.
-///   oblique_slices made|FOLDER PLANES.json OUT
+///   oblique_slices made|sheared|FOLDER PLANES.json OUT
 /// OUT holds the HU of all planes of the list, one after the other, as float32; NaN outside the volume.
 
 #include <cstdio>
@@ -17,6 +17,8 @@ namespace {
 std::optional<pdr::Volume> volumeOf(const std::string& name) {
     if (name == "made")
         return pdr::test::madeVolume();
+    if (name == "sheared")
+        return pdr::test::shearedVolume();
     const auto scan = pdr::dicom::scanFolder(name, pdr::noProgress);
     if (!scan || scan->series.empty())
         return std::nullopt;
@@ -29,7 +31,7 @@ std::optional<pdr::Volume> volumeOf(const std::string& name) {
 int main(int argc, char** argv) {
     const std::optional<pdr::Volume> volume = argc == 4 ? volumeOf(argv[1]) : std::nullopt;
     if (!volume) {
-        std::fprintf(stderr, "usage: oblique_slices made|FOLDER PLANES.json OUT\n");
+        std::fprintf(stderr, "usage: oblique_slices made|sheared|FOLDER PLANES.json OUT\n");
         return 2;
     }
     std::ifstream planes(argv[2]);

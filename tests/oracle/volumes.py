@@ -1,7 +1,9 @@
-"""The two volumes of the oracles, made without a line of the program: SimpleITK images of float64 HU.
+"""The volumes of the oracles, made without a line of the program: SimpleITK images of float64 HU.
 
 made_volume   small, by a rule in whole numbers, its axes turned against the patient's; tests/support/scenes/made_volume.h
+sheared       the same voxels, each slice 0.7 mm farther along the columns than the one before: a tilted gantry
 chest         the shared CT of a chest with contrast, read by pydicom; padding (below -1024 HU) is -1024 HU
+tilted_head   the shared CT of a head whose gantry was tilted by 18.5 degrees, read by pydicom
 """
 import glob
 import os
@@ -24,6 +26,20 @@ def made_volume():
     image.SetSpacing(MADE_SPACING)
     image.SetOrigin(MADE_ORIGIN)
     image.SetDirection(MADE_DIRECTION.ravel().tolist())
+    return image
+
+
+def sheared_volume():
+    image = made_volume()
+    step = MADE_DIRECTION[:, 2] * MADE_SPACING[2] + MADE_DIRECTION[:, 1] * 0.7
+    return on_grid(image, MADE_DIRECTION[:, 0], MADE_DIRECTION[:, 1], step)
+
+
+def on_grid(image, row, column, step):
+    """The image on unit vectors along rows and columns, and the step from slice to slice [mm]."""
+    length = float(np.linalg.norm(step))
+    image.SetSpacing((*image.GetSpacing()[:2], length))
+    image.SetDirection(np.stack([row, column, np.array(step) / length], 1).ravel().tolist())
     return image
 
 
@@ -50,6 +66,26 @@ def chest():
     image.SetSpacing((columns, rows, (last - first)[2] / (len(files) - 1)))
     image.SetOrigin(first.tolist())
     return image
+
+
+def tilted_head_folder():
+    return os.path.join(shared_folder(), "data", "ct", "mixed_study_tilt")
+
+
+def tilted_head():
+    """The head; None where the shared data is not there. Slices are sorted along their normal."""
+    files = [pydicom.dcmread(name) for name in glob.glob(os.path.join(tilted_head_folder(), "S2010", "*"))]
+    if not files:
+        return None
+    axes = np.array([float(x) for x in files[0].ImageOrientationPatient]).reshape(2, 3)
+    place = lambda each: np.array([float(x) for x in each.ImagePositionPatient])
+    files.sort(key=lambda each: np.dot(place(each), np.cross(*axes)))
+    image = sitk.GetImageFromArray(np.stack([
+        each.pixel_array * float(each.RescaleSlope) + float(each.RescaleIntercept) for each in files]).astype(float))
+    rows, columns = (float(x) for x in files[0].PixelSpacing)
+    image.SetSpacing((columns, rows, 1))
+    image.SetOrigin(place(files[0]).tolist())
+    return on_grid(image, *axes, (place(files[-1]) - place(files[0])) / (len(files) - 1))
 
 
 def patient_from_index(image):

@@ -26,10 +26,12 @@ inline dvec3 vectorOf(const nlohmann::json& numbers) {
     return {numbers.at(0), numbers.at(1), numbers.at(2)};
 }
 
-/// Returns the volume of that name, "made" or "chest"; none if the shared data is missing or cannot be read.
+/// Returns the volume of that name, "made", "sheared" or "chest"; none if the shared data is missing or cannot be read.
 inline std::optional<Volume> oracleVolume(const std::string& name) {
     if (name == "made")
         return madeVolume();
+    if (name == "sheared")
+        return shearedVolume();
     const auto scan = dicom::scanFolder(sharedCt() / "chest_contrast", noProgress);
     if (!scan || scan->series.empty())
         return std::nullopt;
@@ -41,6 +43,7 @@ inline std::optional<Volume> oracleVolume(const std::string& name) {
 inline void addOracleRows() {
     QTest::addColumn<std::string>("name");
     QTest::newRow("made by a rule") << std::string("made");
+    QTest::newRow("the same, with a tilted gantry") << std::string("sheared");
     QTest::newRow("chest with contrast") << std::string("chest");
 }
 

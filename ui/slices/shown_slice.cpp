@@ -37,12 +37,17 @@ void paintCrosshair(QPainter& painter, const ShownSlice& slice, AnatomicalPlane 
     const dvec2 perPixel = dvec2(size.width(), size.height()) / dvec2(slice.plane.size);
     const dvec2 at = (slice.plane.pixelAt(placeMm) + 0.5) * perPixel;
     const auto [across, down] = crossing(plane);
-    painter.setPen(planePen(across));
-    painter.drawLine(QPointF(0, at.y), QPointF(at.x - kGap, at.y));
-    painter.drawLine(QPointF(at.x + kGap, at.y), QPointF(size.width(), at.y));
-    painter.setPen(planePen(down));
-    painter.drawLine(QPointF(at.x, 0), QPointF(at.x, at.y - kGap));
-    painter.drawLine(QPointF(at.x, at.y + kGap), QPointF(at.x, size.height()));
+    const double reach = size.width() + size.height();
+    const auto drawLine = [&](AnatomicalPlane other, dvec2 direction) {
+        const dvec2 along = glm::normalize(direction * perPixel);
+        painter.setPen(planePen(other));
+        for (const double side : {-1.0, 1.0}) {
+            const dvec2 from = at + side * kGap * along, to = at + side * reach * along;
+            painter.drawLine(QPointF(from.x, from.y), QPointF(to.x, to.y));
+        }
+    };
+    drawLine(across, slice.lineAcross);
+    drawLine(down, slice.lineDown);
 }
 
 }  // namespace pdr::ui

@@ -15,6 +15,9 @@ struct ShownSlice {
     QImage image;       ///< the pixels of `plane`; a coarse slice's: of halved(plane)
     SlicePlane plane;   ///< in screen pixels of the view
     QStringList texts;  ///< what the slice is, a line each: "Axial 51 of 100", "Window 350 / 50 HU"
+    /// Directions of the lines in which the other planes cut this one, in pixels: the one from side to side, the one
+    /// from top to bottom. A tilted gantry turns them against the edges.
+    dvec2 lineAcross{1, 0}, lineDown{0, 1};
 
     /// Returns whether the slice has half of its plane's resolution, because something moves.
     bool isCoarse() const { return image.width() < plane.size.x; }

@@ -2,6 +2,8 @@
 
 #include <QTest>
 
+#include <cmath>
+
 #include "app/presenters/slice_framing.h"
 
 namespace pdr::app {
@@ -9,6 +11,14 @@ namespace {
 
 VolumeGeometry geometry() {
     return VolumeGeometry::aligned({40, 30, 20}, {1, 1, 2.5}, {-20, -10, 100});
+}
+
+/// The grid of a gantry that was tilted by 20 degrees.
+VolumeGeometry tilted() {
+    VolumeGeometry turned = geometry();
+    const double tilt = glm::radians(20.0);
+    turned.patientFromIndex[1] = dvec4(0, std::cos(tilt), -std::sin(tilt), 0);
+    return turned;
 }
 
 }  // namespace
@@ -58,6 +68,36 @@ class SliceFramingTest : public QObject {
         QVERIFY(glm::length(stepped(stack, inSlice5, -1000) - dvec3(1.5, 2.25, 100)) < 1e-9);
         QCOMPARE(nearestSlice(stack, {0, 0, -1e6}), 0);
         QCOMPARE(nearestSlice(stack, {0, 0, 1e6}), 19);
+    }
+
+    /// However far one scrolls, the crosshair is in the scan, and the other views show the slices that they showed.
+    void stepsThroughATiltedScanStayInIt() {
+        const dvec3 first(tilted().patientFromIndex * dvec4(12, 1, 3, 1));
+        for (const AnatomicalPlane each : kAnatomicalPlanes) {
+            const SliceStack stack(tilted(), each);
+            for (const int count : {-1000, -2, 1, 7, 1000}) {
+                const dvec3 to = stepped(stack, first, count);
+                const dvec3 index(glm::inverse(tilted().patientFromIndex) * dvec4(to, 1));
+                QVERIFY(glm::all(glm::greaterThan(index, dvec3(-1e-9))) &&
+                        glm::all(glm::lessThan(index, dvec3(39, 29, 19) + 1e-9)));
+                for (const AnatomicalPlane other : kAnatomicalPlanes) {
+                    const SliceStack others(tilted(), other);
+                    if (other != each)
+                        QCOMPARE(nearestSlice(others, to), nearestSlice(others, first));
+                }
+            }
+        }
+    }
+
+    /// In a sagittal slice the slices that were taken run at the angle of the gantry, towards the feet and the back.
+    void linesOfOtherSlicesRunAsTheyCut() {
+        const SliceStack axial(tilted(), AnatomicalPlane::axial), coronal(tilted(), AnatomicalPlane::coronal),
+            sagittal(tilted(), AnatomicalPlane::sagittal);
+        const auto near = [](dvec2 a, dvec2 b) { return glm::length(a - b) < 1e-9; };
+        QVERIFY(near(lineOf(axial, sagittal.slice(0)), {1, std::tan(glm::radians(20.0))}));
+        QVERIFY(near(lineOf(coronal, sagittal.slice(0)), {0, 1}));
+        QVERIFY(near(lineOf(axial, coronal.slice(0)), {1, 0}) && near(lineOf(sagittal, coronal.slice(0)), {0, 1}));
+        QVERIFY(near(lineOf(coronal, axial.slice(0)), {1, 0}) && near(lineOf(sagittal, axial.slice(0)), {0, 1}));
     }
 
     /// A voxel along each axis of the slice, on the display: down in an axial slice is towards the back.

@@ -57,6 +57,18 @@ VolumeGeometry turned(double degrees, int about) {
     return geometry;
 }
 
+/// Returns a scan with a gantry that was tilted about the rows; the table moved by 2.5 mm along the patient.
+VolumeGeometry ofATiltedGantry(double degrees) {
+    VolumeGeometry geometry = VolumeGeometry::aligned({24, 30, 20}, {0.5, 0.5, 2.5}, {-6, -8, 400});
+    const double tilt = glm::radians(degrees);
+    geometry.patientFromIndex[1] = 0.5 * dvec4(0, std::cos(tilt), -std::sin(tilt), 0);
+    return geometry;
+}
+
+dvec3 indexOf(const VolumeGeometry& geometry, dvec3 mm) {
+    return dvec3(glm::inverse(geometry.patientFromIndex) * dvec4(mm, 1));
+}
+
 }  // namespace
 
 class SliceStackTest : public QObject {
@@ -134,6 +146,80 @@ class SliceStackTest : public QObject {
         // Beyond that, another axis of the volume is nearer.
         QCOMPARE(SliceStack(turned(46, 0), AnatomicalPlane::axial).count(), 21);
         QCOMPARE(SliceStack(turned(44, 0), AnatomicalPlane::axial).count(), 22);
+    }
+
+    /// Axial slices are those that were taken, pixel by pixel; the others are true to the patient, and stay in place.
+    void slicesOfATiltedGantryAreThoseThatWereTakenAndUprightOnes() {
+        for (const double degrees : {18.5, -30.0}) {
+            const VolumeGeometry geometry = ofATiltedGantry(degrees);
+            const dvec3 column = glm::normalize(dvec3(geometry.patientFromIndex[1]));
+            const SliceStack axial(geometry, AnatomicalPlane::axial), coronal(geometry, AnatomicalPlane::coronal),
+                sagittal(geometry, AnatomicalPlane::sagittal);
+            QCOMPARE(axial.count(), 20);
+            for (int k = 0; k < 20; ++k) {
+                const SlicePlane plane = axial.slice(k);
+                QVERIFY(plane.size == ivec2(24, 30) && plane.mmPerPixel == 0.5);
+                QVERIFY(glm::distance(indexOf(geometry, plane.mmAt({7, 11})), dvec3(7, 11, k)) < 1e-9);
+            }
+            QVERIFY(glm::distance(axial.slice(0).down, column) < 1e-12);
+            QVERIFY(std::abs(axial.rangeMm().y - axial.rangeMm().x - 20 * 2.5 * std::cos(glm::radians(degrees))) <
+                    1e-9);
+            for (int j = 0; j < coronal.count(); ++j) {
+                const SlicePlane plane = coronal.slice(j);
+                QVERIFY(glm::distance(plane.right, dvec3(1, 0, 0)) < 1e-12 &&
+                        glm::distance(plane.down, dvec3(0, 0, -1)) < 1e-12);
+                QVERIFY(std::abs(indexOf(geometry, plane.mmAt({9, 30})).y - j) < 1e-9);
+                QVERIFY(glm::length(dvec2(plane.originMm.x, plane.originMm.z) -
+                                    dvec2(coronal.slice(0).originMm.x, coronal.slice(0).originMm.z)) < 1e-9);
+            }
+            for (int i = 0; i < sagittal.count(); ++i) {
+                const SlicePlane plane = sagittal.slice(i);
+                QVERIFY(glm::distance(plane.right, dvec3(0, 1, 0)) < 1e-12 &&
+                        glm::distance(plane.down, dvec3(0, 0, -1)) < 1e-12);
+                QVERIFY(std::abs(indexOf(geometry, plane.mmAt({9, 30})).x - i) < 1e-9);
+            }
+        }
+    }
+
+    /// No voxel of any slice lies beside the pixels, and they end less than a pixel beside the last.
+    void thePixelsCoverTheVoxelsOfATiltedGantry() {
+        for (const double degrees : {18.5, -30.0}) {
+            const VolumeGeometry geometry = ofATiltedGantry(degrees);
+            for (const AnatomicalPlane each : kAnatomicalPlanes) {
+                const SliceStack stack(geometry, each);
+                dvec2 low(1e9), high(-1e9);
+                const int across = each == AnatomicalPlane::axial ? 2 : each == AnatomicalPlane::coronal ? 1 : 0;
+                for (int corner = 0; corner < 8; ++corner) {
+                    const dvec3 end(corner & 1, corner >> 1 & 1, corner >> 2);
+                    dvec3 voxel = end * dvec3(geometry.size) - 0.5;
+                    if (each == AnatomicalPlane::axial)
+                        voxel.z = end.z * (geometry.size.z - 1);  // each has its own pixels
+                    const SlicePlane plane = stack.slice(end[across] > 0 ? stack.count() - 1 : 0);
+                    const dvec2 pixel = plane.pixelAt(dvec3(geometry.patientFromIndex * dvec4(voxel, 1)));
+                    low = glm::min(low, pixel);
+                    high = glm::max(high, pixel);
+                }
+                const dvec2 size(stack.slice(0).size);
+                QVERIFY(glm::all(glm::greaterThan(low, dvec2(-1))) && glm::all(glm::lessThan(low, dvec2(1e-9))));
+                QVERIFY(glm::all(glm::lessThan(high, size)) && glm::all(glm::greaterThan(high, size - 1.0 - 1e-9)));
+            }
+        }
+    }
+
+    void whereASliceLiesIsAcrossIt() {
+        const VolumeGeometry geometry = ofATiltedGantry(18.5);
+        for (const AnatomicalPlane each : kAnatomicalPlanes) {
+            const SliceStack stack(geometry, each);
+            const SlicePlane between = stack.at(0.3 * stack.rangeMm().x + 0.7 * stack.rangeMm().y);
+            QVERIFY(std::abs(between.depthMm(stack.slice(0).originMm)) > 1);
+            const double position = stack.positionMm(between.originMm);
+            QVERIFY(std::abs(position - 0.3 * stack.rangeMm().x - 0.7 * stack.rangeMm().y) < 1e-9);
+            const int across = each == AnatomicalPlane::axial ? 2 : each == AnatomicalPlane::coronal ? 1 : 0;
+            const double expected = 0.7 * stack.count() - 0.5;
+            const double found = indexOf(geometry, between.mmAt({5, 6}))[across];
+            const double fromBehind = stack.count() - 1 - expected;
+            QVERIFY(std::abs(found - expected) < 1e-9 || std::abs(found - fromBehind) < 1e-9);
+        }
     }
 
     void aStepIsTheSpacingAlongAnAxisAndLessThanTheLongestElsewhere() {

@@ -30,4 +30,12 @@ inline Volume madeVolume() {
     return Volume(geometry, std::move(voxels));
 }
 
+/// Returns the same voxels on the grid of a tilted gantry: slices drift along their columns.
+inline Volume shearedVolume() {
+    const Volume made = madeVolume();
+    VolumeGeometry geometry = made.geometry();
+    geometry.patientFromIndex[2] += dvec4(dvec3(-26, 19, 22) / 39.0 * 0.7, 0);
+    return Volume(geometry, Voxels(made.voxels().begin(), made.voxels().end()));
+}
+
 }  // namespace pdr::test
