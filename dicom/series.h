@@ -60,11 +60,11 @@ struct SeriesFacts {
 
 /// The kind of stack that the slices form.
 enum class Stack {
-    even,              ///< upright and evenly spaced: can be loaded
+    even,              ///< evenly spaced, upright or with a tilted gantry: can be loaded
     singleSlice,       ///< one slice has no slice distance
     gap,               ///< a slice is missing, or the distances differ
     doubled,           ///< two different slices at the same position
-    tilted,            ///< the stack drifts sideways (gantry tilt)
+    tilted,            ///< the stack drifts sideways, crookedly or by more than a gantry tilts
     mixedOrientation,  ///< slices look in different directions
     mixedSize,         ///< slices differ in rows, columns or pixel spacing
     noGeometry,        ///< position, orientation or pixel spacing is absent or not a number

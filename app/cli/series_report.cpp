@@ -8,6 +8,7 @@
 
 #include "app/scan/scan_place.h"
 #include "render/segment/hidden_table.h"
+#include "render/volume/sheared.h"
 
 namespace pdr::app {
 
@@ -26,7 +27,7 @@ constexpr Verdict kVerdicts[] = {
     {dicom::Stack::singleSlice, "singleSlice", "a single slice, no volume"},
     {dicom::Stack::gap, "gap", "cannot be loaded, the slices are unevenly spaced"},
     {dicom::Stack::doubled, "doubled", "cannot be loaded, two slices lie at one place"},
-    {dicom::Stack::tilted, "tilted", "cannot be loaded, the stack is tilted"},
+    {dicom::Stack::tilted, "tilted", "cannot be loaded, the slices do not lie in a straight line"},
     {dicom::Stack::mixedOrientation, "mixedOrientation", "cannot be loaded, slices look in different directions"},
     {dicom::Stack::mixedSize, "mixedSize", "cannot be loaded, slices differ in size"},
     {dicom::Stack::noGeometry, "noGeometry", "cannot be loaded, the geometry is not stated"},
@@ -47,8 +48,10 @@ Json vectorOf(const dvec3& v) {
 }
 
 void addGrid(Json& report, const VolumeGeometry& geometry) {
-    const dvec3 spacing = geometry.spacingMm();
+    const dvec3 spacing = statedSpacingMm(geometry);
+    const dvec2 drift = sliceDrift(geometry).sidewaysMm;
     report["spacingMm"] = vectorOf(spacing);
+    report["driftMm"] = {drift.x, drift.y};
     report["originMm"] = vectorOf(dvec3(geometry.patientFromIndex[3]));
     report["rowDirection"] = vectorOf(dvec3(geometry.patientFromIndex[0]) / spacing.x);
     report["columnDirection"] = vectorOf(dvec3(geometry.patientFromIndex[1]) / spacing.y);
@@ -217,6 +220,8 @@ std::string textOf(const Json& report) {
         text += "  coding           " + coding + "\n";
     if (report.contains("spacingMm")) {
         text += "  spacing          " + joined(report["spacingMm"], " x ") + " mm\n";
+        if (report["driftMm"] != Json{0.0, 0.0})
+            text += "  drift            " + joined(report["driftMm"], ", ") + " mm a slice, along rows and columns\n";
         text += "  origin           " + joined(report["originMm"], ", ") + " mm\n";
         text += "  row direction    " + joined(report["rowDirection"], ", ") + "\n";
         text += "  column direction " + joined(report["columnDirection"], ", ") + "\n";

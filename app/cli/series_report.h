@@ -18,7 +18,9 @@ struct WantedFacts {
 
 /// Returns series, verdict and slices always; grid, HU statistics and checksum where the pixels can be decoded as a
 /// stack:
-///   size [voxels], spacingMm, originMm (centre of voxel 0,0,0), rowDirection, columnDirection (patient space LPS)
+///   size [voxels], spacingMm between columns, rows and the planes of slices; driftMm: how far each slice lies along
+///   rows and columns from the one before, 0 but for a tilted gantry; originMm (centre of voxel 0,0,0), rowDirection,
+///   columnDirection (patient space LPS)
 ///   hu: lowest, highest, mean over all voxels; huWithoutPadding: the same without padding
 ///   sha256 of the HU volume as int16 little-endian, x fastest, before padding is masked
 ///   readSeconds, statisticsSeconds, checksumSeconds, tableSeconds if `wanted` has times: from files to voxels in

@@ -2,6 +2,7 @@
 
 #include "app/presenters/image_cost.h"
 #include "app/presenters/image_text.h"
+#include "render/volume/sheared.h"
 #include "ui/text/accuracy_text.h"
 #include "ui/text/status_text.h"
 
@@ -107,7 +108,7 @@ void AccuracyPresenter::showStatus() {
     accuracyStatus.setAccuracy(accuracy);
     accuracyStatus.setMaking(making);
     accuracyStatus.setRemarks(beside);
-    accuracyStatus.setLimit(ui::gridText(document().scene().volume->geometry().spacingMm()));
+    accuracyStatus.setLimit(ui::gridText(statedSpacingMm(document().scene().volume->geometry())));
     panel_->setAccuracy(accuracy, bridge().stop());
     panel_->setBias(remarks);
     panel_->setMaking(making);

@@ -45,29 +45,35 @@ double besideTheLine(const SortedStack& stack, int k) {
     return glm::distance(stack.drift(k), stack.drift(last) * fraction);
 }
 
+/// Returns which slice lies farthest sideways of the straight line from the first to the last, beyond what rounding
+/// explains; 0: all lie on it.
+int mostCrooked(const SortedStack& stack) {
+    int crooked = 0;
+    double most = 0;
+    for (int k = 1; k < stack.count(); ++k)
+        if (const double beyond = besideTheLine(stack, k) - stack.sidewaysToleranceMm(k); beyond > most) {
+            crooked = k;
+            most = beyond;
+        }
+    return crooked;
+}
+
+/// Returns why the slices do not lie above each other as even a tilted gantry takes them; empty if they do.
 Text tiltReason(const SortedStack& stack) {
     const int last = stack.count() - 1;
-    int furthest = 0, crooked = 0;
-    const auto beyond = [&](int k, double distance) {
-        return distance - stack.toleranceMm() - kDriftTolerance * (stack.height(k) - stack.height(0));
-    };
-    for (int k = 1; k <= last; ++k) {
-        if (beyond(k, glm::length(stack.drift(k))) >
-            std::max(0.0, beyond(furthest, glm::length(stack.drift(furthest)))))
-            furthest = k;
-        if (beyond(k, besideTheLine(stack, k)) > std::max(0.0, beyond(crooked, besideTheLine(stack, crooked))))
-            crooked = k;
-    }
-    if (furthest == 0)
+    if (stack.isUpright())
         return {};
-    if (crooked != 0)
+    if (const int crooked = mostCrooked(stack); crooked != 0)
         return phrase("%1 lies %2 mm sideways of the straight line from %3 to %4", stack.name(crooked),
                       inMm(besideTheLine(stack, crooked)), stack.name(0), stack.name(last));
     const double drift = glm::length(stack.drift(last)), height = stack.height(last) - stack.height(0);
-    const Text degrees = fixedNumber(std::atan2(drift, height) * 180.0 / 3.14159265358979, 1);
-    return phrase(
-        "the slices drift sideways by %1 mm for each %2 mm of height (gantry tilt of %3 degrees), from %4 to %5",
-        inMm(drift / last), inMm(stack.gap()), degrees, stack.name(0), stack.name(last));
+    const double degrees = std::atan2(drift, height) * 180.0 / 3.14159265358979;
+    if (degrees <= kMostTiltDegrees)
+        return {};
+    const Text how =
+        phrase("the slices drift sideways by %1 mm for each %2 mm of height (gantry tilt of %3 degrees), from %4 to %5",
+               inMm(drift / last), inMm(stack.gap()), fixedNumber(degrees, 1), stack.name(0), stack.name(last));
+    return phrase("%1; no gantry tilts by more than %2 degrees", how, int(kMostTiltDegrees));
 }
 
 Text gapReason(const SortedStack& stack) {
@@ -141,16 +147,36 @@ SortedStack::SortedStack(const std::vector<SlicePlane>& slices) : slices_(slices
     for (const int index : order_)
         heights.push_back(heightOf(index));
     even_ = evenHeightsAt(heights);
+    followDrift();
+}
+
+/// Fits an even drift to the slices, where they do not lie upright above each other.
+void SortedStack::followDrift() {
+    for (int k = 0; k < count(); ++k)
+        isUpright_ = isUpright_ && glm::length(drift(k)) <= sidewaysToleranceMm(k);
+    if (isUpright_)
+        return;
+    std::vector<double> alongRow, alongColumn;
+    for (int k = 0; k < count(); ++k) {
+        alongRow.push_back(drift(k).x);
+        alongColumn.push_back(drift(k).y);
+    }
+    evenRow_ = evenHeightsAt(alongRow);
+    evenColumn_ = evenHeightsAt(alongColumn);
 }
 
 double SortedStack::toleranceMm() const {
     return toleranceOf(gap());
 }
 
+double SortedStack::sidewaysToleranceMm(int k) const {
+    return toleranceMm() + kDriftTolerance * (height(k) - height(0));
+}
+
 double SortedStack::unevennessMm() const {
     double worst = 0;
     for (int k = 0; k < count(); ++k)
-        worst = std::max(worst, glm::length(dvec3(drift(k), height(k) - evenHeight(k))));
+        worst = std::max(worst, glm::length(dvec3(drift(k) - evenDrift(k), height(k) - evenHeight(k))));
     return worst;
 }
 
@@ -166,6 +192,11 @@ VolumeGeometry SortedStack::geometry() const {
     map[1] = dvec4(column_ * first.spacingMm->y, 0.0);
     map[2] = dvec4(normal_ * gap(), 0.0);
     map[3] = dvec4(position(0) + (evenHeight(0) - height(0)) * normal_, 1.0);
+    if (!isUpright_) {
+        const dvec2 step = evenDrift(1) - evenDrift(0), start = evenDrift(0);
+        map[2] += dvec4(step.x * row_ + step.y * column_, 0.0);
+        map[3] += dvec4(start.x * row_ + start.y * column_, 0.0);
+    }
     return {ivec3(first.size, count()), map};
 }
 

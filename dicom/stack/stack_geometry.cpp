@@ -6,6 +6,7 @@
 
 #include "dicom/stack/even_fill.h"
 #include "dicom/stack/sorted_stack.h"
+#include "render/volume/sheared.h"
 
 namespace pdr::dicom {
 
@@ -65,6 +66,30 @@ std::optional<ResampledStack> resampled(const SortedStack& stack) {
                 inMm(fill->furthestMm))}};
 }
 
+/// Returns the notes on a stack that is an even grid, but not exactly an upright one.
+std::vector<Note> notesOn(const SortedStack& stack, const VolumeGeometry& geometry) {
+    std::vector<Note> notes;
+    if (!stack.isUpright()) {
+        const SliceDrift drift = sliceDrift(geometry);
+        notes.push_back({"tilt", phrase("the gantry was tilted by %1 degrees; the grid follows it (%2 mm a slice)",
+                                        fixedNumber(drift.degrees(), 1), inMm(glm::length(drift.sidewaysMm)))});
+    }
+    if (const double off = stack.unevennessMm(); off > kSamePlaceMm)
+        notes.push_back(
+            {"uneven", phrase("a slice lies %1 mm from an even grid; the slices are taken as even", inMm(off))});
+    if (const double off = stack.gridDeviationMm(); off > kNotedDeviationMm)
+        notes.push_back({"grid", phrase("spacing or direction changes on the way; a pixel lies up to "
+                                        "%1 mm from where the first slice would put it",
+                                        inMm(off))});
+    return notes;
+}
+
+/// Returns the unit vector across the slices of a volume.
+dvec3 normalOf(const VolumeGeometry& geometry) {
+    const dmat3 steps(geometry.patientFromIndex);
+    return glm::normalize(glm::cross(steps[0], steps[1]));
+}
+
 }  // namespace
 
 StackAnalysis analyseStack(const std::vector<SlicePlane>& slices) {
@@ -91,27 +116,21 @@ StackAnalysis analyseStack(const std::vector<SlicePlane>& slices) {
     if (!analysis.verdict.loadable())
         return analysis;
     analysis.geometry = stack.geometry();
-    if (const double off = stack.unevennessMm(); off > kSamePlaceMm)
-        analysis.verdict.notes.push_back(
-            {"uneven", phrase("a slice lies %1 mm from an even grid; the slices are taken as even", inMm(off))});
-    if (const double off = stack.gridDeviationMm(); off > kNotedDeviationMm)
-        analysis.verdict.notes.push_back({"grid", phrase("spacing or direction changes on the way; a pixel lies up to "
-                                                         "%1 mm from where the first slice would put it",
-                                                         inMm(off))});
+    analysis.verdict.notes = notesOn(stack, analysis.geometry);
     return analysis;
 }
 
 bool continues(const VolumeGeometry& a, const VolumeGeometry& b) {
     constexpr double kParallel = 0.9998;  // one degree
-    const dvec3 stepA(a.patientFromIndex[2]), stepB(b.patientFromIndex[2]);
-    const double gapA = glm::length(stepA), gapB = glm::length(stepB);
-    const dvec3 normal = stepA / gapA;
-    if (glm::dot(normal, stepB) < kParallel * gapB)
+    const dvec3 normal = normalOf(a);
+    if (glm::dot(normal, normalOf(b)) < kParallel)
         return false;
+    const double gapA = glm::dot(normal, dvec3(a.patientFromIndex[2])),
+                 gapB = glm::dot(normal, dvec3(b.patientFromIndex[2]));
     // Heights along the normal, from a's first slice.
     const double endA = gapA * (a.size.z - 1);
     const double startB = glm::dot(normal, dvec3(b.patientFromIndex[3] - a.patientFromIndex[3]));
-    const double endB = startB + glm::dot(normal, stepB) * (b.size.z - 1);
+    const double endB = startB + gapB * (b.size.z - 1);
     const double overlap = std::min(endA, endB) - std::max(0.0, startB);
     if (overlap <= 0.5 * std::min(endA, endB - startB))
         return overlap >= -3 * std::max(gapA, gapB);

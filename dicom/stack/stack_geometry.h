@@ -4,12 +4,13 @@
 ///
 /// Tolerances, and why:
 ///   position    a tenth of the gap off the even grid, at least 0.02 mm and at most 0.15 mm, a fifth of a pixel:
-///   writers
-///               round positions to a tenth of a millimetre, and tables do not move evenly. A note names the largest
-///               from 0.02 mm on. Slices within 0.02 mm lie at one place. A slice that is missing puts its neighbours
-///               half a gap off.
+///               writers round positions to a tenth of a millimetre, and tables do not move evenly. A note names the
+///               largest from 0.02 mm on. Slices within 0.02 mm lie at one place. A slice that is missing puts its
+///               neighbours half a gap off.
 ///   drift       the same, plus 1e-4 of the distance travelled along the normal: direction cosines that were rounded to
-///               four decimals turn the normal by that much.
+///               four decimals turn the normal by that much. A drift beyond that which is even along a straight line,
+///               up to 40 degrees, is a tilted gantry: the grid is sheared. The tilt that files state (0018,1120) is
+///               never read: it is absent in some, and its sign is not defined.
 ///   grid        0.2 mm at the far corner of a slice (slice_plane.h); a note names the largest from 0.01 mm on.
 
 #include <optional>

@@ -15,6 +15,7 @@
 #include "dicom/read/codecs.h"
 #include "render/base/errors.h"
 #include "render/base/version.h"
+#include "render/volume/sheared.h"
 
 namespace pdr::dicom {
 
@@ -69,14 +70,12 @@ void put(DcmItem& item, const DcmTagKey& tag, const std::string& value) {
     item.putAndInsertString(tag, value.c_str());
 }
 
-/// Returns whether slices lie at right angles to the step between them; these files can represent nothing else.
-bool isUpright(const VolumeGeometry& geometry) {
+/// Returns whether rows and columns are at right angles. The step between slices may lead sideways, as with a tilted
+/// gantry: each file states its own position.
+bool canBeWritten(const VolumeGeometry& geometry) {
     const dvec3 row = glm::normalize(dvec3(geometry.patientFromIndex[0]));
     const dvec3 column = glm::normalize(dvec3(geometry.patientFromIndex[1]));
-    const dvec3 step = glm::normalize(dvec3(geometry.patientFromIndex[2]));
-    const double off =
-        std::abs(glm::dot(row, column)) + std::abs(glm::dot(row, step)) + std::abs(glm::dot(column, step));
-    return off < 1e-6;
+    return std::abs(glm::dot(row, column)) < 1e-6;
 }
 
 void putWho(DcmItem& item, const ExportFacts& facts, const SeriesIdentity& identity) {
@@ -129,7 +128,7 @@ void putPlane(DcmItem& item, const VolumeGeometry& geometry, int k) {
     put(item, DCM_ImagePositionPatient, decimals(dvec3(geometry.patientFromIndex * dvec4(0, 0, k, 1))));
     put(item, DCM_ImageOrientationPatient, decimals(row) + '\\' + decimals(column));
     put(item, DCM_PixelSpacing, decimal(spacing.y) + '\\' + decimal(spacing.x));
-    put(item, DCM_SliceThickness, decimal(spacing.z));
+    put(item, DCM_SliceThickness, decimal(sliceDrift(geometry).gapMm));
 }
 
 bool putPixels(DcmItem& item, const Volume& volume, int k) {
@@ -189,7 +188,7 @@ std::optional<Error> refuse(const Volume& volume, const fs::path& folder) {
         return Error{phrase("the folder is not empty"), folder.string(), phrase("Choose an empty or a new folder.")};
     if (volume.size().x > 65535 || volume.size().y > 65535)
         return Error{phrase("a slice of more than 65535 pixels has no place in a DICOM file"), folder.string(), ""};
-    if (!isUpright(volume.geometry()))
+    if (!canBeWritten(volume.geometry()))
         return Error{phrase("the axes of the volume are not at right angles"), folder.string(),
                      phrase("Resample it first.")};
     return {};

@@ -542,6 +542,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1; gemessen: %2</translation>
     </message>
     <message>
+        <source>%1; no gantry tilts by more than %2 degrees</source>
+        <translation>%1; keine Gantry kippt um mehr als %2 Grad</translation>
+    </message>
+    <message>
         <source>%1°</source>
         <translation>%1°</translation>
     </message>
@@ -4772,10 +4776,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>vorn</translation>
     </message>
     <message>
-        <source>gantry tilt</source>
-        <translation>Gantry-Kippung</translation>
-    </message>
-    <message>
         <source>goes with a gradient only, not with an image</source>
         <translation>passt nur zu einem Verlauf, nicht zu einem Bild</translation>
     </message>
@@ -5900,6 +5900,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Schichten zwischen denen des Scans sind kubisch interpoliert: eine Wahl, kein Fehler des Rechnens</translation>
     </message>
     <message>
+        <source>slices not in line</source>
+        <translation>Schichten nicht in einer Linie</translation>
+    </message>
+    <message>
         <source>slices of different size</source>
         <translation>Schichten verschiedener Größe</translation>
     </message>
@@ -6214,6 +6218,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the fourth place is known only to ± %1 mm</source>
         <translation>der vierte Punkt ist nur auf ± %1 mm bekannt</translation>
+    </message>
+    <message>
+        <source>the gantry was tilted by %1 degrees; the grid follows it (%2 mm a slice)</source>
+        <translation>die Gantry war um %1 Grad gekippt; das Gitter folgt ihr (%2 mm je Schicht)</translation>
     </message>
     <message>
         <source>the gradient factor is 0</source>

@@ -542,6 +542,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1; medido: %2</translation>
     </message>
     <message>
+        <source>%1; no gantry tilts by more than %2 degrees</source>
+        <translation>%1; ningún gantry se inclina más de %2 grados</translation>
+    </message>
+    <message>
         <source>%1°</source>
         <translation>%1°</translation>
     </message>
@@ -4772,10 +4776,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>delante</translation>
     </message>
     <message>
-        <source>gantry tilt</source>
-        <translation>inclinación del gantry</translation>
-    </message>
-    <message>
         <source>goes with a gradient only, not with an image</source>
         <translation>va solo con un degradado, no con una imagen</translation>
     </message>
@@ -5900,6 +5900,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>los cortes entre los del estudio son de una interpolación cúbica: una elección, no un error del cálculo</translation>
     </message>
     <message>
+        <source>slices not in line</source>
+        <translation>cortes no alineados</translation>
+    </message>
+    <message>
         <source>slices of different size</source>
         <translation>cortes de tamaño distinto</translation>
     </message>
@@ -6214,6 +6218,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the fourth place is known only to ± %1 mm</source>
         <translation>el cuarto punto solo se conoce con ± %1 mm</translation>
+    </message>
+    <message>
+        <source>the gantry was tilted by %1 degrees; the grid follows it (%2 mm a slice)</source>
+        <translation>el gantry estaba inclinado %1 grados; la rejilla lo sigue (%2 mm por corte)</translation>
     </message>
     <message>
         <source>the gradient factor is 0</source>

@@ -45,6 +45,13 @@ VolumeGeometry oblique() {
     return {{12, 17, 5}, map};
 }
 
+/// The gantry was tilted: the slices are those of upright(), turned, and the table moved along the patient.
+VolumeGeometry tilted() {
+    VolumeGeometry geometry = upright();
+    geometry.patientFromIndex[1] = 0.75 * dvec4(0, std::cos(0.3), -std::sin(0.3), 0);
+    return geometry;
+}
+
 double largestDifference(const dmat4& a, const dmat4& b) {
     double largest = 0;
     for (int column = 0; column < 4; ++column)
@@ -105,21 +112,21 @@ class ExportTest : public QObject {
     }
 
     void whatIsWrittenComesBack_data() {
-        QTest::addColumn<bool>("isOblique");
-        QTest::newRow("upright") << false;
-        QTest::newRow("oblique") << true;
+        QTest::addColumn<QString>("grid");
+        for (const char* grid : {"upright", "oblique", "tilted"})
+            QTest::newRow(grid) << grid;
     }
     void whatIsWrittenComesBack() {
-        QFETCH(bool, isOblique);
-        const Volume volume = ramp(isOblique ? oblique() : upright());
-        const fs::path folder = place(isOblique ? "oblique" : "upright");
+        QFETCH(QString, grid);
+        const Volume volume = ramp(grid == "oblique" ? oblique() : grid == "tilted" ? tilted() : upright());
+        const fs::path folder = place(qPrintable(grid));
         QVERIFY(bool(writeSeries(volume, kFacts, folder, noProgress)));
         const auto scan = scanFolder(folder, noProgress);
         QVERIFY(bool(scan));
         QCOMPARE(scan->series.size(), std::size_t(1));
         const Series& series = scan->series.front();
         QCOMPARE(QString::fromStdString(series.verdict.reason), QString());
-        QVERIFY(series.verdict.notes.empty());
+        QCOMPARE(series.verdict.notes.size(), std::size_t(grid == "tilted"));  // the tilt
         QCOMPARE(series.patient.name, kFacts.patientName);
         QCOMPARE(series.series.description, kFacts.seriesDescription);
         const auto back = loadSeries(series, Padding::maskAsAir, noProgress);
@@ -138,6 +145,7 @@ class ExportTest : public QObject {
         const fs::path folder = place("tools");
         QVERIFY(bool(writeSeries(ramp(upright()), ofAHead, folder, noProgress)));
         QVERIFY(bool(writeSeries(ramp(upright()), kFacts, place("of an unknown part"), noProgress)));
+        QVERIFY(bool(writeSeries(ramp(tilted()), ofAHead, place("of a tilted gantry"), noProgress)));
         const auto verify = [](const fs::path& series) {
             return outputOf("dciodvfy", {QString::fromStdString((series / "slice00001.dcm").string())});
         };
@@ -149,6 +157,7 @@ class ExportTest : public QObject {
         const auto converted =
             outputOf("dcm2niix", {"-b", "n", "-z", "n", "-o", nifti, QString::fromStdString(folder.string())});
         QCOMPARE(verified.trimmed(), QString("CTImage"));  // nothing else to say
+        QCOMPARE(verify(place("of a tilted gantry")).trimmed(), QString("CTImage"));
         const QString unknown = verify(place("of an unknown part"));
         QVERIFY2(!unknown.contains("Error") && unknown.count("Warning") == unknown.count("attribute <Laterality>"),
                  qPrintable(unknown));
@@ -210,10 +219,11 @@ class ExportTest : public QObject {
         QVERIFY(!isBeside("full."));
     }
 
-    void tiltedGridIsRefused() {
-        VolumeGeometry tilted = upright();
-        tilted.patientFromIndex[2] += dvec4(0, 0.3, 0, 0);
-        const auto written = writeSeries(ramp(tilted), kFacts, place("tilted"), noProgress);
+    /// Slices are planes of square corners; what else is askew, they can say.
+    void aGridWhoseRowsAndColumnsAreAskewIsRefused() {
+        VolumeGeometry askew = upright();
+        askew.patientFromIndex[1] += dvec4(0.3, 0, 0, 0);
+        const auto written = writeSeries(ramp(askew), kFacts, place("askew"), noProgress);
         QVERIFY(!written);
         QVERIFY(written.error().what.find("right angles") != std::string::npos);
     }

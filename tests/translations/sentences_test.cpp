@@ -57,6 +57,9 @@ void addVerdicts(std::vector<Text>& texts) {
     std::vector<SlicePlane> tilted = with([](SlicePlane&) {});
     for (int k = 0; k < 3; ++k)
         tilted[std::size_t(k)].position->y = k;
+    texts.push_back(dicom::analyseStack(tilted).verdict.notes.at(0).text);
+    for (int k = 0; k < 3; ++k)
+        tilted[std::size_t(k)].position->y = 5 * k;
     add(tilted);
 }
 

@@ -46,7 +46,7 @@ const char* stackWord(dicom::Stack stack) {
         case Stack::doubled:
             return QT_TRANSLATE_NOOP("series", "duplicate slice position");
         case Stack::tilted:
-            return QT_TRANSLATE_NOOP("series", "gantry tilt");
+            return QT_TRANSLATE_NOOP("series", "slices not in line");
         case Stack::mixedOrientation:
             return QT_TRANSLATE_NOOP("series", "mixed slice orientations");
         case Stack::mixedSize:

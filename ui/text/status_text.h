@@ -14,7 +14,7 @@
 
 namespace pdr::ui {
 
-/// Returns the voxel spacing of the scan: "Voxel size 0.96 × 0.96 × 1.5 mm".
+/// Returns the voxel spacing of the scan, as statedSpacingMm() gives it: "Voxel size 0.96 × 0.96 × 1.5 mm".
 QString gridText(dvec3 spacingMm);
 
 /// Returns "153 × 164 pixels stretched to 765 × 818"; empty if the image has as many pixels as the view.
