@@ -2724,6 +2724,14 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Einen Plan öffnen</translation>
     </message>
     <message>
+        <source>Open a scan in one file</source>
+        <translation>Eine Aufnahme in einer Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Open f&amp;ile...</source>
+        <translation>Date&amp;i öffnen...</translation>
+    </message>
+    <message>
         <source>Open the e&amp;xample</source>
         <translation>Beis&amp;piel öffnen</translation>
     </message>
@@ -2758,6 +2766,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>OpenEXR with the error of every pixel (*.exr)</source>
         <translation>OpenEXR mit dem Fehler jedes Pixels (*.exr)</translation>
+    </message>
+    <message>
+        <source>Opens a ZIP archive of DICOM files, or a volume as NIfTI, NRRD or MetaImage.</source>
+        <translation>Öffnet ein ZIP-Archiv mit DICOM-Dateien oder ein Volumen als NIfTI, NRRD oder MetaImage.</translation>
     </message>
     <message>
         <source>Opens a folder of DICOM files.</source>
@@ -3348,6 +3360,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Saves what is set and measured, without the patient's name, for this scan alone.</source>
         <translation>Speichert, was eingestellt und gemessen ist, ohne den Namen des Patienten, nur für diese Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Scans in one file (%1)</source>
+        <translation>Aufnahmen in einer Datei (%1)</translation>
     </message>
     <message>
         <source>Schedule</source>
@@ -4250,6 +4266,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Zoom</source>
         <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>a ZIP archive of DICOM files, or a volume as NIfTI, NRRD or MetaImage</source>
+        <translation>ein ZIP-Archiv mit DICOM-Dateien oder ein Volumen als NIfTI, NRRD oder MetaImage</translation>
     </message>
     <message>
         <source>a box, a plane or a drawn line cuts into the volume</source>

@@ -2724,6 +2724,14 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Abrir un plan</translation>
     </message>
     <message>
+        <source>Open a scan in one file</source>
+        <translation>Abrir un estudio en un solo archivo</translation>
+    </message>
+    <message>
+        <source>Open f&amp;ile...</source>
+        <translation>Abrir arch&amp;ivo...</translation>
+    </message>
+    <message>
         <source>Open the e&amp;xample</source>
         <translation>Abrir el e&amp;jemplo</translation>
     </message>
@@ -2758,6 +2766,10 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>OpenEXR with the error of every pixel (*.exr)</source>
         <translation>OpenEXR con el error de cada píxel (*.exr)</translation>
+    </message>
+    <message>
+        <source>Opens a ZIP archive of DICOM files, or a volume as NIfTI, NRRD or MetaImage.</source>
+        <translation>Abre un archivo ZIP con archivos DICOM, o un volumen como NIfTI, NRRD o MetaImage.</translation>
     </message>
     <message>
         <source>Opens a folder of DICOM files.</source>
@@ -3348,6 +3360,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Saves what is set and measured, without the patient's name, for this scan alone.</source>
         <translation>Guarda lo ajustado y medido, sin el nombre del paciente, solo para este estudio.</translation>
+    </message>
+    <message>
+        <source>Scans in one file (%1)</source>
+        <translation>Estudios en un solo archivo (%1)</translation>
     </message>
     <message>
         <source>Schedule</source>
@@ -4250,6 +4266,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Zoom</source>
         <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>a ZIP archive of DICOM files, or a volume as NIfTI, NRRD or MetaImage</source>
+        <translation>un archivo ZIP con archivos DICOM, o un volumen como NIfTI, NRRD o MetaImage</translation>
     </message>
     <message>
         <source>a box, a plane or a drawn line cuts into the volume</source>

@@ -40,6 +40,11 @@ bool namesPatient(const QString& text, const dicom::PatientFacts& patient) {
     });
 }
 
+/// Returns whether the description is the name of the series' file, as that of a volume file is.
+bool isFileName(const dicom::Series& series) {
+    return !series.slices.empty() && series.slices.front().file.filename() == series.series.description;
+}
+
 }  // namespace
 
 QString seriesName(const dicom::Series& series) {
@@ -62,7 +67,7 @@ QString seriesNumber(const dicom::Series& series) {
 QString windowSubject(const dicom::Series& series) {
     const bool described = !series.series.description.empty() || !series.study.description.empty();
     const QString title = seriesTitle(series);
-    return described && !namesPatient(title, series.patient) ? title : seriesNumber(series);
+    return described && !namesPatient(title, series.patient) && !isFileName(series) ? title : seriesNumber(series);
 }
 
 QStringList seriesFacts(const dicom::Series& series, double sliceDistanceMm) {

@@ -13,7 +13,7 @@ QString seriesName(const dicom::Series& series);
 /// Returns that name and, behind it, the phase: "Thorax · acquisition 2".
 QString seriesTitle(const dicom::Series& series);
 /// Returns a text for the title bar, which task lists, screenshots and recordings show: the series' title, or "CT
-/// series 3" if there is none or if it contains a part of the patient's name or the ID.
+/// series 3" if there is none, if it contains a part of the patient's name or the ID, or if it is a file's name.
 QString windowSubject(const dicom::Series& series);
 /// Returns "CT series 3", which reveals nothing about the patient.
 QString seriesNumber(const dicom::Series& series);

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "render/volume/file/scan_endings.h"
 #include "ui/widgets/forgetful_dialog.h"
 
 namespace pdr::ui {
@@ -20,8 +21,10 @@ QString askForFolderOf(QWidget* parent, const QString& title, const QString& sta
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
-QString askForFile(QWidget* parent, const QString& title, const QString& filter) {
+QString askForFile(QWidget* parent, const QString& title, const QString& filter, const QString& start = {}) {
     ForgetfulDialog dialog(parent, title);
+    if (!start.isEmpty())
+        dialog.setDirectory(start);
     dialog.setFileMode(QFileDialog::ExistingFile);
     dialog.setNameFilter(filter);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
@@ -31,6 +34,14 @@ QString askForFile(QWidget* parent, const QString& title, const QString& filter)
 
 QString askForFolder(QWidget* parent, const QString& start) {
     return askForFolderOf(parent, translated("Open a folder with a CT"), start);
+}
+
+QString askForScan(QWidget* parent, const QString& start) {
+    QStringList patterns;
+    for (const char* ending : kScanEndings)
+        patterns << QString("*") + ending;
+    return askForFile(parent, translated("Open a scan in one file"),
+                      translated("Scans in one file (%1)").arg(patterns.join(' ')), start);
 }
 
 QString askForCertificates(QWidget* parent, const QString& start) {

@@ -10,6 +10,9 @@ namespace pdr::ui {
 /// Asks for a folder, beginning in `start`. Empty: the user cancelled.
 QString askForFolder(QWidget* parent, const QString& start);
 
+/// Asks for a file that holds a whole scan (kScanEndings), beginning in `start`. Empty: the user cancelled.
+QString askForScan(QWidget* parent, const QString& start);
+
 /// Asks for a folder with certificates, beginning in `start`. Empty: the user cancelled.
 QString askForCertificates(QWidget* parent, const QString& start);
 

@@ -72,6 +72,7 @@ MainWindow::MainWindow()
 
 void MainWindow::connectActions() {
     connect(actions_.open, &QAction::triggered, this, &MainWindow::chooseFolder);
+    connect(actions_.openFile, &QAction::triggered, this, &MainWindow::chooseFile);
     connect(start_, &StartPanel::openRequested, actions_.open, &QAction::trigger);
     connect(start_, &StartPanel::folderChosen, this, &MainWindow::folderChosen);
     connect(actions_.recent, &RecentMenu::folderChosen, this, &MainWindow::folderChosen);
@@ -140,7 +141,7 @@ void MainWindow::setPatient(const QStringList& lines, const QStringList& whileHi
 }
 
 void MainWindow::setLastFolder(const QString& folder) {
-    lastFolder_ = folder;
+    lastFolder_ = QFileInfo(folder).isFile() ? QFileInfo(folder).absolutePath() : folder;
 }
 
 void MainWindow::setRecentFolders(const QStringList& folders, bool remembered) {
@@ -192,6 +193,12 @@ void MainWindow::chooseFolder() {
     const QString folder = askForFolder(this, lastFolder_);
     if (!folder.isEmpty())
         emit folderChosen(folder);
+}
+
+void MainWindow::chooseFile() {
+    const QString file = askForScan(this, lastFolder_);
+    if (!file.isEmpty())
+        emit folderChosen(folderOf(QFileInfo(file)));
 }
 
 void MainWindow::showImageAlone(bool alone) {

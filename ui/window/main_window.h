@@ -22,7 +22,8 @@
 
 namespace pdr::ui {
 
-/// Returns the folder to open for `path`: the folder that contains it if it is a file, else `path` itself.
+/// Returns the place to open for `path`: the folder that contains it if it is one file of a scan among others; `path`
+/// itself if it is a folder or holds a whole scan (kScanEndings).
 QString folderOf(const QFileInfo& path);
 
 class MainWindow : public QMainWindow {
@@ -126,6 +127,7 @@ class MainWindow : public QMainWindow {
     KeyBindings& bindings();
     void showMenu(QPoint place);
     void chooseFolder();
+    void chooseFile();
     void showImageAlone(bool alone);
     void hideNames(bool hidden);
     QStringList linesOverImage() const;

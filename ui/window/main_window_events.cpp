@@ -6,12 +6,14 @@
 #include <QMessageBox>
 #include <QMimeData>
 
+#include "render/volume/file/scan_endings.h"
 #include "ui/window/main_window.h"
 
 namespace pdr::ui {
 
 QString folderOf(const QFileInfo& path) {
-    return path.isFile() ? path.absolutePath() : path.absoluteFilePath();
+    const bool isScan = !scanEnding(path.fileName().toStdString()).empty();
+    return path.isFile() && !isScan ? path.absolutePath() : path.absoluteFilePath();
 }
 
 void MainWindow::changeEvent(QEvent* event) {
@@ -46,8 +48,8 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
         event->acceptProposedAction();
 }
 
-/// Opens what was dropped. A file stands for the folder that contains it, except an OpenEXR environment image or a
-/// plan. Several files of one folder count once.
+/// Opens what was dropped. A file stands for the folder that contains it, except one that holds a whole scan, an
+/// OpenEXR environment image or a plan. Several files of one folder count once.
 void MainWindow::dropEvent(QDropEvent* event) {
     QStringList folders;
     for (const QUrl& url : event->mimeData()->urls())

@@ -22,6 +22,7 @@ QAction* checkable(QAction* action, const QString& toolTip = {}) {
 void fillFileMenu(QMenuBar& bar, WindowActions& actions) {
     QMenu* menu = bar.addMenu(Texts::tr("&File"));
     actions.open = menu->addAction(Texts::tr("&Open folder..."), QKeySequence::Open);
+    actions.openFile = menu->addAction(Texts::tr("Open f&ile..."));
     actions.recent = new RecentMenu(&bar);
     menu->addMenu(actions.recent);
     actions.save = menu->addAction(Texts::tr("&Save image..."), QKeySequence::Save);
@@ -125,6 +126,8 @@ void describe(const WindowActions& actions) {
     }
     for (const auto& [action, name, toolTip] : std::initializer_list<Sentence>{
              {actions.open, "open", Texts::tr("Opens a folder of DICOM files.")},
+             {actions.openFile, "openFile",
+              Texts::tr("Opens a ZIP archive of DICOM files, or a volume as NIfTI, NRRD or MetaImage.")},
              {actions.save, "save", Texts::tr("Saves the image as PNG or EXR, as shown or rendered at any size.")},
              {actions.openPlan, "openPlan", Texts::tr("Opens what was set and measured on this scan before.")},
              {actions.savePlan, "savePlan",

@@ -13,7 +13,7 @@ namespace pdr::ui {
 struct WindowActions {
     QMenu* view;           ///< the View menu
     QAction* endOfPanels;  ///< the separator in it below the panels' entries
-    QAction *open, *save, *quit, *openPlan, *savePlan, *exportMarks;
+    QAction *open, *openFile, *save, *quit, *openPlan, *savePlan, *exportMarks;
     RecentMenu* recent;
     QAction *undo, *redo, *copy;
     std::array<QAction*, 6> views;  ///< in the order of StandardView

@@ -250,6 +250,11 @@ void TestWindowHabits::moreThanOneFolderIsSaid() {
         QVERIFY(QFile(name).open(QFile::WriteOnly));
     drop({first.filePath("a"), first.filePath("b")});  // of one folder
     QCOMPARE(others.count(), 1);
+    for (const QString& name : {first.filePath("all.ZIP"), first.filePath("head.nii.gz")}) {  // a scan by itself
+        QVERIFY(QFile(name).open(QFile::WriteOnly));
+        drop({name});
+        QCOMPARE(chosen.last()[0].toString(), name);
+    }
     window.message().showNotice("a table is hidden");
     window.message().offer("Show", [] {});
     window.message().add("only one is opened");
