@@ -12,8 +12,8 @@
 namespace pdr::dicom {
 
 /// Reads the headers of all objects of `source`, which must not be null, and sorts them into series; these keep the
-/// source. A stray, damaged or foreign object does not affect the rest. Errors: those of SeriesSource::list(), no DICOM
-/// in it, cancelled.
+/// source. A stray, damaged or foreign object does not affect the rest. Errors: those of SeriesSource::list(); no DICOM
+/// in it (ErrorKind::refused); cancelled.
 Result<ScanResult> scanSource(const std::shared_ptr<const SeriesSource>& source, const Progress& progress);
 
 /// Scans all files below `folder` (any name, any depth). Links are followed, but nothing is read twice, and no link

@@ -39,7 +39,7 @@ Json scanReport(const dicom::ScanResult& scan, const std::string& folder, const 
 
 void printText(const Json& report) {
     const int files = report["filesSeen"].get<int>();
-    std::printf("%s: %d %s, %d of them not DICOM\n", report["folder"].get<std::string>().c_str(), files,
+    std::printf("%s: %d %s, %d of them no scan\n", report["folder"].get<std::string>().c_str(), files,
                 files == 1 ? "file" : "files", report["notDicom"].get<int>());
     for (const Json& series : report["series"])
         std::printf("\n%s", textOf(series).c_str());

@@ -22,8 +22,8 @@ std::vector<dicom::SlicePlane> planesOf(const VolumeGeometry& grid) {
     const dvec3 mm = grid.spacingMm();
     std::vector<dicom::SlicePlane> planes;
     for (int k = 0; k < grid.size.z; ++k)
-        planes.push_back({"#" + std::to_string(k + 1), ivec2(grid.size), dvec3(map * dvec4(0, 0, k, 1)),
-                          dvec3(map[0]) / mm.x, dvec3(map[1]) / mm.y, dvec2(mm)});
+        planes.push_back({std::string("#").append(std::to_string(k + 1)), ivec2(grid.size),
+                          dvec3(map * dvec4(0, 0, k, 1)), dvec3(map[0]) / mm.x, dvec3(map[1]) / mm.y, dvec2(mm)});
     return planes;
 }
 
@@ -59,6 +59,13 @@ Result<ValueRange> rangeOf(const GridFile& file, const Progress& progress) {
     return range;
 }
 
+/// Returns whether the samples can stand for negative values: labels are found without reading them.
+bool canBeBelowZero(const GridFile& grid) {
+    const bool isUnsigned = grid.type == SampleType::uint8 || grid.type == SampleType::uint16 ||
+                            grid.type == SampleType::uint32 || grid.type == SampleType::uint64;
+    return !isUnsigned || grid.slope < 0 || grid.intercept < 0;
+}
+
 const char* formatName(const std::filesystem::path& file) {
     const std::string ending = fileEnding(file);
     if (ending == ".mha" || ending == ".mhd")
@@ -66,21 +73,29 @@ const char* formatName(const std::filesystem::path& file) {
     return ending == ".nrrd" || ending == ".nhdr" ? "NRRD" : "NIfTI";
 }
 
-/// Judges grid and values, and gives the slices their order.
-void judge(dicom::Series& series, const GridFile& grid, const ValueRange& range) {
+/// Judges the grid, and gives the slices their order.
+void judgeGrid(dicom::Series& series, const GridFile& grid) {
     const dicom::StackAnalysis analysis = dicom::analyseStack(planesOf(grid.geometry));
     series.verdict = analysis.verdict;
     series.geometry = analysis.geometry;
     for (const int k : analysis.order)
         series.slices.push_back({grid.file, k, {}});
+    if (series.verdict.loadable() && !canBeBelowZero(grid)) {
+        series.verdict.stack = dicom::Stack::notCt;
+        series.verdict.reason =
+            phrase("its values are of a type without a sign: these are labels or grey levels, no HU");
+    }
+}
+
+/// Judges the values, of which `series` says that they can be HU.
+void judgeValues(dicom::Series& series, const ValueRange& range) {
     const Text lowest = numberOf(range.lowest), highest = numberOf(range.highest);
-    if (series.verdict.loadable() && !mayBeHu(range)) {
+    if (!mayBeHu(range)) {
         series.verdict.stack = dicom::Stack::notCt;
         series.verdict.reason = phrase(
             "its values run from %1 to %2: these are no HU, which begin at -100 or below, and end at 100 or above",
             lowest, highest);
-    }
-    if (series.verdict.loadable())
+    } else
         series.verdict.notes.push_back(
             {"no-unit:" + lowest + ".." + highest,
              phrase("the file does not say that its values are HU; they run from %1 to %2, and are taken as HU", lowest,
@@ -143,14 +158,17 @@ Result<dicom::Series> gridSeries(const std::filesystem::path& file, const Progre
     Result<GridFile> grid = readGridFile(file);
     if (!grid)
         return grid.error();
-    const Result<ValueRange> range = rangeOf(*grid, progress);
-    if (!range)
-        return range.error();
     dicom::Series series;
     series.series.modality = formatName(file);
     series.series.description = file.filename().string();
     series.series.number = 1;
-    judge(series, *grid, *range);
+    judgeGrid(series, *grid);
+    if (series.verdict.loadable()) {
+        const Result<ValueRange> range = rangeOf(*grid, progress);
+        if (!range)
+            return range.error();
+        judgeValues(series, *range);
+    }
     series.source = std::make_shared<GridSource>(*std::move(grid));
     return series;
 }

@@ -38,7 +38,8 @@ struct ValueRange {
 /// 32767], which bone and contrast have. Images of 0 to 255, stored values from 0 on, MR and labels are none.
 bool mayBeHu(const ValueRange& range);
 
-/// Reads the header of `file` and, for the range of its values, all samples; memory is taken for none. The series says
+/// Reads the header of `file` and, for the range of its values where they may be HU, all samples; memory is taken for
+/// none. The series says
 /// that the file states no unit, with the range, or why it is refused. Errors: those of readGridFile() and GridSamples;
 /// cancelled().
 Result<dicom::Series> gridSeries(const std::filesystem::path& file, const Progress& progress);

@@ -1,29 +1,98 @@
 #include "app/scan/scan_place.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/scan/grid_series.h"
+#include "render/base/errors.h"
 #include "render/volume/file/scan_endings.h"
 
 namespace pdr::app {
 
-bool isScanFile(const std::filesystem::path& path) {
-    std::error_code ignored;
-    return !scanEnding(path).empty() && std::filesystem::is_regular_file(path, ignored);
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The files below a folder, links left out.
+struct Files {
+    int count = 0;
+    std::vector<fs::path> grids;  ///< the volume files among them, by name
+};
+
+Files filesIn(const fs::path& folder) {
+    Files files;
+    std::error_code failure;
+    constexpr auto kQuietly = fs::directory_options::skip_permission_denied;
+    for (fs::recursive_directory_iterator entry(folder, kQuietly, failure), end; !failure && entry != end;
+         entry.increment(failure)) {
+        std::error_code gone;
+        if (entry->symlink_status(gone).type() != fs::file_type::regular)
+            continue;
+        ++files.count;
+        if (isGridFile(entry->path()))
+            files.grids.push_back(entry->path());
+    }
+    std::ranges::sort(files.grids);
+    return files;
 }
 
-Result<dicom::ScanResult> scanPlace(const std::filesystem::path& path, const Progress& progress) {
-    if (!isScanFile(path))
-        return dicom::scanFolder(path, progress);
-    if (!isGridFile(path))
-        return dicom::scanArchive(path, progress);
-    Result<dicom::Series> series = gridSeries(path, progress);
+/// Adds an entry for each volume file, or the reason why there is none. Error: cancelled().
+Result<void> addGrids(dicom::ScanResult& scan, const std::vector<fs::path>& grids, const Progress& progress) {
+    for (std::size_t i = 0; i < grids.size(); ++i) {
+        const double all = double(grids.size());
+        Result<dicom::Series> series = gridSeries(grids[i], partOf(progress, double(i) / all, double(i + 1) / all));
+        if (!series && series.error().kind == ErrorKind::cancelled)
+            return series.error();
+        scan.notDicom = std::max(scan.notDicom - 1, 0);
+        if (!series) {
+            scan.problems.push_back({grids[i], series.error().what});
+            continue;
+        }
+        series->series.number = int(i + 1);
+        scan.series.push_back(*std::move(series));
+    }
+    std::ranges::stable_partition(scan.series, [](const auto& each) { return each.verdict.loadable(); });
+    return {};
+}
+
+/// Lists DICOM files and volume files below `folder`.
+Result<dicom::ScanResult> scanWholeFolder(const fs::path& folder, const Progress& progress) {
+    const Files files = filesIn(folder);
+    if (files.grids.empty())
+        return dicom::scanFolder(folder, progress);
+    Result<dicom::ScanResult> scan = dicom::scanFolder(folder, partOf(progress, 0, 0.5));
+    if (!scan && scan.error().kind != ErrorKind::refused)
+        return scan;
+    if (!scan) {  // no DICOM in it
+        scan = dicom::ScanResult();
+        scan->filesSeen = scan->notDicom = files.count;
+    }
+    if (auto ok = addGrids(*scan, files.grids, partOf(progress, 0.5, 1)); !ok)
+        return ok.error();
+    return scan;
+}
+
+Result<dicom::ScanResult> scanGrid(const fs::path& file, const Progress& progress) {
+    Result<dicom::Series> series = gridSeries(file, progress);
     if (!series)
         return series.error();
     dicom::ScanResult scan;
     scan.series.push_back(*std::move(series));
     scan.filesSeen = 1;
     return scan;
+}
+
+}  // namespace
+
+bool isScanFile(const fs::path& path) {
+    std::error_code ignored;
+    return !scanEnding(path).empty() && fs::is_regular_file(path, ignored);
+}
+
+Result<dicom::ScanResult> scanPlace(const fs::path& path, const Progress& progress) {
+    if (!isScanFile(path))
+        return scanWholeFolder(path, progress);
+    return isGridFile(path) ? scanGrid(path, progress) : dicom::scanArchive(path, progress);
 }
 
 Result<Volume> loadVoxels(const dicom::Series& series, dicom::Padding padding, const Progress& progress,

@@ -5304,6 +5304,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>sein Text ist kein UTF-8</translation>
     </message>
     <message>
+        <source>its values are of a type without a sign: these are labels or grey levels, no HU</source>
+        <translation>ihre Werte haben kein Vorzeichen: das sind Kennzahlen oder Graustufen, keine HU</translation>
+    </message>
+    <message>
         <source>its values run from %1 to %2: these are no HU, which begin at -100 or below, and end at 100 or above</source>
         <translation>ihre Werte reichen von %1 bis %2: das sind keine HU, die bei -100 oder darunter beginnen und bei 100 oder darüber enden</translation>
     </message>

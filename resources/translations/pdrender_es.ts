@@ -5304,6 +5304,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>su texto no es UTF-8</translation>
     </message>
     <message>
+        <source>its values are of a type without a sign: these are labels or grey levels, no HU</source>
+        <translation>sus valores son de un tipo sin signo: son etiquetas o niveles de gris, no HU</translation>
+    </message>
+    <message>
         <source>its values run from %1 to %2: these are no HU, which begin at -100 or below, and end at 100 or above</source>
         <translation>sus valores van de %1 a %2: no son HU, que empiezan en -100 o menos y terminan en 100 o más</translation>
     </message>

@@ -14,6 +14,7 @@
 #include "dicom/import.h"
 #include "tests/support/dicom/shared_data.h"
 #include "tests/support/dicom/slice_file.h"
+#include "tests/support/grid_files.h"
 #include "tests/support/places.h"
 #include "tests/support/program_run.h"
 
@@ -97,6 +98,22 @@ class DicomCommandsTest : public QObject {
         QCOMPARE(series["verdict"].toString(), "gap");
         QVERIFY(series["reason"].toString().contains("10 mm apart"));
         QVERIFY(series["sha256"].toString().startsWith("21db65407cd46cdf"));
+    }
+
+    /// What `info` tells of a volume file, and a slice of it: two of the commands that take a file for a folder.
+    void aVolumeFileIsTakenForAFolder() {
+        const QString file = at("scan.mha");
+        test::written(file.toStdString(), test::metaImageBytes());
+        const Run info = run({"info", file, "--json"});
+        QCOMPARE(info.code, 0);
+        const QJsonObject series = info.firstSeries();
+        QCOMPARE(series["size"].toArray(), (QJsonArray{6, 5, 8}));
+        QCOMPARE(series["hu"]["lowest"].toInt(), -1000);
+        QCOMPARE(series["hu"]["highest"].toInt(), 1390);
+        QVERIFY(series["notes"].toArray()[0].toString().contains("they run from -1000 to 1390"));
+        const Run slice = run({"slice", file, "--plane", "axial", "-o", at("scan.png")});
+        QVERIFY2(slice.code == 0, slice.err.constData());
+        QVERIFY(slice.err.contains("does not say that its values are HU"));
     }
 
     void infoNeverNamesThePatient() {

@@ -98,6 +98,28 @@ class GridSeriesTest : public QObject {
     }
 
     /// What is not a number was not measured.
+    /// Folders of Slicer or of a training set hold volumes, labels and what else there is.
+    void aFolderListsItsVolumeFiles() {
+        const fs::path folder = at("folder");
+        fs::create_directories(folder / "below");
+        test::written(folder / "labels.nrrd", test::nrrdBytes({{"type", "ushort"}}));
+        test::written(folder / "below/scan.nii", test::NiftiBytes().bytes);
+        test::written(folder / "damaged.mha", "ObjectType = Image");
+        test::written(folder / "readme.txt", "a text");
+        const auto scan = scanPlace(folder, noProgress);
+        QVERIFY(bool(scan));
+        QCOMPARE(scan->filesSeen, 4);
+        QCOMPARE(scan->notDicom, 1);
+        QCOMPARE(scan->series.size(), std::size_t(2));
+        QVERIFY(scan->series[0].verdict.loadable());
+        QCOMPARE(scan->series[0].series.description, std::string("scan.nii"));
+        QCOMPARE(scan->series[1].verdict.reason,
+                 std::string("its values are of a type without a sign: these are labels "
+                             "or grey levels, no HU"));
+        QCOMPARE(scan->problems.size(), std::size_t(1));
+        QCOMPARE(scan->problems[0].file, folder / "damaged.mha");
+    }
+
     void whatIsNoNumberIsPadding() {
         std::vector<float> values(6 * 5 * 8, 40.5f);
         values[0] = -1000;

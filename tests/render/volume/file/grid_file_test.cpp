@@ -1,3 +1,5 @@
+#include <zlib.h>
+
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -9,6 +11,22 @@
 using namespace pdr;
 
 namespace fs = std::filesystem;
+
+/// Returns `bytes` as gzip packs them.
+static std::string packed(const std::string& bytes) {
+    constexpr int kGzip = 16;
+    z_stream stream{};
+    deflateInit2(&stream, 6, Z_DEFLATED, MAX_WBITS + kGzip, 8, Z_DEFAULT_STRATEGY);
+    std::string out(deflateBound(&stream, bytes.size()), '\0');
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    stream.avail_in = uInt(bytes.size());
+    stream.next_out = reinterpret_cast<Bytef*>(out.data());
+    stream.avail_out = uInt(out.size());
+    deflate(&stream, Z_FINISH);
+    out.resize(stream.total_out);
+    deflateEnd(&stream);
+    return out;
+}
 
 /// Volume files are read as their headers say, and refused where they say too little. That the headers are understood
 /// as other programs understand them is shown in tests/oracle/grids.
@@ -150,6 +168,27 @@ class GridFileTest : public QObject {
         QCOMPARE(refusal("a.mha", test::metaImageBytes({{"ElementNumberOfChannels", "3"}})), several);
     }
 
+    /// A packed file that is cut off, in its checksum at the latest, is refused when its samples are read.
+    void everyTruncationOfAPackedFileIsSeen() {
+        const std::string whole = packed(test::NiftiBytes().bytes);
+        for (std::size_t length = 0; length < whole.size(); ++length) {
+            const auto grid = read("a.nii.gz", whole.substr(0, length));
+            QVERIFY2(!grid || valuesOf(*grid).empty(), std::to_string(length).c_str());
+        }
+        const auto twice = read(
+            "a.nii.gz", packed(test::NiftiBytes().bytes.substr(0, 400)) + packed(test::NiftiBytes().bytes.substr(400)));
+        QVERIFY(bool(twice));
+        QCOMPARE(valuesOf(*twice), expectedValues());  // as `cat a.gz b.gz` writes it
+    }
+
+    void aWrongChecksumIsSeen() {
+        std::string bytes = packed(test::NiftiBytes().bytes);
+        bytes[bytes.size() - 6] ^= 1;
+        const auto grid = read("a.nii.gz", bytes);
+        QVERIFY(bool(grid));
+        QVERIFY(valuesOf(*grid).empty());
+    }
+
     /// Cut off anywhere, a file is refused by its header or by its samples.
     void everyTruncationIsRefused() {
         for (const auto& [name, whole] : {std::pair<std::string, std::string>{"a.nii", test::NiftiBytes().bytes},
@@ -171,16 +210,17 @@ class GridFileTest : public QObject {
 
     void mutantsAreReadOrRefused_data() {
         QTest::addColumn<QString>("name");
-        for (const char* name : {"a.nii", "a.nrrd", "a.mha"})
+        for (const char* name : {"a.nii", "a.nii.gz", "a.nrrd", "a.mha"})
             QTest::newRow(name) << name;
     }
     /// 200 seeded mutants of each format: bytes changed, cut out, doubled. Neither a crash nor more memory than a
     /// piece.
     void mutantsAreReadOrRefused() {
         QFETCH(QString, name);
-        const std::string whole = name == "a.nii"    ? test::NiftiBytes().bytes
-                                  : name == "a.nrrd" ? test::nrrdBytes()
-                                                     : test::metaImageBytes();
+        const std::string whole = name == "a.nii"      ? test::NiftiBytes().bytes
+                                  : name == "a.nii.gz" ? packed(test::NiftiBytes().bytes)
+                                  : name == "a.nrrd"   ? test::nrrdBytes()
+                                                       : test::metaImageBytes();
         std::mt19937 random(20261126);
         int refused = 0;
         for (int mutant = 0; mutant < 200; ++mutant) {
