@@ -146,7 +146,7 @@ Series resampledSeries(const Series& uneven, const ResampledStack& stack) {
     Series series = uneven;
     series.series.resampled = true;
     series.verdict = {Stack::even, {}, uneven.verdict.notes};
-    series.verdict.notes.insert(series.verdict.notes.begin(), stack.note);
+    series.verdict.notes.insert(series.verdict.notes.begin(), stack.notes.begin(), stack.notes.end());
     series.blends = stack.blends;
     series.geometry = stack.geometry;
     return series;

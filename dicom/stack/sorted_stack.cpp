@@ -202,9 +202,10 @@ VolumeGeometry SortedStack::geometry() const {
 
 VolumeGeometry SortedStack::geometryOf(int slices) const {
     VolumeGeometry grid = geometry();
-    const int last = count() - 1;
+    const dvec3 across = position(count() - 1) - position(0);
     grid.size.z = slices;
-    grid.patientFromIndex[2] = dvec4(normal_ * ((height(last) - height(0)) / (slices - 1)), 0.0);
+    grid.patientFromIndex[2] =
+        dvec4((isUpright_ ? glm::dot(across, normal_) * normal_ : across) / double(slices - 1), 0.0);
     grid.patientFromIndex[3] = dvec4(position(0), 1.0);
     return grid;
 }

@@ -43,6 +43,12 @@ GeometryVerdict judgeAgreement(const std::vector<SlicePlane>& slices) {
     return {Stack::even, "", {}};
 }
 
+Note tiltNote(const VolumeGeometry& geometry) {
+    const SliceDrift drift = sliceDrift(geometry);
+    return {"tilt", phrase("the gantry was tilted by %1 degrees; the grid follows it (%2 mm a slice)",
+                           fixedNumber(drift.degrees(), 1), inMm(glm::length(drift.sidewaysMm)))};
+}
+
 Text distancesText(double low, double high) {
     return high - low < 0.05 ? phrase("%1 mm", inMm(high)) : phrase("%1 to %2 mm", inMm(low), inMm(high));
 }
@@ -56,24 +62,22 @@ std::optional<ResampledStack> resampled(const SortedStack& stack) {
     if (!fill)
         return std::nullopt;
     const int count = int(fill->slices.size());
-    return ResampledStack{
-        std::move(fill->slices),
-        stack.geometryOf(count),
-        {"resampled",
-         phrase("%1 slices, %2 apart, were resampled to %3 every %4 mm; a slice lies up to %5 mm from where anything "
-                "was measured",
-                stack.count(), distancesText(fill->closestMm, fill->widestMm), count, inMm(fill->gapMm),
-                inMm(fill->furthestMm))}};
+    ResampledStack made{std::move(fill->slices), stack.geometryOf(count), {}};
+    made.notes.push_back(
+        {"resampled", phrase("%1 slices, %2 apart, were resampled to %3 every %4 mm; a slice lies up to %5 mm from "
+                             "where anything was measured",
+                             stack.count(), distancesText(fill->closestMm, fill->widestMm), count, inMm(fill->gapMm),
+                             inMm(fill->furthestMm))});
+    if (!stack.isUpright())
+        made.notes.push_back(tiltNote(made.geometry));
+    return made;
 }
 
 /// Returns the notes on a stack that is an even grid, but not exactly an upright one.
 std::vector<Note> notesOn(const SortedStack& stack, const VolumeGeometry& geometry) {
     std::vector<Note> notes;
-    if (!stack.isUpright()) {
-        const SliceDrift drift = sliceDrift(geometry);
-        notes.push_back({"tilt", phrase("the gantry was tilted by %1 degrees; the grid follows it (%2 mm a slice)",
-                                        fixedNumber(drift.degrees(), 1), inMm(glm::length(drift.sidewaysMm)))});
-    }
+    if (!stack.isUpright())
+        notes.push_back(tiltNote(geometry));
     if (const double off = stack.unevennessMm(); off > kSamePlaceMm)
         notes.push_back(
             {"uneven", phrase("a slice lies %1 mm from an even grid; the slices are taken as even", inMm(off))});

@@ -27,7 +27,7 @@ namespace pdr::dicom {
 struct ResampledStack {
     std::vector<SliceBlend> blends;  ///< by the place of the measured slices in StackAnalysis::order
     VolumeGeometry geometry;
-    Note note;  ///< what was done, in millimetres
+    std::vector<Note> notes;  ///< what was done, in millimetres
 };
 
 struct StackAnalysis {

@@ -90,6 +90,19 @@ class ResampledSeriesTest : public QObject {
         QVERIFY(!volume->isPadding(2 * kPixels + 4) && !volume->isPadding(3 * kPixels + 5));
     }
 
+    /// Slices drift by 0.25 mm along rows and -0.5 mm along columns for each mm.
+    void aTiltedSeriesIsResampledAlongItsDrift() {
+        test::SliceFolder folder;
+        addSlices(folder, {0, 2, 4, 8, 10}, {0.25, -0.5});
+        const Series series = folder.scan().series.front();
+        QVERIFY(series.series.resampled);
+        QVERIFY(glm::distance(dvec3(series.geometry.patientFromIndex[2]), dvec3(0.5, -1, 2)) < 1e-9);
+        QCOMPARE(series.verdict.notes[1].code, std::string("tilt"));
+        const auto volume = loadSeries(series, Padding::maskAsAir, noProgress);
+        QVERIFY(bool(volume));
+        QCOMPARE(huAt(*volume, 3, 4), 1254);
+    }
+
     /// A scan with a hole that nobody would look across is refused and no more.
     void wideHolesAreNotOffered() {
         test::SliceFolder folder;
