@@ -20,7 +20,7 @@ struct EvenFill {
 inline constexpr double kLeastFillMm = 0.3;  ///< new slices lie no closer
 inline constexpr int kMostFill = 4;          ///< new slices for each measured one
 inline constexpr double kWidestHoleMm = 30;
-inline constexpr double kWidestHoleGaps = 10;  ///< of the usual gap, the median
+inline constexpr double kWidestHoleGaps = 10;  ///< times the usual gap, the median
 
 /// Returns slices as close as the closest measured ones, within the limits; none if a hole is too wide. `heights`: of
 /// the measured slices along their normal [mm], ascending, at least two, none at the place of another. `sameMm`: how

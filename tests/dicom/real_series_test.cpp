@@ -43,7 +43,7 @@ bool near(double a, double b, double tolerance) {
 
 const Series* withUid(const ScanResult& scan, const std::string& uid, int slices) {
     for (const Series& series : scan.series) {
-        if (series.series.uid == uid && int(series.slices.size()) == slices)
+        if (series.series.uid == uid && !series.series.resampled && int(series.slices.size()) == slices)
             return &series;
     }
     return nullptr;

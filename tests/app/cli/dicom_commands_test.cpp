@@ -24,7 +24,8 @@ namespace {
 
 struct Run : test::ProgramRun {
     QJsonObject json() const { return QJsonDocument::fromJson(out).object(); }
-    QJsonObject firstSeries() const { return json()["series"].toArray().at(0).toObject(); }
+    QJsonObject series(int index) const { return json()["series"].toArray().at(index).toObject(); }
+    QJsonObject firstSeries() const { return series(0); }
 };
 
 Run run(const QStringList& arguments,
@@ -94,7 +95,10 @@ class DicomCommandsTest : public QObject {
     void infoTellsFiguresOfAStackItRefuses() {
         PDR_NEEDS_SHARED_CT();
         const QString folder = QString::fromStdString((test::sharedCt() / "missing_slice").string());
-        const QJsonObject series = run({"info", folder, "--json"}).firstSeries();
+        const Run info = run({"info", folder, "--json"});
+        QVERIFY(info.firstSeries()["resampled"].toBool() && info.firstSeries()["loadable"].toBool());
+        const QJsonObject series = info.series(1);
+        QVERIFY(!series["resampled"].toBool() && !series["loadable"].toBool());
         QCOMPARE(series["verdict"].toString(), "gap");
         QVERIFY(series["reason"].toString().contains("10 mm apart"));
         QVERIFY(series["sha256"].toString().startsWith("21db65407cd46cdf"));
