@@ -73,12 +73,32 @@ Text nameOf(PhaseKey key, const std::string& value) {
     return Text(value);
 }
 
-/// Splits by one key; empty if that does not give whole phases.
-std::vector<Phase> splitBy(PhaseKey key, const Slices& slices) {
-    std::map<std::string, Slices, decltype(&ascend)> byValue(&ascend);
-    for (const SliceHeader* slice : slices)
-        byValue[slice->phaseKeys[std::size_t(key)]].push_back(slice);
-    if (byValue.size() < 2 || byValue.contains(""))
+/// What a slice states for each of some keys.
+using Values = std::vector<std::string>;
+
+bool ascendInTurn(const Values& left, const Values& right) {
+    return std::ranges::lexicographical_compare(left, right, ascend);
+}
+
+Text nameOf(const std::vector<PhaseKey>& keys, const Values& values) {
+    Text name = nameOf(keys[0], values[0]);
+    for (std::size_t i = 1; i < keys.size(); ++i)
+        name = phrase("%1, %2", name, nameOf(keys[i], values[i]));
+    return name;
+}
+
+/// Splits by the values of `keys` together; empty if that does not give whole phases.
+std::vector<Phase> splitBy(const std::vector<PhaseKey>& keys, const Slices& slices) {
+    std::map<Values, Slices, decltype(&ascendInTurn)> byValue(&ascendInTurn);
+    for (const SliceHeader* slice : slices) {
+        Values values;
+        for (const PhaseKey key : keys)
+            values.push_back(slice->phaseKeys[std::size_t(key)]);
+        if (std::ranges::find(values, std::string()) != values.end())
+            return {};
+        byValue[values].push_back(slice);
+    }
+    if (byValue.size() < 2)
         return {};
     const auto [least, most] =
         std::ranges::minmax_element(byValue, {}, [](const auto& phase) { return phase.second.size(); });
@@ -87,17 +107,28 @@ std::vector<Phase> splitBy(PhaseKey key, const Slices& slices) {
         return {};
     std::vector<Phase> phases;
     phases.reserve(byValue.size());
-    for (const auto& [value, phase] : byValue)
-        phases.push_back({phase, nameOf(key, value)});
+    for (const auto& [values, phase] : byValue)
+        phases.push_back({phase, nameOf(keys, values)});
     return phases;
+}
+
+/// Returns each key alone, then each two of them, in the order in which they are asked.
+std::vector<std::vector<PhaseKey>> keysInTurn() {
+    std::vector<std::vector<PhaseKey>> all;
+    for (std::size_t key = 0; key < kPhaseKeys; ++key)
+        all.push_back({PhaseKey(key)});
+    for (std::size_t first = 0; first < kPhaseKeys; ++first)
+        for (std::size_t second = first + 1; second < kPhaseKeys; ++second)
+            all.push_back({PhaseKey(first), PhaseKey(second)});
+    return all;
 }
 
 }  // namespace
 
 std::vector<Phase> phasesOf(const Slices& slices) {
     if (takesAPlaceTwice(slices))
-        for (std::size_t key = 0; key < kPhaseKeys; ++key)
-            if (std::vector<Phase> phases = splitBy(PhaseKey(key), slices); !phases.empty())
+        for (const std::vector<PhaseKey>& keys : keysInTurn())
+            if (std::vector<Phase> phases = splitBy(keys, slices); !phases.empty())
                 return phases;
     return {{slices, {}}};
 }

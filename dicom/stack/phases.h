@@ -15,8 +15,9 @@ struct Phase {
 };
 
 /// Splits `slices`, which share a grid, by the first of the PhaseKeys by whose values every place is taken once in each
-/// phase, and all phases have the same number of slices, or one more or fewer. Phases ascend by value. Returns `slices`
-/// as one phase without a name if no place is taken twice, or no key splits them so.
+/// phase, or else by the first two of them (a stack, and a point in time), and all phases have the same number of
+/// slices, or one more or fewer. Phases ascend by value. Returns `slices` as one phase without a name if no place is
+/// taken twice, or no key splits them so.
 std::vector<Phase> phasesOf(const std::vector<const SliceHeader*>& slices);
 
 }  // namespace pdr::dicom

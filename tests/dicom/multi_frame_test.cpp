@@ -179,6 +179,25 @@ class MultiFrameTest : public QObject {
         QCOMPARE(std::string(scan.series[1].series.phase), std::string("stack B"));
     }
 
+    /// Two stacks, each at two points in time: neither alone tells the frames of a place apart.
+    void stacksAndPhasesAreApart() {
+        test::EnhancedFile file{.size = kSize};
+        for (int k = 0; k < 12; ++k) {
+            test::EnhancedFrame frame{.position = {0, 0, 2.0 * (k / 4)}, .temporalIndex = k % 2 + 1};
+            frame.stackId = k / 2 % 2 ? "B" : "A";
+            frame.raw = test::tissueSlice(kSize, unsigned(k) + 1).raw;
+            file.frames.push_back(frame);
+        }
+        test::writeEnhancedFile(this->file(), file);
+        const ScanResult scan = scanned();
+        QCOMPARE(scan.series.size(), std::size_t(4));
+        QCOMPARE(std::string(scan.series[1].series.phase), std::string("stack A, point in time 2"));
+        const auto volume = loadSeries(scan.series[2], Padding::keep, noProgress);
+        QVERIFY(volume);
+        for (int k = 0; k < 3; ++k)
+            QCOMPARE(sliceOf(*volume, k), huOf(file.frames[std::size_t(4 * k + 2)]));
+    }
+
     /// What tells phases apart may be left unassigned, and the rescale may be shared.
     void legacyConvertedImagesAreRead() {
         test::EnhancedFile file{.size = kSize};
