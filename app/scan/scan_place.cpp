@@ -29,7 +29,8 @@ Files filesIn(const fs::path& folder) {
         if (entry->symlink_status(gone).type() != fs::file_type::regular)
             continue;
         ++files.count;
-        if (isGridFile(entry->path()))
+        const bool isHidden = entry->path().filename().string().starts_with('.');  // macOS puts "._a.nii" beside a.nii
+        if (!isHidden && isGridFile(entry->path()))
             files.grids.push_back(entry->path());
     }
     std::ranges::sort(files.grids);

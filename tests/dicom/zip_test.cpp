@@ -6,6 +6,7 @@
 
 #include "dicom/import.h"
 #include "tests/support/dicom/damaged_streams.h"
+#include "tests/support/dicom/shared_data.h"
 #include "tests/support/dicom/slice_folder.h"
 #include "tests/support/dicom/zip_file.h"
 
@@ -64,6 +65,25 @@ class ZipTest : public QObject {
         QCOMPARE(a->geometry().patientFromIndex, b->geometry().patientFromIndex);
         for (const auto& slice : archive->series[0].slices)
             QVERIFY(slice.file.string().starts_with(at("a.zip/study/s0").string()));
+    }
+
+    /// The folders of a CD, with a directory of its files.
+    void aCdIsReadAsItsFolders() {
+        PDR_NEEDS_SHARED_CT();
+        const fs::path cd = test::sharedCt() / "dicomdir_tree";
+        std::vector<test::ZipMember> members;
+        for (const auto& file : fs::recursive_directory_iterator(cd))
+            if (file.is_regular_file())
+                members.push_back({file.path().lexically_relative(cd).string(), test::bytesOf(file.path())});
+        const auto folder = scanFolder(cd, noProgress), archive = scanOf(members);
+        QVERIFY(bool(folder) && bool(archive));
+        QCOMPARE(archive->filesSeen, folder->filesSeen);
+        QCOMPARE(archive->series.size(), folder->series.size());
+        for (std::size_t i = 0; i < folder->series.size(); ++i) {
+            QCOMPARE(archive->series[i].series.id(), folder->series[i].series.id());
+            QCOMPARE(archive->series[i].verdict.stack, folder->series[i].verdict.stack);
+            QCOMPARE(archive->series[i].slices.size(), folder->series[i].slices.size());
+        }
     }
 
     /// Nothing is written beside the archive, or elsewhere below its folder.

@@ -30,7 +30,7 @@ struct VolumeFields {
 
 template <class Visit>
 void describe(Visit& visit, VolumeFields& volume) {
-    visit({"dicom", "the folder of DICOM files"}, volume.dicom);
+    visit({"dicom", "the folder of DICOM files, or a scan in one file"}, volume.dicom);
     visit({"raw", "or the raw file"}, volume.raw);
     if (Visit::kBranches || volume.dicom)
         visit({"series",

@@ -110,7 +110,7 @@ class GridSeriesTest : public QObject {
         test::written(folder / "labels.nrrd", test::nrrdBytes({{"type", "ushort"}}));
         test::written(folder / "below/scan.nii", test::NiftiBytes().bytes);
         test::written(folder / "damaged.mha", "ObjectType = Image");
-        test::written(folder / "readme.txt", "a text");
+        test::written(folder / "._damaged.mha", "a text");
         const auto scan = scanPlace(folder, noProgress);
         QVERIFY(bool(scan));
         QCOMPARE(scan->filesSeen, 4);
