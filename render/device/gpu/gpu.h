@@ -41,7 +41,7 @@ concept Gpu = requires(G gpu, const G known, void* memory, const void* host, std
     { G::kSpecializedFeatures } -> std::convertible_to<std::uint32_t>;
 
     /// Returns how many paths are under way together: many times the number of threads, so that the ends of kernels,
-    /// where lanes run empty, are short; each takes some 310 bytes, or 170 where none continues.
+    /// where lanes run empty, are short; each takes some 350 bytes, or 210 where none continues.
     { known.pathsTogether() } -> std::same_as<std::int64_t>;
 
     { known.name() } -> std::convertible_to<std::string>;

@@ -2,7 +2,8 @@
 /// Path tracing in kernels that do one thing each, so that 32 threads in lockstep do the same, and in few registers.
 ///
 /// - CameraKernel<Masked>: a sample's camera ray and first flight. A queue: lanes take the next when one has ended.
-/// - ShadeKernel<F>: the event at the end of that flight (endSegment). One thread for each.
+/// - ShadeKernel<F>: the end of that flight, and the event there (endSegment). One thread for each, so that all lanes
+///   look for ends together; in the queue one or two would, while the others wait.
 /// - ShadowKernel<Masked>: the flights from there to the lights. A queue, with an entry for each light path, so that no
 ///   lane waits for another's second one.
 /// - AddLightKernel: the light that has come through. One thread for each event, in the order of its light paths.
@@ -15,10 +16,25 @@
 
 namespace pdr {
 
+/// The segment on which a flight ends.
+struct alignas(16) FlightEnding {
+    Cubic<float> hu;
+    int piece;            ///< index of the curve's piece
+    float begin, length;  ///< mm
+    float left;           ///< optical depth to pass on it
+};
+
+/// Returns the distance at which a flight ends [mm].
+PDR_HD inline float distanceOf(const FlatScene& scene, const FlightEnding& end) {
+    const OpticsAlong<float> along = opticsAlong(scene.optics, opticsPiece(scene.optics, end.piece), end.hu);
+    return end.begin + end.length * flightEndOn(along, end.length, end.left, true);
+}
+
 /// The first segment of a path, and the result of its flight.
 struct FirstFlight {
+    FlightEnding ending;  ///< where it ends, without a mask; with one the place is looked for in flight
     PathSegment segment;
-    float collision;     ///< distance of the collision; see endSegment()
+    float collision;     ///< distance of the collision; without a mask only its sign is known: see endSegment()
     std::int64_t index;  ///< index of the sample in its launch
 };
 
@@ -78,16 +94,26 @@ struct CameraKernel {
         }
         const Path path = startPath(scene, sample.from.pixel, sample.from.sample, depths);
         walk.slot = atomicTakeNext(lists.counts->flights);
-        lists.flights[walk.slot] = {path.segment, -1, first + i};
+        FirstFlight& flight = lists.flights[walk.slot];
+        flight.segment = path.segment;
+        flight.collision = -1;
+        flight.index = first + i;
         walk.flight.start(scene, path.segment.ray, path.sampler.depth());
         return walk.flight.going();
     }
 
     PDR_HD bool step(Walk& walk) const {
-        walk.flight.step(scene);
+        FirstFlight& flight = lists.flights[walk.slot];
+        if constexpr (Masked)
+            walk.flight.step(scene);
+        else
+            walk.flight.step(scene, [&](const auto&, const auto& way, float left, bool) {
+                flight.ending = {way.hu, way.piece.index, way.begin, way.length, left};
+                return 0.0f;
+            });
         if (walk.flight.going())
             return true;
-        lists.flights[walk.slot].collision = walk.flight.distance;
+        flight.collision = walk.flight.distance;
         return false;
     }
 };
@@ -106,11 +132,15 @@ struct ShadeKernel {
         target.at(flight.index, sample);
         Path path{pathSampler(scene, sample.from.pixel, sample.from.sample), flight.segment};
         PathSample found;
-        const PathVertex vertex = endSegment<F>(scene, path, flight.collision, 0, found);
+        const PathVertex vertex = endSegment<F>(scene, path, collisionOf(flight), 0, found);
         target.keep(scene, sample, found);
         handOnLight(path, vertex, sample.place);
         if (vertex.continues)
             lists.onward[atomicTakeNext(lists.counts->onward)] = {path, found, sample};
+    }
+
+    PDR_HD float collisionOf(const FirstFlight& flight) const {
+        return flight.collision < 0 || isMasked(scene) ? flight.collision : distanceOf(scene, flight.ending);
     }
 
     PDR_HD void handOnLight(const Path& path, const PathVertex& vertex, std::int64_t place) const {

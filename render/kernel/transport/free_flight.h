@@ -29,6 +29,21 @@ struct DepthPassed {
     PDR_HD_INLINE Real slopeAt(Real s) const { return extinction.at(s); }
 };
 
+/// Returns the fraction of a segment of `length` after which a flight has passed the depth `left`; it lies within the
+/// segment.
+template <class Real>
+PDR_HD_INLINE Real flightEndOn(const OpticsAlong<Real>& along, Real length, Real left,
+                               typename SimdTraits<Real>::Mask ended) {
+    const Real scale = 1.0f / along.meanExtinction;
+    const auto relative = [&](Real fraction) {
+        return max(along.extinction + along.extinctionRise * fraction, Real{}) * scale;
+    };
+    const DepthPassed<Real> depth{{relative(along.fraction.b0), relative(along.fraction.b1),
+                                   relative(along.fraction.b2), relative(along.fraction.b3)}};
+    const Real wanted = left * scale / length;
+    return whereMonotoneIs(depth, wanted, Real{}, Real{} + 1.0f, ended);
+}
+
 /// What a flight is for: where it ends, or only whether it does, which costs no search.
 enum class FlightEnd { place, whether };
 
@@ -59,6 +74,14 @@ class FreeFlight {
     PDR_HD Mask going() const { return walk_.going(); }
 
     PDR_HD_INLINE void step(const FlatScene& scene) {
+        step(scene, [this](const OpticsAlong<Real>& along, const Way& way, Real left, Mask ended) {
+            return way.begin + way.length * endOn(along, way, left, ended);
+        });
+    }
+    /// Makes one step; placeOf(along, way, left, ended) returns where flights end that pass the depth `left` on the
+    /// segment `way`, in the lanes of `ended`. FlightEnd::whether does not ask.
+    template <class PlaceOf>
+    PDR_HD_INLINE void step(const FlatScene& scene, PlaceOf&& placeOf) {
         Mask ended{};
         walk_.step(scene, [&](const Way& way, Mask ready, Mask) {
             const OpticsAlong<Real> along = opticsAlong(scene.optics, way.piece, way.hu);
@@ -67,7 +90,7 @@ class FreeFlight {
             if constexpr (End == FlightEnd::whether)
                 distance = ended ? Real{} : distance;
             else if (any(ended))
-                distance = ended ? way.begin + way.length * endOn(along, way, ended) : distance;
+                distance = ended ? placeOf(along, way, depth_ - this->passed, ended) : distance;
             this->passed = ready ? passed : this->passed;
             return ready;
         });
@@ -83,9 +106,9 @@ class FreeFlight {
         passed = mask ? Real{} : passed;
     }
 
-  private:
     using Way = typename PieceWalk<Real, Masked>::Way;
 
+  private:
     PDR_HD_INLINE static Real meanExtinction(const OpticsAlong<Real>& along, const Way& way) {
         if constexpr (Masked)
             return seenAlong(along, way.weight).meanExtinction;
@@ -93,38 +116,25 @@ class FreeFlight {
             return along.meanExtinction;
     }
 
-    PDR_HD_INLINE Real endOn(const OpticsAlong<Real>& along, const Way& way, Mask ended) const {
+    PDR_HD_INLINE static Real endOn(const OpticsAlong<Real>& along, const Way& way, Real left, Mask ended) {
         if constexpr (Masked)
-            return endOnSeen(along, way, ended);
+            return endOnSeen(along, way, left, ended);
         else
-            return endOf(along, way.length, ended);
+            return flightEndOn(along, way.length, left, ended);
     }
 
-    /// Returns what endOf() returns, for a segment that may be partly hidden.
-    PDR_HD_INLINE Real endOnSeen(const OpticsAlong<Real>& along, const Way& way, Mask ended) const {
+    /// Returns what flightEndOn() returns, for a segment that may be partly hidden.
+    PDR_HD_INLINE static Real endOnSeen(const OpticsAlong<Real>& along, const Way& way, Real left, Mask ended) {
         const SeenAlong<Real> seen = seenAlong(along, way.weight);
         const Mask partly = ended & seen.partly;
-        Real end = endOf(along, way.length, ended & !seen.partly);
+        Real end = flightEndOn(along, way.length, left, ended & !seen.partly);
         if (any(partly)) {
             const SeenDepthPassed<Real> depth{along, way.weight, 1.0f / seen.meanExtinction};
-            const Real wanted = (depth_ - passed) * depth.scale / way.length;
+            const Real wanted = left * depth.scale / way.length;
             const Real found = whereMonotoneIs(depth, wanted, Real{}, Real{} + 1.0f, partly);
             end = partly ? found : end;
         }
         return end;
-    }
-
-    /// Returns the fraction of a segment of `length` after which the flight's depth has been passed; it lies within the
-    /// segment.
-    PDR_HD_INLINE Real endOf(const OpticsAlong<Real>& along, Real length, Mask ended) const {
-        const Real scale = 1.0f / along.meanExtinction;
-        const auto relative = [&](Real fraction) {
-            return max(along.extinction + along.extinctionRise * fraction, Real{}) * scale;
-        };
-        const DepthPassed<Real> depth{{relative(along.fraction.b0), relative(along.fraction.b1),
-                                       relative(along.fraction.b2), relative(along.fraction.b3)}};
-        const Real wanted = (depth_ - passed) * scale / length;
-        return whereMonotoneIs(depth, wanted, Real{}, Real{} + 1.0f, ended);
     }
 
     PieceWalk<Real, Masked> walk_;

@@ -19,6 +19,12 @@ PDR_HD_INLINE Real opticsColumn(const FlatOptics& optics, int column, typename S
     return tableLookup(optics.table + column * optics.stride, optics.stride, index);
 }
 
+/// Returns piece number `index` of the curve.
+PDR_HD_INLINE OpticsPiece<float> opticsPiece(const FlatOptics& optics, int index) {
+    return {index, opticsColumn<float>(optics, int(OpticsColumn::start), index),
+            opticsColumn<float>(optics, int(OpticsColumn::end), index)};
+}
+
 /// Returns the piece that a segment begins in. At a border, this is the piece that the segment continues in.
 PDR_HD_INLINE OpticsPiece<float> pieceAtBegin(const FlatScene& scene, const Cubic<float>& hu) {
     const FlatOptics& optics = scene.optics;
