@@ -10,7 +10,7 @@
 
 namespace pdr::node {
 
-Result<wire::Hello> introduction(const NodeOptions& options, Device& device) {
+Result<wire::Hello> introduction(const NodeOptions& options, Device& device, const std::optional<Error>& instead) {
     const Result<std::vector<std::byte>> tiles = referenceTiles(device);
     if (!tiles)
         return tiles.error();
@@ -21,7 +21,7 @@ Result<wire::Hello> introduction(const NodeOptions& options, Device& device) {
     hello.boot = nodes::newNonce(random);
     hello.bits = nodes::bitsOf(*tiles);
     hello.memoryBytes = freeBytes();
-    nameDevice(hello, device.info(), {});
+    nameDevice(hello, device.info(), instead);
     return hello;
 }
 

@@ -54,6 +54,21 @@ class NodeDeviceTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// A node whose GPU fails before it has joined says which device renders and why, once.
+    void aNodeWhoseGpuFailsAtItsReferenceTilesSaysSo() {
+        const auto plan = std::make_shared<FaultPlan>();
+        plan->lost = true;
+        plan->fails = 40;
+        std::optional<Error> instead;
+        const auto device = withSpare(
+            std::make_unique<GpuDevice<FaultyGpu>>(DeviceInfo{"faulty", "a GPU", false}, plan),
+            [] { return makeCpuDevice(1); }, [&](const Error& why) { instead = why; });
+        const auto hello = node::introduction({}, *device, instead);
+        QVERIFY(hello && instead);
+        QCOMPARE(hello->device, std::string("cpu"));
+        QCOMPARE(hello->details, "1 thread; no GPU: it failed on purpose");
+    }
+
     /// It goes on on its CPU, no pixel is lost, and its coordinator is told why and what renders now.
     void aNodeThatLosesItsGpuJoinsAgainAsACpu() {
         NodeTrial trial;
