@@ -45,10 +45,13 @@ class Row(collections.namedtuple("Row", "name pipes ptx lanes rest")):
     def busy(self):
         return self.lanes / max(self.pipes.total(), 1)
 
+    def with_other(self, other):
+        return self._replace(pipes=self.pipes + other.pipes, ptx=self.ptx + other.ptx, lanes=self.lanes + other.lanes)
+
 
 class Kernel:
-    def __init__(self, module):
-        self.module, self.blocks, self.resources, self.machine = module, [], None, []
+    def __init__(self):
+        self.blocks, self.resources, self.machine = [], None, []
 
     def warps(self):
         registers = (self.resources.registers + 7) // 8 * 8 * LANES
@@ -69,7 +72,9 @@ def run(command, **settings):
 
 
 def counted(options, folder):
-    """Runs the program, which leaves its modules and counts in the folder, and returns its kernels by name."""
+    """Runs the program, which leaves its modules and counts in the folder, and returns its kernels by module and name.
+
+    Several modules may hold a kernel of the same name, each with lines of its own."""
     together = options.processors * WARPS
     environment = dict(os.environ, PDR_PTX_COUNTS=str(folder), PDR_PTX_TOGETHER=str(together),
                        PDR_PTX_PROCESSORS=str(options.processors))
@@ -81,7 +86,7 @@ def counted(options, folder):
     for line in (folder / "counts.txt").read_text().splitlines():
         kind, *words = line.split()
         if kind == "kernel":
-            last = kernels[words[0]] = Kernel(int(words[1]))
+            last = kernels[words[1], words[0]] = Kernel()
         else:
             last.blocks.append(Block(*map(int, words)))
     return kernels
@@ -108,12 +113,12 @@ def translate(module, kernels, options):
     told = run(["ptxas", f"-arch={options.arch}", "-v", "-lineinfo", source, "-o", code]).stderr
     for part in re.split(r"Compiling entry function '", told)[1:]:
         number = lambda pattern: int(re.search(pattern, part).group(1))
-        kernels[part.split("'")[0]].resources = Resources(
+        kernels[module.stem, part.split("'")[0]].resources = Resources(
             number(r"Used (\d+) registers"), number(r"(\d+) bytes stack"), number(r"(\d+) bytes spill stores"))
     kernel, line, slow = None, 0, False
     for text in run([options.nvdisasm, "-g", "-c", code]).stdout.splitlines():
         if begin := re.match(r"//-+ \.text\.(\w+) -+", text):
-            kernel, line, slow = kernels[begin.group(1)], 0, False
+            kernel, line, slow = kernels[module.stem, begin.group(1)], 0, False
         elif place := re.search(r'//## File ".*", line (\d+)', text):
             line = int(place.group(1))
         elif text.startswith("$"):
@@ -130,7 +135,8 @@ def short(name):
 
 def print_resources(kernels):
     print(f"{'kernel':52} registers warps stack spills instructions")
-    for name, kernel in sorted((short(name), kernel) for name, kernel in kernels.items()):
+    named = [(short(name), kernel) for (_, name), kernel in kernels.items()]
+    for name, kernel in sorted(named, key=lambda one: one[0]):
         print(f"{name[:52]:52} {kernel.resources.registers:9} {kernel.warps():5} {kernel.resources.stack:5} "
               f"{kernel.resources.spills:6} {len(kernel.machine):12}")
 
@@ -149,12 +155,15 @@ def cost(kernel):
 def print_costs(kernels, samples):
     print(f"{'a sample':32} {'machine':>8} {'PTX':>8} lanes " + " ".join(f"{pipe:>7}" for pipe in PIPES)
           + " registers warps")
-    rows = []
-    for name, kernel in kernels.items():
+    rows = {}
+    for (_, mangled), kernel in kernels.items():
         pipes, lanes = cost(kernel)
-        rows.append(Row(short(name), pipes, sum(block.statements * block.warps for block in kernel.blocks), lanes,
-                        f"{kernel.resources.registers:10} {kernel.warps():5}"))
-    rows = sorted((row for row in rows if row.pipes), reverse=True, key=lambda row: row.pipes.total())
+        if not pipes:
+            continue
+        row = Row(short(mangled), pipes, sum(block.statements * block.warps for block in kernel.blocks), lanes,
+                  f"{kernel.resources.registers:10} {kernel.warps():5}")
+        rows[row.name] = rows[row.name].with_other(row) if row.name in rows else row
+    rows = sorted(rows.values(), reverse=True, key=lambda row: row.pipes.total())
     sampling = [row for row in rows if row.name.startswith(SAMPLING)]
     for row in sampling + [Row("sum", sum((row.pipes for row in sampling), collections.Counter()),
                                sum(row.ptx for row in sampling), sum(row.lanes for row in sampling), "")]:
