@@ -117,7 +117,7 @@ Result<bool> report(const AccuracyOptions& options, const Interrupt& interrupt) 
     if (auto ok = checkWritable(outputs); !ok)
         return ok.error();
     // Open the device and load the scene
-    const auto opened = openDeviceToTheEnd(options.device, options.threads, tellOfCpu);
+    const auto opened = openDeviceToTheEnd(options.device, options.threads, tellOfCpu, tellOfPreparation);
     if (!opened)
         return opened.error();
     auto loaded = loadSceneShown(options.scene);

@@ -19,4 +19,10 @@ inline void tellOfCpu(const Error& why) {
     std::fprintf(stderr, "note: the CPU renders, since a GPU cannot: %s\n", why.text().c_str());
 }
 
+/// Writes to standard error that the GPU is being prepared.
+inline void tellOfPreparation(bool begins) {
+    if (begins)
+        std::fputs("Preparing the GPU...\n", stderr);
+}
+
 }  // namespace pdr::app

@@ -70,7 +70,7 @@ Result<Finished> renderAll(const RenderOptions& options, const ImageRun& run, co
     if (auto ok = checkFonts(annotateOf(options)); !ok)
         return ok.error();
     // Open the device and connect the render nodes
-    auto opened = openDeviceToTheEnd(options.device, options.threads, tellOfCpu);
+    auto opened = openDeviceToTheEnd(options.device, options.threads, tellOfCpu, tellOfPreparation);
     if (!opened)
         return opened.error();
     std::unique_ptr<CommandNodes> crew;

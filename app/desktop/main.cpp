@@ -16,9 +16,9 @@
 #include "app/desktop/options.h"
 #include "app/looks/looks.h"
 #include "app/program/program.h"
+#include "app/rendering/first_device.h"
 #include "app/rendering/power_supply.h"
 #include "render/base/version.h"
-#include "render/device/device_list.h"
 #include "ui/text/language.h"
 #include "ui/text/room_text.h"
 #include "ui/theme/theme.h"
@@ -46,34 +46,24 @@ void takeScreenshot(ui::MainWindow& window, const QString& file) {
     QApplication::exit(saved ? 0 : 1);
 }
 
-/// Opens the device requested on the command line; else the one chosen last; if that is not available, the best one.
-Result<std::unique_ptr<Device>> deviceFor(const DesktopOptions& options, const WhySpare& told) {
-    if (!options.device.isEmpty())
-        return openDevice(options.device.toStdString(), options.threads, told);
-    if (auto last = openDevice(Settings().device().toStdString(), options.threads, told))
-        return last;
-    return openDevice("auto", options.threads, told);
-}
-
 int run(const DesktopOptions& options) {
     auto looks = bundledLooks();
     if (!looks) {
         std::cerr << "pdrender: " << looks.error().text() << '\n';
         return 1;
     }
-    QString whyCpu;
-    auto device = deviceFor(options, [&](const Error& why) {
-        whyCpu = QCoreApplication::translate("main", "The CPU renders, since the GPU cannot be used: %1")
-                     .arg(ui::inWords(why.text()));
-    });
-    if (!device) {
-        std::cerr << "pdrender: " << device.error().text() << '\n';
+    RenderBridge* bridge = nullptr;  // there before the device gets its first scene
+    auto first = firstDevice(options.device.toStdString(), Settings().device().toStdString(), options.threads,
+                             [&bridge](bool begins) { bridge->tellPreparing(begins); });
+    if (!first) {
+        std::cerr << "pdrender: " << first.error().text() << '\n';
         return 1;
     }
-    Desktop desktop(*std::move(looks), *std::move(device), {}, options.threads, kPowerSupplies);
+    Desktop desktop(*std::move(looks), std::move(first->device), {}, options.threads, kPowerSupplies);
+    bridge = &desktop.bridge();
     desktop.window().show();
-    if (!whyCpu.isEmpty())
-        desktop.window().message().showNotice(whyCpu);
+    if (!first->notice.empty())
+        desktop.window().message().showNotice(ui::inWords(first->notice));
     if (!options.folder.isEmpty())
         // inside the event loop, which catches exceptions
         QTimer::singleShot(0, &desktop.window(), [&] { desktop.open(options.folder); });

@@ -38,18 +38,21 @@ int work(const NodeOptions& options, const app::Interrupt& interrupt) {
     // Open the device and render its reference tiles
     NodeService* running = nullptr;
     std::optional<Error> instead;
-    Result<std::unique_ptr<Device>> device = openDeviceToTheEnd(options.device, options.threads, [&](const Error& why) {
+    const WhySpare goOnOnCpu = [&](const Error& why) {
         std::fprintf(stderr, "pdrender-node: the CPU renders, since a GPU cannot: %s\n", why.text().c_str());
         if (running)
             return running->goOnInstead(why);
         instead = why;
-    });
+    };
+    const PreparationObserver preparing = [](bool begins) {
+        std::fprintf(stderr, "pdrender-node: %s\n", begins ? "preparing the GPU..." : "the GPU is prepared");
+    };
+    Result<std::unique_ptr<Device>> device = openDeviceToTheEnd(options.device, options.threads, goOnOnCpu, preparing);
     if (!device)
         return ending(device.error(), ExitCode::configuration);
-    Result<wire::Hello> hello = introduction(options, **device);
+    Result<wire::Hello> hello = introduction(options, **device, instead);
     if (!hello)
         return ending(hello.error(), ExitCode::temporary);
-    nameDevice(*hello, (*device)->info(), instead);
     // Connect the service to the log, the exit code and signals
     NodeService service(options, *hello, *std::move(device));
     running = &service;

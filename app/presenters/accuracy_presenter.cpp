@@ -47,6 +47,10 @@ void AccuracyPresenter::connectPause() {
         window().menuActions().pause->setChecked(paused);
         showStatus();
     });
+    connect(&bridge(), &RenderBridge::preparingChanged, this, [this](bool preparing) {
+        window().status().setText(preparing ? ui::MainWindow::tr("Preparing the GPU...") : QString());
+        showStatus();
+    });
     connect(&battery_, &BatteryRest::restsChanged, this, &AccuracyPresenter::showStatus);
 }
 
@@ -92,7 +96,7 @@ ui::Accuracy AccuracyPresenter::accuracyOf(const Frame& frame) const {
 
 void AccuracyPresenter::showStatus() {
     const auto& frame = bridge().lastFrame();
-    if (!frame || !document().hasVolume())
+    if (!frame || !document().hasVolume() || bridge().isPreparing())
         return;
     window().menuActions().pause->setChecked(bridge().paused() || bridge().reached());
     const ui::Accuracy accuracy = accuracyOf(*frame);

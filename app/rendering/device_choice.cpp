@@ -5,6 +5,18 @@
 #include "render/tiles/reference_tiles.h"
 
 namespace pdr::app {
+namespace {
+
+/// Returns the device `name`, or the CPU if that cannot be opened or fails later. `told` gets the reason.
+std::unique_ptr<Device> openOrCpu(const std::string& name, int threads, const WhySpare& told) {
+    Result<std::unique_ptr<Device>> device = openDevice(name, threads);
+    if (device)
+        return withCpuAsSpare(*std::move(device), threads, told);
+    told(device.error());
+    return makeCpuDevice(threads);
+}
+
+}  // namespace
 
 bool DeviceChoice::setPool(const std::shared_ptr<SharedWork>& pool) {
     const std::lock_guard lock(mutex_);
@@ -12,7 +24,7 @@ bool DeviceChoice::setPool(const std::shared_ptr<SharedWork>& pool) {
 }
 
 Result<std::unique_ptr<Device>> DeviceChoice::open(const std::string& name) {
-    Result<std::unique_ptr<Device>> opened = openDevice(name, threads_);
+    Result<std::unique_ptr<Device>> opened = openDevice(name, threads_, {}, preparing_);
     if (!opened)
         return opened;
     return shared(*std::move(opened));
@@ -42,20 +54,18 @@ DeviceOpener DeviceChoice::cpuAlone() const {
     return [threads = threads_]() -> Result<std::unique_ptr<Device>> { return makeCpuDevice(threads); };
 }
 
-DeviceOpener DeviceChoice::forFinalRender(std::string name) const {
+DeviceOpener DeviceChoice::forFinalRender(std::string name, WhySpare told) const {
     const std::lock_guard lock(mutex_);
-    return
-        [name = std::move(name), threads = threads_, pool = pool_, bits = bits_]() -> Result<std::unique_ptr<Device>> {
-            Result<std::unique_ptr<Device>> device = openDevice(name, threads);
-            if (!device)
-                device = makeCpuDevice(threads);
-            if (!pool)
-                return device;
-            const Result<std::vector<std::byte>> own = referenceTiles(**device);
-            if (!own || *own != bits)
-                return device;
-            return shareDevice(*std::move(device), pool, Purpose::finalRender);
-        };
+    return [name = std::move(name), told = std::move(told), threads = threads_, pool = pool_,
+            bits = bits_]() -> Result<std::unique_ptr<Device>> {
+        std::unique_ptr<Device> device = openOrCpu(name, threads, told);
+        if (!pool)
+            return device;
+        const Result<std::vector<std::byte>> own = referenceTiles(*device);
+        if (!own || *own != bits)
+            return device;
+        return shareDevice(std::move(device), pool, Purpose::finalRender);
+    };
 }
 
 }  // namespace pdr::app

@@ -18,8 +18,9 @@ class DeviceChoice : public QObject {
     Q_OBJECT
 
   public:
-    /// `threads`: number of CPU threads; 0: one per core.
-    explicit DeviceChoice(int threads) : threads_(threads) {}
+    /// `threads`: number of CPU threads; 0: one per core. `preparing` is called as openDevice() does.
+    explicit DeviceChoice(int threads, PreparationObserver preparing = {})
+        : threads_(threads), preparing_(std::move(preparing)) {}
 
     /// Sets the workers that share the work of devices opened from now on; null: none. Returns false if these are set
     /// already.
@@ -32,9 +33,9 @@ class DeviceChoice : public QObject {
     /// Returns an opener of the CPU that is not shared.
     DeviceOpener cpuAlone() const;
     /// Returns an opener of a device for an image that goes into a file: the device `name`, or the CPU if that cannot
-    /// be opened. Workers that produce the same bits sample that image first. May be called on any thread, as may the
-    /// opener.
-    DeviceOpener forFinalRender(std::string name) const;
+    /// be opened or fails later; `told` then gets the reason, on the thread that renders. Workers that produce the same
+    /// bits sample that image first. May be called on any thread, as may the opener.
+    DeviceOpener forFinalRender(std::string name, WhySpare told) const;
 
   signals:
     /// Emitted on this object's thread when a device that shares its work has been opened. `bits`: its
@@ -45,6 +46,7 @@ class DeviceChoice : public QObject {
     Result<std::unique_ptr<Device>> shared(std::unique_ptr<Device> device);
 
     const int threads_;
+    const PreparationObserver preparing_;
     mutable std::mutex mutex_;
     std::shared_ptr<SharedWork> pool_;  ///< guarded by mutex_: workers that share the work; null if none do
     std::vector<std::byte> bits_;       ///< guarded by mutex_: reference tiles of the shared device

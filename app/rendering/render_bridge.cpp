@@ -24,7 +24,7 @@ LevelErrorsAt errorsAt(const FilmView& view, QPointF place, float exposure) {
 }  // namespace
 
 RenderBridge::RenderBridge(std::unique_ptr<Device> device, int threads)
-    : devices_(threads),
+    : devices_(threads, [this](bool begins) { tellPreparing(begins); }),
       firstDevice_(device->info()),
       device_(QString::fromStdString(firstDevice_.name)),
       session_(
@@ -83,6 +83,20 @@ void RenderBridge::setDevice(const QString& name) {
 void RenderBridge::setPool(const std::shared_ptr<SharedWork>& pool) {
     if (devices_.setPool(pool))
         openAndGoOn(chosen_.value_or(device_));
+}
+
+void RenderBridge::tellPreparing(bool begins) {
+    QMetaObject::invokeMethod(this, [this, begins] {
+        preparing_ = begins;
+        emit preparingChanged(begins);
+    });
+}
+
+DeviceOpener RenderBridge::finalRenderDevice() {
+    return devices_.forFinalRender(device_.toStdString(), [this](const Error& why) {
+        const Text notice = phrase("The CPU renders the image for the file, since the GPU cannot: %1", why.text());
+        QMetaObject::invokeMethod(this, [this, notice = ui::inWords(notice)] { emit noticed(notice); });
+    });
 }
 
 void RenderBridge::openAndGoOn(const QString& device) {

@@ -31,6 +31,10 @@ class RenderBridge : public QObject {
     bool isYielding() const { return yielding_; }
     /// Whether rendering has stopped by itself, since the stop rule is met; setPaused(false) goes on.
     bool reached() const { return reached_; }
+    /// Whether a GPU is being prepared for its first image.
+    bool isPreparing() const { return preparing_; }
+    /// Tells the window that a GPU is being prepared, or is not any more. May be called on any thread.
+    void tellPreparing(bool begins);
     /// The device that was passed to the constructor.
     const DeviceInfo& firstDevice() const { return firstDevice_; }
     const StopRule& stop() const { return stop_; }
@@ -38,9 +42,9 @@ class RenderBridge : public QObject {
     const std::shared_ptr<const Frame>& lastFrame() const { return lastFrame_; }
     /// The devices that render, and how they are shared.
     const DeviceChoice& devices() const { return devices_; }
-    /// Returns an opener of a device for an image that goes into a file: another device of the kind in use. See
-    /// DeviceChoice::forFinalRender().
-    DeviceOpener finalRenderDevice() const { return devices_.forFinalRender(device_.toStdString()); }
+    /// Returns an opener of a device for an image that goes into a file: another device of the kind in use; noticed()
+    /// says why if the CPU takes over. See DeviceChoice::forFinalRender().
+    DeviceOpener finalRenderDevice();
     /// How radiance becomes display levels, as set last.
     const Display& display() const { return display_; }
 
@@ -88,6 +92,7 @@ class RenderBridge : public QObject {
   signals:
     void frameReady(const std::shared_ptr<const pdr::Frame>& frame);
     void pausedChanged(bool paused);
+    void preparingChanged(bool preparing);
     void stopChanged(const pdr::StopRule& rule);
     /// Emitted when frames come from another device, and again with each notice.
     void deviceChanged(const QString& name);
@@ -117,6 +122,7 @@ class RenderBridge : public QObject {
     bool unseen_ = false;
     bool yielding_ = false;
     bool reached_ = false;
+    bool preparing_ = false;
     DeviceInfo firstDevice_;
     QString device_;                 ///< name of the device that made the last frame
     std::optional<QString> chosen_;  ///< requested device, until a frame comes from it or a notice says why not

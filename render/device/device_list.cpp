@@ -22,7 +22,7 @@ Error withoutCuda() {
 Result<std::vector<DeviceInfo>> cudaDevices() {
     return withoutCuda();
 }
-Result<std::unique_ptr<Device>> makeCudaDevice(int) {
+Result<std::unique_ptr<Device>> makeCudaDevice(int, const PreparationObserver&) {
     return withoutCuda();
 }
 #endif
@@ -50,7 +50,8 @@ std::vector<DeviceInfo> devicesHere() {
     return devices;
 }
 
-Result<std::unique_ptr<Device>> openDevice(const std::string& name, int threads, const WhySpare& told) {
+Result<std::unique_ptr<Device>> openDevice(const std::string& name, int threads, const WhySpare& told,
+                                           const PreparationObserver& preparing) {
     if (name == "cpu")
         return makeCpuDevice(threads);
     if (name == "emulated")
@@ -58,7 +59,7 @@ Result<std::unique_ptr<Device>> openDevice(const std::string& name, int threads,
     if (name == "lockstep")
         return makeLockstepGpu(threads);
     if (name == "auto") {
-        Result<std::unique_ptr<Device>> gpu = makeCudaDevice(0);
+        Result<std::unique_ptr<Device>> gpu = makeCudaDevice(0, preparing);
         if (gpu)
             return gpu;
         if (told && gpu.error().kind != ErrorKind::refused)
@@ -66,7 +67,7 @@ Result<std::unique_ptr<Device>> openDevice(const std::string& name, int threads,
         return makeCpuDevice(threads);
     }
     if (const std::optional<int> index = cudaIndex(name)) {
-        Result<std::unique_ptr<Device>> gpu = makeCudaDevice(*index);
+        Result<std::unique_ptr<Device>> gpu = makeCudaDevice(*index, preparing);
         if (gpu)
             return gpu;
         Error error = gpu.error();
@@ -76,12 +77,19 @@ Result<std::unique_ptr<Device>> openDevice(const std::string& name, int threads,
     return Error{phrase("there is no such device"), name, phrase("Choose auto, cpu, cuda or cuda:1.")};
 }
 
-Result<std::unique_ptr<Device>> openDeviceToTheEnd(const std::string& name, int threads, const WhySpare& told) {
-    Result<std::unique_ptr<Device>> device = openDevice(name, threads, told);
-    if (!device || name != "auto" || (*device)->info().hostMemory)
+std::unique_ptr<Device> withCpuAsSpare(std::unique_ptr<Device> device, int threads, const WhySpare& told) {
+    if (device->info().hostMemory)
         return device;
     return withSpare(
-        *std::move(device), [threads] { return openDevice("cpu", threads); }, told);
+        std::move(device), [threads] { return openDevice("cpu", threads); }, told);
+}
+
+Result<std::unique_ptr<Device>> openDeviceToTheEnd(const std::string& name, int threads, const WhySpare& told,
+                                                   const PreparationObserver& preparing) {
+    Result<std::unique_ptr<Device>> device = openDevice(name, threads, told, preparing);
+    if (!device || name != "auto")
+        return device;
+    return withCpuAsSpare(*std::move(device), threads, told);
 }
 
 }  // namespace pdr

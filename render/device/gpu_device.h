@@ -24,7 +24,11 @@ class GpuDevice final : public Device {
         now.freeBytes = gpu_.memory().free;
         return now;
     }
-    Result<void> upload(const Scene& scene) override { return scene_.upload(flattener_.flatten(scene)); }
+    Result<void> upload(const Scene& scene) override {
+        const std::shared_ptr<const PreparedScene> flattened = flattener_.flatten(scene);
+        prepareKernels(gpu_, flattened->flat);
+        return scene_.upload(flattened);
+    }
     Result<void> unload() override {
         flattener_ = {};
         tile_.close();

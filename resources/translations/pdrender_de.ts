@@ -2934,6 +2934,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>%1 wird vorbereitet ...</translation>
     </message>
     <message>
+        <source>Preparing the GPU...</source>
+        <translation>Die GPU wird vorbereitet ...</translation>
+    </message>
+    <message>
         <source>Preview, not converged · denoised, image error ±%1 of 255 grey levels (95 % of the tissue), target ±%2</source>
         <translation>Vorschau, nicht fertig · entrauscht, Bildfehler ±%1 von 255 Graustufen (95 % des Gewebes), Ziel ±%2</translation>
     </message>
@@ -3678,8 +3682,20 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Felsenbein</translation>
     </message>
     <message>
+        <source>The CPU renders the image for the file, since the GPU cannot: %1</source>
+        <translation>Die CPU rechnet das Bild für die Datei, da die GPU es nicht kann: %1</translation>
+    </message>
+    <message>
         <source>The CPU renders, since the GPU cannot be used: %1</source>
         <translation>Die CPU rechnet, da die Grafikkarte nicht verwendet werden kann: %1</translation>
+    </message>
+    <message>
+        <source>The CPU renders, since the device chosen last cannot be used: %1</source>
+        <translation>Die CPU rechnet, da das zuletzt gewählte Gerät nicht verwendet werden kann: %1</translation>
+    </message>
+    <message>
+        <source>The GPU %1 renders, since the device chosen last cannot be used: %2</source>
+        <translation>Die GPU %1 rechnet, da das zuletzt gewählte Gerät nicht verwendet werden kann: %2</translation>
     </message>
     <message>
         <source>The HU along the chosen distance, and beyond it. Dashed: its ends; dots: the half levels at which they lie. The pointer and the arrow keys read off values.</source>

@@ -2934,6 +2934,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Preparando %1...</translation>
     </message>
     <message>
+        <source>Preparing the GPU...</source>
+        <translation>Preparando la GPU...</translation>
+    </message>
+    <message>
         <source>Preview, not converged · denoised, image error ±%1 of 255 grey levels (95 % of the tissue), target ±%2</source>
         <translation>Vista previa sin converger · sin ruido, error de la imagen ±%1 de 255 niveles de gris (95 % del tejido), objetivo ±%2</translation>
     </message>
@@ -3678,8 +3682,20 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Hueso temporal</translation>
     </message>
     <message>
+        <source>The CPU renders the image for the file, since the GPU cannot: %1</source>
+        <translation>La CPU calcula la imagen para el archivo, pues la GPU no puede: %1</translation>
+    </message>
+    <message>
         <source>The CPU renders, since the GPU cannot be used: %1</source>
         <translation>Calcula la CPU, pues la tarjeta gráfica no se puede usar: %1</translation>
+    </message>
+    <message>
+        <source>The CPU renders, since the device chosen last cannot be used: %1</source>
+        <translation>Calcula la CPU, pues el dispositivo elegido la última vez no se puede usar: %1</translation>
+    </message>
+    <message>
+        <source>The GPU %1 renders, since the device chosen last cannot be used: %2</source>
+        <translation>Calcula la GPU %1, pues el dispositivo elegido la última vez no se puede usar: %2</translation>
     </message>
     <message>
         <source>The HU along the chosen distance, and beyond it. Dashed: its ends; dots: the half levels at which they lie. The pointer and the arrow keys read off values.</source>

@@ -42,6 +42,7 @@ class FailuresTest : public QObject {
         row("FAIL=cudaLaunchKernel:1:2", "the memory of the GPU is taken: 8.", "Close programs");
         row("FAIL=cudaHostAlloc:1:2", "there is not enough memory for images", "Close programs");
         row("FAIL=cudaLaunchKernel:1:209", "has code for the GPU (a launch: ", "a build of this program for this GPU");
+        row("CAPABILITY=130 FAIL=cudaFuncGetAttributes:3:218", "(preparing it: ", "Install a newer driver");
         row("FAIL=cudaStreamCreateWithFlags:1:46", "another program has the GPU to itself", "Close that program");
         row("FAIL=cudaDeviceSynchronize:1:702", "the driver stopped the GPU", "a smaller image");
         row("FAIL=cudaDeviceSynchronize:1:214", "the memory of the GPU has lost bits", "Restart the computer");
@@ -62,6 +63,26 @@ class FailuresTest : public QObject {
     void aComputerWithoutAGpuIsNoFailure() {
         QCOMPARE(images("DEVICES=0", "auto").out, QByteArray("right\nright\nright\n"));
         QVERIFY(images("DEVICES=0").out.contains("there is no GPU of NVIDIA's"));
+    }
+
+    /// Without machine code for a GPU its driver translates the program: kernels before they are launched, while it is
+    /// said, and once.
+    void whatTheDriverTranslatesIsSaid() {
+        const auto run = images("TRACE=1 CAPABILITY=130");
+        QVERIFY(run.out.endsWith("right\nright\nright\n"));
+        QCOMPARE(run.err.count("\npreparing\n"), 1);
+        QVERIFY(run.err.indexOf("\npreparing\n") < run.err.indexOf("cudaFuncGetAttributes"));
+        QVERIFY(run.err.lastIndexOf("cudaFuncGetAttributes") < run.err.indexOf("\nprepared\n"));
+        const QStringList launches = lastLaunches(run, 0);
+        QVERIFY(launches.size() > 10);
+        for (const QString& launch : launches)
+            QVERIFY2(launch.endsWith(", prepared"), qPrintable(launch));
+    }
+
+    void nothingIsPreparedWhereMachineCodeFits() {
+        const auto run = images("TRACE=1 CAPABILITY=" PDR_EMBEDDED_CODE);
+        QVERIFY(run.out.endsWith("right\nright\nright\n"));
+        QVERIFY(!run.err.contains("preparing") && !run.err.contains("cudaFuncGetAttributes"));
     }
 
     /// After a question for the number of blocks that failed once, kernels get as many as ever.

@@ -2,17 +2,64 @@
 
 #include "render/device/cuda/cuda_errors.h"
 #include "render/device/cuda/cuda_gpu.h"
+#include "render/device/cuda/embedded_code.h"
 #include "render/device/cuda/trace_kernels.h"
 #include "render/device/gpu/gpu_failures.h"
 #include "render/device/gpu_device.h"
 
 namespace pdr {
 
+namespace {
+
+const PathProgram& pathProgram(std::uint32_t needed) {
+    static const std::array<std::array<PathProgram, kMasksPerFile>, kFeatureMasks / kMasksPerFile> kPrograms{
+        pathProgramsFrom<0>(), pathProgramsFrom<8>(), pathProgramsFrom<16>(), pathProgramsFrom<24>()};
+    return kPrograms[needed / kMasksPerFile][needed % kMasksPerFile];
+}
+
+void append(std::vector<const void*>& kernels, const std::vector<const void*>& others) {
+    kernels.insert(kernels.end(), others.begin(), others.end());
+}
+
+/// Returns the kernels that traceLaunchFor() launches, except those of pathProgram().
+template <bool Masked>
+std::vector<const void*> samplingKernels(const FlatScene& scene) {
+    switch (scene.optics.model) {
+        case FlatModel::absorption:
+            return queuedKernelsOf<TraceKernel<ProjectionSampler<FlatModel::absorption, Masked>>>();
+        case FlatModel::emission:
+            return queuedKernelsOf<TraceKernel<ProjectionSampler<FlatModel::emission, Masked>>>();
+        case FlatModel::emissionAbsorption:
+            return queuedKernelsOf<TraceKernel<ProjectionSampler<FlatModel::emissionAbsorption, Masked>>>();
+        case FlatModel::maximumIntensity:
+            return queuedKernelsOf<TraceKernel<ProjectionSampler<FlatModel::maximumIntensity, Masked>>>();
+        case FlatModel::scattering:
+            break;
+    }
+    if (scene.marched)
+        return queuedKernelsOf<TraceKernel<MarchSampler>>();
+    std::vector<const void*> kernels = queuedKernelsOf<CameraKernel<Masked>, ShadowKernel<Masked>>();
+    append(kernels, kernelsOf<AddLightKernel>());
+    append(kernels, pathProgram(scene.features).kernels);
+    return kernels;
+}
+
+}  // namespace
+
 template <>
 TraceLaunch<CudaGpu> pathLaunch<CudaGpu>(std::uint32_t needed) {
-    static const std::array<std::array<TraceLaunch<CudaGpu>, kMasksPerFile>, kFeatureMasks / kMasksPerFile> kLaunches{
-        pathLaunchesFrom<0>(), pathLaunchesFrom<8>(), pathLaunchesFrom<16>(), pathLaunchesFrom<24>()};
-    return kLaunches[needed / kMasksPerFile][needed % kMasksPerFile];
+    return pathProgram(needed).launch;
+}
+
+/// Exposure Render's schedule, which is there for comparison, has kernels that are not among these.
+template <>
+void prepareKernels<CudaGpu>(CudaGpu& gpu, const FlatScene& scene) {
+    std::vector<const void*> kernels =
+        kernelsOf<BuildRangesKernel, BoundFineKernel, BoundCoarseKernel, ClearDepthsKernel, ProjectCellsKernel,
+                  SpreadWideCellsKernel, ViewDepthsKernel, ForgetFaultsKernel, AccumulateKernel, ResolveKernel,
+                  CountErrorsKernel, FinalizeKernel>();
+    append(kernels, isMasked(scene) ? samplingKernels<true>(scene) : samplingKernels<false>(scene));
+    gpu.prepare(kernels);
 }
 
 template <>
@@ -98,7 +145,7 @@ Result<std::vector<DeviceInfo>> cudaDevices() {
     return Result<std::vector<DeviceInfo>>(std::move(infos));
 }
 
-Result<std::unique_ptr<Device>> makeCudaDevice(int index) {
+Result<std::unique_ptr<Device>> makeCudaDevice(int index, const PreparationObserver& preparing) {
     const Result<int> count = countGpus();
     if (!count)
         return count.error();
@@ -110,7 +157,9 @@ Result<std::unique_ptr<Device>> makeCudaDevice(int index) {
         return gpu.error();
     if (Result<void> isNew = checkAge(*gpu); !isNew)
         return isNew.error();
-    auto device = std::make_unique<GpuDevice<CudaGpu>>(infoOf(index, gpu), index, std::string(gpu->name));
+    auto device = std::make_unique<GpuDevice<CudaGpu>>(
+        infoOf(index, gpu), index, std::string(gpu->name),
+        hasMachineCodeFor(gpu->major, gpu->minor) ? PreparationObserver() : preparing);
     if (Result<void> works = takeStatus(device->gpu()); !works)
         return works.error();
     return Result<std::unique_ptr<Device>>(std::move(device));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/device/device.h"
+#include "render/device/preparation.h"
 
 namespace pdr {
 
@@ -12,7 +13,8 @@ namespace pdr {
 /// no GPU.
 Result<std::vector<DeviceInfo>> cudaDevices();
 
-/// Makes the device of GPU number `index`. Errors: cudaDevices()'s, no such number, or the GPU's own.
-Result<std::unique_ptr<Device>> makeCudaDevice(int index = 0);
+/// Makes the device of GPU number `index`. `preparing` is called around what its driver must translate, within
+/// Device::upload(). Errors: cudaDevices()'s, no such number, or the GPU's own.
+Result<std::unique_ptr<Device>> makeCudaDevice(int index = 0, const PreparationObserver& preparing = {});
 
 }  // namespace pdr

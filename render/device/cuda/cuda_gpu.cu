@@ -1,5 +1,7 @@
 #include "render/device/cuda/cuda_gpu.h"
 
+#include <algorithm>
+
 #include "render/base/errors.h"
 #include "render/device/cuda/cuda_errors.h"
 
@@ -20,7 +22,8 @@ CudaGpu::Event::~Event() {
         ignore(cudaEventDestroy(event_));
 }
 
-CudaGpu::CudaGpu(int index, std::string name) : index_(index), name_(std::move(name)) {
+CudaGpu::CudaGpu(int index, std::string name, PreparationObserver preparing)
+    : index_(index), name_(std::move(name)), preparing_(std::move(preparing)) {
     if (!ready())
         return;
     for (cudaStream_t& stream : streams_)
@@ -206,9 +209,24 @@ void CudaGpu::awaitAll() {
         check(cudaDeviceSynchronize(), "a launch");
 }
 
+/// cudaFuncGetAttributes() needs the machine code: it returns when there is some.
+void CudaGpu::prepare(const std::vector<const void*>& kernels) {
+    const auto isKnown = [this](const void* kernel) { return prepared_.contains(kernel); };
+    if (!preparing_ || std::all_of(kernels.begin(), kernels.end(), isKnown) || !ready())
+        return;
+    preparing_(true);
+    for (const void* kernel : kernels) {
+        cudaFuncAttributes attributes{};
+        if (!check(cudaFuncGetAttributes(&attributes, kernel), "preparing it"))
+            break;
+        prepared_.insert(kernel);
+    }
+    preparing_(false);
+}
+
 void CudaGpu::choosePathsTogether() {
     constexpr std::int64_t kPathsPerThread = 32, kThreadsPerProcessor = 1024;  // about as many as registers allow
-    constexpr std::size_t kBytesPerPath = 320;
+    constexpr std::size_t kBytesPerPath = 360;
     int processors = 0;
     ignore(cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, index_));
     const auto affordable = std::int64_t(memory().total / 16 / kBytesPerPath);

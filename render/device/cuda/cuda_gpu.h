@@ -7,11 +7,14 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "render/base/result.h"
 #include "render/device/gpu/gpu.h"
 #include "render/device/gpu/walk_queue.h"
+#include "render/device/preparation.h"
 #include "render/kernel/features.h"
 
 namespace pdr {
@@ -41,6 +44,16 @@ __global__ void walkQueued(const __grid_constant__ Program program, std::int64_t
     walkQueue(CudaWarp(), program, count, *next);
 }
 
+/// Returns the kernels that launch() and launchQueued() run.
+template <class... Programs>
+std::vector<const void*> kernelsOf() {
+    return {reinterpret_cast<const void*>(forEachIndex<Programs>)...};
+}
+template <class... Programs>
+std::vector<const void*> queuedKernelsOf() {
+    return {reinterpret_cast<const void*>(walkQueued<Programs>)...};
+}
+
 class CudaGpu {
   public:
     /// A mark in a stream; made when it is first recorded.
@@ -58,8 +71,9 @@ class CudaGpu {
 
     static constexpr std::uint32_t kSpecializedFeatures = kFeatureMasks - 1;
 
-    /// Opens GPU number `index`, from 0. `name`: as errors call it.
-    CudaGpu(int index, std::string name);
+    /// Opens GPU number `index`, from 0. `name`: as errors call it. `preparing`: see prepare(); empty: the program has
+    /// machine code for this GPU, or nobody waits.
+    CudaGpu(int index, std::string name, PreparationObserver preparing = {});
     ~CudaGpu();
     CudaGpu(const CudaGpu&) = delete;
     CudaGpu& operator=(const CudaGpu&) = delete;
@@ -83,6 +97,10 @@ class CudaGpu {
     void await(Event& event);
     void awaitAll();
     std::optional<Error> takeError();
+
+    /// Lets the driver translate those of `kernels` that it has not seen yet, and tells the observer before and after.
+    /// Without an observer they are translated at their first launch.
+    void prepare(const std::vector<const void*>& kernels);
 
     template <class Program>
     void launch(const Program& program, std::int64_t count, GpuStream stream) {
@@ -136,6 +154,8 @@ class CudaGpu {
     std::uint64_t* next_ = nullptr;  ///< next index of the queue
     std::int64_t pathsTogether_ = kFewestPaths;
     std::map<const void*, unsigned> residentBlocks_;
+    PreparationObserver preparing_;
+    std::set<const void*> prepared_;
     std::optional<Error> error_;
 };
 

@@ -1,7 +1,8 @@
 #pragma once
-/// Launches of the path kernels, one for each set of effects, compiled side by side in files of their own.
+/// The path kernels, of each set of effects, compiled side by side in files of their own.
 
 #include <array>
+#include <vector>
 
 #include "render/device/cuda/cuda_gpu.h"
 #include "render/device/gpu/tracer.h"
@@ -10,13 +11,21 @@ namespace pdr {
 
 inline constexpr std::uint32_t kMasksPerFile = 8;
 
-/// Returns the launches for the masks from First on. Defined in trace_kernels.cu, which is compiled once for each
+/// What is compiled of a set of effects.
+struct PathProgram {
+    TraceLaunch<CudaGpu> launch;
+    std::vector<const void*> kernels;  ///< the kernels that only it has
+};
+
+/// Returns the programs for the masks from First on. Defined in trace_kernels.cu, which is compiled once for each
 /// First.
 template <std::uint32_t First>
-std::array<TraceLaunch<CudaGpu>, kMasksPerFile> pathLaunchesFrom();
+std::array<PathProgram, kMasksPerFile> pathProgramsFrom();
 
 template <>
 TraceLaunch<CudaGpu> pathLaunch<CudaGpu>(std::uint32_t needed);
+template <>
+void prepareKernels<CudaGpu>(CudaGpu& gpu, const FlatScene& scene);
 template <>
 void launchCamera(CudaGpu& gpu, const CameraKernel<false>& kernel, std::int64_t samples);
 template <>

@@ -116,6 +116,10 @@ TraceLaunch<G> traceLaunchFor(const FlatScene& scene) {
     return scene.marched ? launchTrace<G, MarchSampler> : pathLaunch<G>(scene.features);
 }
 
+/// Lets the driver translate the kernels for images of `scene`, where it must. Only CUDA needs it: cuda/.
+template <Gpu G>
+void prepareKernels(G&, const FlatScene&) {}
+
 /// Takes the samples of `target`, adds them to `sums`, and moves full blocks to `moments` unless that is null. In the
 /// compute stream.
 template <Gpu G>

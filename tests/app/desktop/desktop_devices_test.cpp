@@ -31,6 +31,7 @@ class TestDesktopDevices : public QObject {
     void initTestCase();
     void aDeviceThatFailsIsSaidAndTheImageGoesOn();
     void aDeviceThatIsNotThereIsSaidAndTheImageGoesOn();
+    void aGpuThatIsBeingPreparedIsSaid();
     void anotherDeviceGoesOnFromTheSamples();
     void theStatusSaysWhatTheImageIsMadeBy();
     void aComparisonIsSaidPlainly();
@@ -73,6 +74,22 @@ void TestDesktopDevices::aDeviceThatIsNotThereIsSaidAndTheImageGoesOn() {
                               test::kPatience);  // what is really in use
     const std::size_t frames = trial.frames.size();
     QTRY_VERIFY_WITH_TIMEOUT(trial.frames.size() > frames, test::kPatience);
+}
+
+void TestDesktopDevices::aGpuThatIsBeingPreparedIsSaid() {
+    Trial trial;
+    const auto said = [&] { return trial.desktop.window().status().text(); };
+    const QString preparing = "Preparing the GPU...";
+    trial.desktop.bridge().tellPreparing(true);  // before there is an image
+    QCOMPARE(said(), preparing);
+    trial.desktop.bridge().tellPreparing(false);
+    QVERIFY(said().isEmpty());
+    trial.openAndWait(series_);
+    trial.desktop.bridge().tellPreparing(true);
+    trial.desktop.bridge().setPaused(true);
+    QCOMPARE(said(), preparing);
+    trial.desktop.bridge().tellPreparing(false);
+    QVERIFY(!said().isEmpty() && said() != preparing);
 }
 
 void TestDesktopDevices::anotherDeviceGoesOnFromTheSamples() {

@@ -73,6 +73,7 @@ class TestImageJob : public QObject {
     void itMayBeForgottenWhileItWorks();
     void anotherOneHasToWait();
     void itGoesBesideANameThatWasTaken();
+    void aGpuThatIsLostDoesNotEndIt();
     void whatGoesWrongIsSaid_data();
     void whatGoesWrongIsSaid();
     void aSceneThatCannotBeRenderedIsRefused();
@@ -210,6 +211,21 @@ void TestImageJob::itGoesBesideANameThatWasTaken() {
     QVERIFY2(said.find("not saved") == std::string::npos, said.c_str());
     QCOMPARE(files(), QStringList("head-2.png"));
     QVERIFY(bytesOf(path("head-2.png")) == toneMap(batch(wanted), wanted.display));
+}
+
+void TestImageJob::aGpuThatIsLostDoesNotEndIt() {
+    const auto mishaps = std::make_shared<test::Mishaps>();
+    mishaps->accumulates = 2;
+    ImageTask wanted = task(path("head.png"), 40);
+    std::vector<Error> told;
+    wanted.device = [&]() -> Result<std::unique_ptr<Device>> {
+        return withCpuAsSpare(test::failing(mishaps), 1, [&](const Error& why) { told.push_back(why); });
+    };
+    ImageJob job;
+    QCOMPARE(outcome(job, wanted).text(), std::string());
+    QVERIFY(bytesOf(wanted.file) == toneMap(batch(wanted), wanted.display));
+    QCOMPARE(QImage(wanted.file).text("pdrender/device"), QString("cpu"));
+    QVERIFY(told.size() == 1 && told[0].what == "the device is lost");
 }
 
 void TestImageJob::whatGoesWrongIsSaid_data() {

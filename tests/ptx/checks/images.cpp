@@ -1,6 +1,7 @@
 /// Renders one small image three times with the same device, and says of each whether it has the CPU's bits.
-///   ptx_images [DEVICE]    prints "right" or an error's sentences for each, and first why "auto" is the CPU; exit code
-///                          1: an image is wrong. DEVICE: "cuda" by default
+///   ptx_images [DEVICE]    prints "right" or an error's sentences for each, and first why "auto" is the CPU; on
+///   standard
+///                          error "preparing" and "prepared"; exit code 1: an image is wrong. DEVICE: "cuda" by default
 
 #include <cstdio>
 #include <memory>
@@ -34,9 +35,10 @@ Result<std::shared_ptr<const Film>> filmOf(Device& device, const Scene& scene) {
 int main(int argc, char** argv) {
     Scene scene = test::sceneOf(kSurface | kEnvironment | kBounces);
     const auto truth = filmOf(*makeCpuDevice(1), scene);
-    const auto device = openDeviceToTheEnd(argc > 1 ? argv[1] : "cuda", 1, [](const Error& why) {
-        std::printf("the CPU instead: %s\n", why.text().c_str());
-    });
+    const auto device = openDeviceToTheEnd(
+        argc > 1 ? argv[1] : "cuda", 1,
+        [](const Error& why) { std::printf("the CPU instead: %s\n", why.text().c_str()); },
+        [](bool begins) { std::fputs(begins ? "preparing\n" : "prepared\n", stderr); });
     if (!device) {
         std::printf("%s\n", device.error().text().c_str());
         return 0;

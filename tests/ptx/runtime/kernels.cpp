@@ -57,7 +57,7 @@ EmbeddedModule& Kernels::addModule(std::vector<EmbeddedCode> code) {
 }
 
 void Kernels::add(const void* host, EmbeddedModule& module, const char* name) {
-    byHost_.insert_or_assign(host, Kernel{&module, name, nullptr, {}, {}});
+    byHost_.insert_or_assign(host, Kernel{.module = &module, .name = name});
 }
 
 Kernel* Kernels::find(const void* host) {

@@ -30,6 +30,7 @@ struct Kernel {
     std::vector<Warp> warps;           ///< registers of its last launch
     std::vector<BlockCounts> counts;   ///< by the program's blocks, of all launches
     u64 launches = 0;
+    bool isPrepared = false;  ///< its attributes were asked for, so that a driver has translated it
 
     /// Decodes the kernel at the first call. Throws NotKnown.
     const Program& decoded(const Settings& settings);

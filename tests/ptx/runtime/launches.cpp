@@ -62,7 +62,8 @@ cudaError_t launch(Runtime& r, const void* host, const Configuration& how, void*
     const Program& program = kernel->decoded(r.settings);
     ++kernel->launches;
     if (r.settings.trace)
-        std::fprintf(stderr, "launch %s: %u x %u\n", kernel->name.c_str(), how.grid.x, how.block.x);
+        std::fprintf(stderr, "launch %s: %u x %u%s\n", kernel->name.c_str(), how.grid.x, how.block.x,
+                     kernel->isPrepared ? ", prepared" : "");
     const u32 number = ++r.launches;
     const auto run = [&r, &program, kernel, grid, block, number,
                       parameters = parametersOf(program.text, arguments)](const Work& work) mutable {
@@ -135,6 +136,19 @@ cudaError_t cudaLaunchKernel(const void* host, dim3 grid, dim3 block, void** arg
                              cudaStream_t stream) {
     return Runtime::get().call("cudaLaunchKernel", [&](Runtime& r) {
         return launch(r, host, {grid, block, sharedBytes, stream}, arguments);
+    });
+}
+cudaError_t cudaFuncGetAttributes(cudaFuncAttributes* attributes, const void* host) {
+    return Runtime::get().call("cudaFuncGetAttributes", [&](Runtime& r) {
+        Kernel* kernel = r.kernels.find(host);
+        if (kernel == nullptr)
+            return cudaErrorInvalidDeviceFunction;
+        if (!kernel->runsOn(r.settings.capability))
+            return cudaErrorNoKernelImageForDevice;
+        *attributes = {};
+        attributes->numRegs = kernel->registers();
+        kernel->isPrepared = true;
+        return cudaSuccess;
     });
 }
 cudaError_t cudaOccupancyMaxActiveBlocksPerMultiprocessor(int* blocks, const void* host, int threads, std::size_t) {

@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include "render/device/device_list.h"
 #include "render/device/gpu_device.h"
 #include "render/device/spare_device.h"
 #include "render/session/batch_render.h"
@@ -106,6 +107,20 @@ class SpareDeviceTest : public QObject {
         }
         qInfo("the CPU took over %d times, %d times there was no picture", handedOver, none);
         QVERIFY(handedOver > 30);
+    }
+
+    /// Only another device needs a spare one: the CPU's memory is this program's.
+    void theCpuStandsInForOthersOnly() {
+        const auto mishaps = std::make_shared<Mishaps>();
+        mishaps->accumulates = 1;
+        Told told;
+        const auto device = withCpuAsSpare(failing(mishaps), 1, told.hear());
+        const auto image = imageBy(*device);
+        QVERIFY(image && sameBits(*image, alone()));
+        QCOMPARE(told.all.size(), std::size_t(1));
+        auto cpu = makeCpuDevice(1);
+        const Device* same = cpu.get();
+        QVERIFY(withCpuAsSpare(std::move(cpu), 1, told.hear()).get() == same);
     }
 
     void deviceThatWorksIsKept() {
