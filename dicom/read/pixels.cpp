@@ -105,26 +105,36 @@ class Rescale {
 };
 
 /// Converts the pixels of `slice`, whose HU and padding flags have their final size: `numberOf(i)` is the number of
-/// pixel i, `isPadding` tells those that mean "nothing measured here", and `huOf` is the rescale. Returns whether there
-/// is padding. Without branches, and with rules that no flag can overwrite, it becomes vector instructions.
+/// pixel i, `isPadding` tells those that mean "nothing measured here", and `huOf` is the rescale. Without
+/// branches, and with rules that no flag can overwrite, it becomes vector instructions.
 template <class NumberOf, class IsPadding, class HuOf>
-bool convert(const NumberOf numberOf, const IsPadding isPadding, const HuOf huOf, Padding padding,
+void convert(const NumberOf numberOf, const IsPadding isPadding, const HuOf huOf, Padding padding,
              DecodedSlice& slice) {
     const bool masksAsAir = padding == Padding::maskAsAir;
     std::int16_t* hu = slice.hu.data();
     std::uint8_t* flags = slice.padding.data();
-    unsigned none = 0, beyond = 0;
+    unsigned padded = 0, beyond = 0;
+    int lowest = INT16_MAX, highest = INT16_MIN, lowestMeasured = lowest, highestMeasured = highest;
     for (std::size_t i = 0, count = slice.hu.size(); i < count; ++i) {
         const auto number = numberOf(i);
         const int value = huOf(number), held = std::clamp(value, -32768, 32767);
         const bool isNone = isPadding(number);
-        hu[i] = std::int16_t(isNone && masksAsAir ? Volume::kAirHu : held);
+        const int seen = isNone && masksAsAir ? Volume::kAirHu : held;
+        hu[i] = std::int16_t(seen);
         flags[i] = isNone;
-        none |= unsigned(isNone);
+        padded += unsigned(isNone);
         beyond += unsigned(held != value && !isNone);
+        // By bits, since a choice would become a branch
+        const int none = -int(isNone);
+        lowest = std::min(lowest, seen);
+        highest = std::max(highest, seen);
+        lowestMeasured = std::min(lowestMeasured, (seen & ~none) | (INT16_MAX & none));
+        highestMeasured = std::max(highestMeasured, (seen & ~none) | (INT16_MIN & none));
     }
     slice.clipped = beyond;
-    return none != 0;
+    slice.ranges = {{std::int16_t(lowest), std::int16_t(highest)},
+                    {std::int16_t(lowestMeasured), std::int16_t(highestMeasured)},
+                    padded};
 }
 
 /// Makes a slice of numbers, as int or double; see convert(). The functions must hold what they need by value.
@@ -137,13 +147,15 @@ DecodedSlice sliceOf(const SliceHeader& header, const Decoding& decoding, Paddin
     slice.isMended = decoding.isMended;
     slice.hu.resize(std::size_t(header.columns) * std::size_t(header.rows));
     slice.padding.resize(slice.hu.size());
-    const auto convertBy = [&](auto huOf) { return convert(numberOf, isPadding, huOf, padding, slice); };
+    const auto convertBy = [&](auto huOf) { convert(numberOf, isPadding, huOf, padding, slice); };
     const Rescale rescale(header.meaning);
     const std::optional<int> shift = rescale.shift();
     constexpr bool kIsWhole = std::is_same_v<decltype(numberOf(0)), int>;
-    const bool hasPadding = kIsWhole && shift ? convertBy([add = *shift](auto number) { return int(number) + add; })
-                                              : convertBy([rescale](auto number) { return rescale.of(number); });
-    if (!hasPadding)
+    if (kIsWhole && shift)
+        convertBy([add = *shift](auto number) { return int(number) + add; });
+    else
+        convertBy([rescale](auto number) { return rescale.of(number); });
+    if (slice.ranges.padding == 0)
         slice.padding = {};
     return slice;
 }

@@ -18,6 +18,7 @@ struct DecodedSlice {
     bool hasLost = false;               ///< whether the coding has lost something, and the header does not say so
     bool isMended = false;              ///< whether a wrong length in the coding was put right
     SliceIdentity identity;             ///< what the file said when its pixels were read
+    ValueRanges ranges;                 ///< those of `hu`
     std::vector<std::uint8_t> padding;  ///< 1 = nothing measured; empty if there is no such pixel
 };
 

@@ -51,8 +51,7 @@ class Filling {
         if (slice->size != ivec2(series_.geometry.size) || slice->identity != from.identity)
             return fail(changedFile(from.file));
         std::copy(slice->hu.begin(), slice->hu.end(), hu_.begin() + std::ptrdiff_t(k * sliceVoxels_));
-        if (!slice->padding.empty())
-            flag(slice->padding, k);
+        include(*slice, k);
         clipped_ += slice->clipped;
         lossy_ += slice->hasLost;
         mended_ += slice->isMended;
@@ -89,18 +88,21 @@ class Filling {
     }
 
     Volume finish() {
-        FlaggedVoxels voxels{std::move(hu_), std::move(flags_)};
-        if (!series_.blends.empty())
-            voxels = blended(voxels, sliceVoxels_, series_.blends);
+        if (series_.blends.empty())
+            return Volume(series_.geometry, std::move(hu_), std::move(flags_), codes(), ranges_);
+        FlaggedVoxels voxels = blended({std::move(hu_), std::move(flags_)}, sliceVoxels_, series_.blends);
         return Volume(series_.geometry, std::move(voxels.hu), std::move(voxels.padding), codes());
     }
 
   private:
-    /// Flags the padding of slice k. Slices share words of flags, so one is flagged at a time.
-    void flag(const std::vector<std::uint8_t>& mask, std::size_t k) {
+    /// Takes up the ranges of slice k, and flags its padding. Slices share words of flags, so one is flagged at a time.
+    void include(const DecodedSlice& slice, std::size_t k) {
         const std::lock_guard lock(mutex_);
+        ranges_.include(slice.ranges);
+        if (slice.padding.empty())
+            return;
         flags_.resize(hu_.size(), false);
-        copyRuns(mask, flags_.begin() + std::ptrdiff_t(k * sliceVoxels_));
+        copyRuns(slice.padding, flags_.begin() + std::ptrdiff_t(k * sliceVoxels_));
     }
 
     /// Returns one word for each kind of note.
@@ -127,6 +129,7 @@ class Filling {
     OpenImages images_;
     const std::size_t sliceVoxels_;
     Voxels hu_;
+    ValueRanges ranges_;                               ///< guarded by mutex_
     std::vector<bool> flags_;                          ///< padding, guarded by mutex_; empty: there is none so far
     std::atomic<std::size_t> clipped_ = 0;             ///< voxels
     std::atomic<std::size_t> lossy_ = 0, mended_ = 0;  ///< slices; see DecodedSlice

@@ -11,26 +11,14 @@
 namespace pdr {
 namespace {
 
-/// The ranges of some voxels' values; for no voxels, the lowest lies above the highest.
-struct Ranges {
-    HuRange stored{INT16_MAX, INT16_MIN}, measured{INT16_MAX, INT16_MIN};
-    std::size_t padding = 0;
-
-    void include(const Ranges& other) {
-        stored.include(other.stored);
-        measured.include(other.measured);
-        padding += other.padding;
-    }
-};
-
-Ranges united(Ranges a, const Ranges& b) {
+ValueRanges united(ValueRanges a, const ValueRanges& b) {
     a.include(b);
     return a;
 }
 
 /// Returns the ranges of the voxels [begin, end). `padding` is empty or has a flag for each voxel.
-Ranges rangesOf(const Voxels& voxels, const std::vector<bool>& padding, std::size_t begin, std::size_t end) {
-    Ranges ranges;
+ValueRanges rangesOf(const Voxels& voxels, const std::vector<bool>& padding, std::size_t begin, std::size_t end) {
+    ValueRanges ranges;
     for (std::size_t i = begin; i < end; ++i)
         ranges.stored.include({voxels[i], voxels[i]});
     if (padding.empty())
@@ -109,6 +97,14 @@ Volume::Volume(VolumeGeometry geometry, Voxels voxels, std::vector<bool> padding
     findRanges();
 }
 
+Volume::Volume(VolumeGeometry geometry, Voxels voxels, std::vector<bool> padding, std::string remarks,
+               const ValueRanges& ranges)
+    : geometry_(geometry), voxels_(std::move(voxels)), padding_(std::move(padding)), remarks_(std::move(remarks)) {
+    assert(voxels_.size() == geometry_.voxelCount());
+    assert(padding_.empty() || padding_.size() == voxels_.size());
+    takeRanges(ranges);
+}
+
 Volume Volume::clamped(std::int16_t lowest, std::int16_t highest) && {
     for (std::int16_t& hu : voxels_)
         hu = std::clamp(hu, lowest, highest);
@@ -122,17 +118,19 @@ Volume Volume::withVoxels(Voxels voxels, std::string hidden) const {
 
 void Volume::findRanges() {
     constexpr std::size_t kTogether = 1 << 18;  // voxels
-    const Ranges all = tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, voxels_.size(), kTogether), Ranges(),
-        [&](const tbb::blocked_range<std::size_t>& part, const Ranges& before) {
+    takeRanges(tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, voxels_.size(), kTogether), ValueRanges(),
+        [&](const tbb::blocked_range<std::size_t>& part, const ValueRanges& before) {
             return united(before, rangesOf(voxels_, padding_, part.begin(), part.end()));
         },
-        united);
-    storedRange_ = all.stored;
-    paddingCount_ = all.padding;
-    const bool measured = all.measured.lowest <= all.measured.highest;
-    lowestHu_ = measured ? all.measured.lowest : kAirHu;
-    highestHu_ = measured ? all.measured.highest : kAirHu;
+        united));
+}
+
+void Volume::takeRanges(const ValueRanges& ranges) {
+    storedRange_ = ranges.stored;
+    paddingCount_ = ranges.padding;
+    lowestHu_ = ranges.measured.empty() ? kAirHu : ranges.measured.lowest;
+    highestHu_ = ranges.measured.empty() ? kAirHu : ranges.measured.highest;
 }
 
 }  // namespace pdr

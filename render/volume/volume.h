@@ -51,6 +51,20 @@ struct VolumeGeometry {
 /// Checks that voxels may lie that far apart along i, j, k [mm].
 Result<void> checkSpacing(dvec3 spacingMm);
 
+/// The ranges of some voxels' values, put together part by part while the voxels are written.
+struct ValueRanges {
+    static constexpr HuRange kNone{INT16_MAX, INT16_MIN};
+
+    HuRange stored = kNone, measured = kNone;  ///< those of all voxels; those without padding
+    std::size_t padding = 0;                   ///< number of voxels that are padding
+
+    void include(const ValueRanges& other) {
+        stored.include(other.stored);
+        measured.include(other.measured);
+        padding += other.padding;
+    }
+};
+
 class Volume {
   public:
     /// HU of the air that stands for padding, where the scanner measured nothing.
@@ -61,6 +75,9 @@ class Volume {
     /// `hidden`: see remarks(), hidden().
     Volume(VolumeGeometry geometry, Voxels voxels, std::vector<bool> padding = {}, std::string remarks = {},
            std::string hidden = {});
+    /// Makes the same volume without looking at all voxels: `ranges` are theirs.
+    Volume(VolumeGeometry geometry, Voxels voxels, std::vector<bool> padding, std::string remarks,
+           const ValueRanges& ranges);
 
     /// Returns the volume with every voxel clamped to [lowest, highest] HU, padding included; padding stays marked as
     /// padding. It uses the same memory: *this is empty afterwards. Needs lowest <= highest.
@@ -88,6 +105,7 @@ class Volume {
 
   private:
     void findRanges();
+    void takeRanges(const ValueRanges& ranges);
 
     VolumeGeometry geometry_;
     Voxels voxels_;

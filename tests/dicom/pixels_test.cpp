@@ -165,6 +165,30 @@ class PixelsTest : public QObject {
         QCOMPARE(int(folder.load(Padding::keep)->lowestHu()), 2);
     }
 
+    /// They are found while the voxels are written; a volume that looks at all of them finds the same.
+    void rangesAreThoseOfTheVoxels() {
+        for (const char* padding : {"", "2", "-2000", "100"}) {
+            SliceFile slice{.raw = {bits(-2000), bits(-3000), 100, 3000}};
+            slice.change = [&](DcmDataset& data) {
+                if (*padding)
+                    data.putAndInsertSint16(DCM_PixelPaddingValue, Sint16(std::stoi(padding)));
+            };
+            for (const Padding kept : {Padding::maskAsAir, Padding::keep}) {
+                const auto read = Folder(slice).load(kept);
+                QVERIFY(bool(read));
+                const auto voxels = read->voxels();
+                std::vector<bool> flags(voxels.size());
+                for (std::size_t i = 0; i < flags.size(); ++i)
+                    flags[i] = read->isPadding(i);
+                const Volume again(read->geometry(), Voxels(voxels.begin(), voxels.end()), flags);
+                QCOMPARE(int(read->lowestHu()), int(again.lowestHu()));
+                QCOMPARE(int(read->highestHu()), int(again.highestHu()));
+                QVERIFY(read->storedRange() == again.storedRange());
+                QCOMPARE(read->paddingCount(), again.paddingCount());
+            }
+        }
+    }
+
     void paddingWrittenWithTheOtherSignIsUnderstood() {
         SliceFile slice{.raw = {bits(-2000), 100}};
         slice.change = [](DcmDataset& data) {
