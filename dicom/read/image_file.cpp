@@ -25,6 +25,13 @@ auto withinMemory(const NamedBytes& object, Work work) -> decltype(work()) {
     }
 }
 
+/// Returns whether the only image of an object lies in its bytes as it is, so that the toolkit, which would copy it,
+/// need not read it.
+bool isPlain(const SliceHeader& header) {
+    const std::string& coding = header.transferSyntaxUid;
+    return !isCompressed(coding) && !isDeflated(coding) && !isBigEndian(coding) && !header.hasFloatPixels;
+}
+
 }  // namespace
 
 Result<void> ImageFile::readChecked(const GoOn& goOn) {
@@ -80,7 +87,7 @@ Result<DecodedSlice> ImageFile::decodeCodedFrame(const SliceHeader& frame, Paddi
 Result<DecodedSlice> ImageFile::decodeFrame(const SliceHeader& frame, Padding padding) const {
     if (frame.meaning.rescaleIsBroken)
         return damagedObject(object_, phrase("its rescale slope or intercept is no usable number"));
-    if (frames_.empty())
+    if (frames_.empty() && !isPlain(frame))
         return decodePixels(object_, frame, padding);
     if (!fragments_.empty())
         return decodeCodedFrame(frame, padding);
