@@ -92,6 +92,19 @@ class DicomCommandsTest : public QObject {
         QCOMPARE(series["verdict"].toString(), "even");
     }
 
+    /// The distance between slices is that across them, not that along the table.
+    void infoTellsGapAndDriftOfATiltedGantry() {
+        PDR_NEEDS_SHARED_CT();
+        const QString folder = QString::fromStdString((test::sharedCt() / "mixed_study_tilt").string());
+        const QJsonObject series = run({"info", folder, "--json"}).firstSeries();
+        QVERIFY(std::abs(series["spacingMm"].toArray()[2].toDouble() - 2.37081) < 1e-5);
+        QVERIFY(std::abs(series["driftMm"].toArray()[0].toDouble()) < 1e-9);
+        QVERIFY(std::abs(series["driftMm"].toArray()[1].toDouble() + 0.79326) < 1e-5);
+        QVERIFY(series["notes"].toArray()[0].toString().contains("tilted by 18.5 degrees"));
+        const Run words = run({"info", folder});
+        QVERIFY2(words.out.contains("drift            0, -0.793262 mm a slice"), words.out.constData());
+    }
+
     void infoTellsFiguresOfAStackItRefuses() {
         PDR_NEEDS_SHARED_CT();
         const QString folder = QString::fromStdString((test::sharedCt() / "missing_slice").string());

@@ -179,6 +179,25 @@ class SliceViewTest : public QObject {
         QCOMPARE(at(after, 200, 20), qRgb(160, 160, 164));
     }
 
+    /// In a scan with a tilted gantry the axial slice cuts a sagittal one at an angle, and its line runs there.
+    void aLineRunsWhereTheOtherSliceCuts() {
+        const SlicePlane plane = SlicePlane::around({10, 20, 30}, {0, 1, 0}, {0, 0, -1}, 0.5, {300, 200});
+        QImage image(300, 200, QImage::Format_RGB32);
+        image.fill(Qt::black);
+        ShownSlice slice{image, plane, {}};
+        slice.lineAcross = {1, 0.5};
+        QPainter painter(&image);
+        paintCrosshair(painter, slice, AnatomicalPlane::sagittal, plane.mmAt({149.5, 99.5}), image.size());
+        painter.end();
+        const auto isLit = [&](int x, int y) {
+            return image.pixel(x, y - 1) != qRgb(0, 0, 0) || image.pixel(x, y) != qRgb(0, 0, 0);
+        };
+        QVERIFY(isLit(250, 150) && isLit(50, 50) && isLit(290, 170));
+        QVERIFY(!isLit(250, 100) && !isLit(50, 100) && !isLit(155, 103));
+        QVERIFY(image.pixel(150, 30) != qRgb(0, 0, 0) || image.pixel(149, 30) != qRgb(0, 0, 0) ||
+                image.pixel(150, 33) != qRgb(0, 0, 0));
+    }
+
     /// A coarse pixel lies in the middle of the four that it stands for, and is painted there: nothing moves when the
     /// slice is made in full. The sizes are odd, so that the last coarse pixels reach beyond the slice.
     void aCoarseSliceLiesWhereTheFullOneDoes() {
