@@ -37,7 +37,7 @@ struct VolumeGeometry {
     std::size_t voxelCount() const;
     /// Returns the centre of the box of all voxels (voxel extents included), patient space [mm].
     dvec3 centreMm() const;
-    /// Returns half the diagonal of that box [mm].
+    /// Returns half the longest diagonal of that box [mm].
     double radiusMm() const;
 
     /// Returns the grid of `size` voxels of this one, from voxel `first` on.

@@ -23,7 +23,7 @@ inline constexpr float kVoxelMajorantDepth = 12;
 
 /// Returns FlatMajorants::dense of a volume whose highest bound is `highest` [1/mm].
 PDR_HD inline bool mayBeDense(const FlatVolume& volume, float highest) {
-    // The longest chord is the diagonal, since axes are at right angles.
+    // The longest chord of an upright grid. In a sheared one another may be half as long again: voxels come in later.
     const float chord = kFineCell * glm::length(volume.localFromIndex * vec3(1));
     return highest * chord > kVoxelMajorantDepth;
 }
