@@ -87,6 +87,7 @@ class Filling {
         return notes;
     }
 
+    /// Slices that were blended have other voxels than those that were read, and other ranges.
     Volume finish() {
         if (series_.blends.empty())
             return Volume(series_.geometry, std::move(hu_), std::move(flags_), codes(), ranges_);
