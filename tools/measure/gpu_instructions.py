@@ -157,9 +157,9 @@ def print_costs(kernels, samples):
           + " registers warps")
     rows = {}
     for (_, mangled), kernel in kernels.items():
-        pipes, lanes = cost(kernel)
-        if not pipes:
+        if not kernel.blocks:
             continue
+        pipes, lanes = cost(kernel)
         row = Row(short(mangled), pipes, sum(block.statements * block.warps for block in kernel.blocks), lanes,
                   f"{kernel.resources.registers:10} {kernel.warps():5}")
         rows[row.name] = rows[row.name].with_other(row) if row.name in rows else row
@@ -187,8 +187,9 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         kernels = counted(options, folder)
-        for module in sorted(folder.glob("*.ptx")):
-            translate(module, kernels, options)
+        needed = {module for (module, _), kernel in kernels.items() if kernel.blocks or not options.scene}
+        for module in needed:
+            translate(folder / f"{module}.ptx", kernels, options)
     if not options.scene:
         return print_resources(kernels)
     film = json.loads(pathlib.Path(options.scene).read_text())["film"]
