@@ -115,7 +115,8 @@ std::optional<NamedLook> readLook(const Reader& reader) {
 
 void describeSceneOptions(QCommandLineParser& parser) {
     parser.setOptionsAfterPositionalArgumentsMode(QCommandLineParser::ParseAsOptions);
-    parser.addPositionalArgument("input", "A folder of DICOM files, a ZIP archive or volume file, or a scene file.", "FOLDER|SCENE.json");
+    parser.addPositionalArgument("input", "A folder of DICOM files, a ZIP archive or volume file, or a scene file.",
+                                 "FOLDER|SCENE.json");
     parser.addOptions({
         {{"h", "help"}, "Show this text."},
         {"series", "Take the series with this UID; default: the first that can be loaded.", "UID"},

@@ -36,7 +36,8 @@ class Desktop {
         throw std::logic_error("no such presenter");
     }
 
-    /// Reads a folder, a scan in one file, or the folder of any other file, and lists its series; if only one can be shown, it is shown.
+    /// Reads a folder, a scan in one file, or the folder of any other file, and lists its series; if only one can be
+    /// shown, it is shown.
     void open(const QString& path);
 
   private:

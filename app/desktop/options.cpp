@@ -17,7 +17,9 @@ void describe(QCommandLineParser& parser) {
         "Needs a display; pdrender-cli renders to files without one.");
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument("FOLDER", "A folder with DICOM files to open, or a scan in one file (ZIP, NIfTI, NRRD, MetaImage).", "[FOLDER]");
+    parser.addPositionalArgument(
+        "FOLDER", "A folder with DICOM files to open, or a scan in one file (ZIP, NIfTI, NRRD, MetaImage).",
+        "[FOLDER]");
     parser.addOption(
         {"device", "Render with NAME: auto, cpu, cuda or cuda:1 (default: as chosen last, else auto).", "NAME"});
     parser.addOption({"threads", "Render with N threads, 1 to 1024 (default: one per core).", "N", "0"});

@@ -52,7 +52,8 @@ Result<void> addGrids(dicom::ScanResult& scan, const std::vector<fs::path>& grid
         series->series.number = int(i + 1);
         scan.series.push_back(*std::move(series));
     }
-    std::ranges::stable_partition(scan.series, [](const auto& each) { return each.verdict.loadable(); });
+    std::stable_partition(scan.series.begin(), scan.series.end(),
+                          [](const dicom::Series& each) { return each.verdict.loadable(); });
     return {};
 }
 

@@ -182,7 +182,8 @@ class NotesTest : public QObject {
                                               "100 % of the heartbeat"};
         QTest::newRow("trigger") << DcmTagKey(DCM_TriggerTime) << QStringList{"90", "350.5"}
                                  << QStringList{"90 ms after the heartbeat", "350.5 ms after the heartbeat"};
-        QTest::newRow("energies") << DcmTagKey(DCM_KVP) << QStringList{"80", "140"} << QStringList{"X-rays of 80 kV", "X-rays of 140 kV"};
+        QTest::newRow("energies") << DcmTagKey(DCM_KVP) << QStringList{"80", "140"}
+                                  << QStringList{"X-rays of 80 kV", "X-rays of 140 kV"};
         QTest::newRow("acquisitions") << DcmTagKey(DCM_AcquisitionNumber) << QStringList{"2", "10"}
                                       << QStringList{"acquisition 2", "acquisition 10"};
         QTest::newRow("times") << DcmTagKey(DCM_AcquisitionTime) << QStringList{"101530.25", "101612"}

@@ -74,7 +74,7 @@ class FreeFlight {
     PDR_HD Mask going() const { return walk_.going(); }
 
     PDR_HD_INLINE void step(const FlatScene& scene) {
-        step(scene, [this](const OpticsAlong<Real>& along, const Way& way, Real left, Mask ended) {
+        step(scene, [](const OpticsAlong<Real>& along, const Way& way, Real left, Mask ended) {
             return way.begin + way.length * endOn(along, way, left, ended);
         });
     }

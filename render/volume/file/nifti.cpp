@@ -119,7 +119,7 @@ Result<dmat4> placeOf(const Fields& fields, const ivec3& size) {
     const bool hasQform = fields.code(0) > 0, hasSform = fields.code(1) > 0;
     if (!hasQform && !hasSform)
         return Error{phrase("it does not say how it lies in the patient"), "", ""};
-    const Result<dmat4> place = inPatient(hasSform ? sformOf(fields) : qformOf(fields), units);
+    Result<dmat4> place = inPatient(hasSform ? sformOf(fields) : qformOf(fields), units);
     if (!place || !hasQform || !hasSform)
         return place;
     const Result<dmat4> other = inPatient(qformOf(fields), units);
