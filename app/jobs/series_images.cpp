@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dicom/read/pixels.h"
+#include "app/scan/scan_place.h"
 #include "render/slice/grey_window.h"
 
 namespace pdr::app {
@@ -19,13 +19,21 @@ dvec2 pixelMm(const dicom::Series& series, const dicom::SliceRef& slice) {
     return slice.identity.spacingMm.value_or(dvec2(kUnknownPixelMm));
 }
 
+/// Returns whether rows or columns that lead along `direction` lead to where radiologists see the beginning.
+bool leadsBack(dvec3 direction) {
+    const dvec3 seen = direction * dvec3(1, 1, -1);  // to the left, the back and the feet
+    const dvec3 size = glm::abs(seen);
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    return seen[axis] < 0;
+}
+
 }  // namespace
 
-QImage seriesImage(const dicom::Series& series) {
+QImage seriesImage(const dicom::Series& series, const std::stop_token& stop) {
     if (series.slices.empty())
         return {};
     const dicom::SliceRef& middle = series.slices[series.slices.size() / 2];
-    const auto slice = dicom::decodeSlice(*series.source, middle, dicom::Padding::maskAsAir);
+    const auto slice = decodeSliceOf(series, middle, stop);
     if (!slice)
         return {};
     const GreyWindow window = series.window.window.value_or(kWindow);
@@ -34,6 +42,8 @@ QImage seriesImage(const dicom::Series& series) {
         std::transform(slice->hu.begin() + std::ptrdiff_t(y) * slice->size.x,
                        slice->hu.begin() + std::ptrdiff_t(y + 1) * slice->size.x, image.scanLine(y),
                        [&](std::int16_t hu) { return greyLevel(window, float(hu)); });
+    if (const dmat4& map = series.geometry.patientFromIndex; series.verdict.loadable())
+        image.mirror(leadsBack(dvec3(map[0])), leadsBack(dvec3(map[1])));
     const dvec2 mm = pixelMm(series, middle);
     const QSizeF shape(slice->size.x * mm.x, slice->size.y * mm.y);
     return image.scaled(shape.scaled(kSide, kSide, Qt::KeepAspectRatio).toSize().expandedTo({1, 1}),
@@ -45,7 +55,7 @@ void SeriesImages::make(const dicom::ScanResult& scan, const std::vector<int>& o
         for (const int index : order) {
             if (stop.stop_requested())
                 break;
-            const QImage image = seriesImage(all[std::size_t(index)]);
+            const QImage image = seriesImage(all[std::size_t(index)], stop);
             if (!image.isNull())
                 QMetaObject::invokeMethod(this, [this, stop, index, image] {
                     if (!stop.stop_requested())

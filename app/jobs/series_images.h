@@ -3,6 +3,7 @@
 /// memory and are not written to disk.
 
 #include <QImage>
+#include <stop_token>
 #include <vector>
 
 #include "app/jobs/background_job.h"
@@ -24,8 +25,8 @@ class SeriesImages : public BackgroundJob {
 };
 
 /// Returns the middle slice of `series` through the window that its files ask for, else one for soft tissue and bone:
-/// seen from the feet with the first row above, in its true shape and at most 96 pixels long. Null if it cannot be
-/// read.
-QImage seriesImage(const dicom::Series& series);
+/// in its true shape and at most 96 pixels long. Where the grid is known, the patient's left, back and feet are right
+/// or below, as radiologists see slices. Null if it cannot be read, or after a stop.
+QImage seriesImage(const dicom::Series& series, const std::stop_token& stop = {});
 
 }  // namespace pdr::app

@@ -7,7 +7,6 @@
 #include <new>
 #include <utility>
 
-#include "dicom/read/pixels.h"
 #include "dicom/stack/stack_geometry.h"
 #include "render/base/errors.h"
 #include "render/base/file_ending.h"
@@ -199,6 +198,28 @@ Result<Volume> loadGridSeries(const dicom::Series& series, const Progress& progr
     } catch (const std::bad_alloc&) {
         return tooLarge;
     }
+}
+
+Result<dicom::DecodedSlice> decodeGridSlice(const dicom::Series& series, const dicom::SliceRef& slice,
+                                            const std::stop_token& stop) {
+    const GridFile& grid = static_cast<const GridSource&>(*series.source).grid();
+    dicom::DecodedSlice decoded;
+    decoded.size = ivec2(grid.geometry.size);
+    std::vector<double> values(std::size_t(decoded.size.x) * std::size_t(decoded.size.y));
+    GridSamples samples(grid);
+    for (int k = 0; k <= slice.frame; ++k) {
+        if (stop.stop_requested())
+            return cancelled();
+        if (const Result<void> ok = samples.read(values); !ok)
+            return ok.error();
+    }
+    decoded.hu.reserve(values.size());
+    for (const double sample : values) {
+        const double value = std::nearbyint(sample * grid.slope + grid.intercept);
+        decoded.hu.push_back(std::isnan(value) ? Volume::kAirHu
+                                               : std::int16_t(std::clamp<double>(value, INT16_MIN, INT16_MAX)));
+    }
+    return decoded;
 }
 
 }  // namespace pdr::app

@@ -4,8 +4,10 @@
 /// slices, which moves no voxel.
 
 #include <filesystem>
+#include <stop_token>
 #include <vector>
 
+#include "dicom/read/pixels.h"
 #include "dicom/series.h"
 #include "dicom/series_source.h"
 #include "render/base/progress.h"
@@ -47,5 +49,10 @@ Result<dicom::Series> gridSeries(const std::filesystem::path& file, const Progre
 /// Reads the voxels of `series`, which comes from gridSeries() and must be loadable. What is not a number becomes
 /// padding. Errors: those of GridSamples; the file is not the one that was listed; not enough memory; cancelled().
 Result<Volume> loadGridSeries(const dicom::Series& series, const Progress& progress);
+
+/// Reads one slice of `series`, which comes from gridSeries(), and all that lies before it in the file. Errors: those
+/// of GridSamples; cancelled().
+Result<dicom::DecodedSlice> decodeGridSlice(const dicom::Series& series, const dicom::SliceRef& slice,
+                                            const std::stop_token& stop);
 
 }  // namespace pdr::app

@@ -104,4 +104,11 @@ Result<Volume> loadVoxels(const dicom::Series& series, dicom::Padding padding, c
     return dicom::loadSeries(series, padding, progress, notes);
 }
 
+Result<dicom::DecodedSlice> decodeSliceOf(const dicom::Series& series, const dicom::SliceRef& slice,
+                                          const std::stop_token& stop) {
+    if (dynamic_cast<const GridSource*>(series.source.get()))
+        return decodeGridSlice(series, slice, stop);
+    return dicom::decodeSlice(*series.source, slice, dicom::Padding::maskAsAir);
+}
+
 }  // namespace pdr::app

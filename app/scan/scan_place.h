@@ -3,9 +3,11 @@
 /// volume file. Window and command line open scans through this code.
 
 #include <filesystem>
+#include <stop_token>
 #include <vector>
 
 #include "dicom/import.h"
+#include "dicom/read/pixels.h"
 #include "dicom/series.h"
 #include "render/base/progress.h"
 #include "render/base/result.h"
@@ -23,5 +25,9 @@ Result<dicom::ScanResult> scanPlace(const std::filesystem::path& path, const Pro
 /// Reads the voxels of `series`, which comes from scanPlace(); see dicom::loadSeries().
 Result<Volume> loadVoxels(const dicom::Series& series, dicom::Padding padding, const Progress& progress,
                           std::vector<dicom::Note>* notes = nullptr);
+
+/// Decodes one slice of `series`, which comes from scanPlace(); see dicom::decodeSlice() and decodeGridSlice().
+Result<dicom::DecodedSlice> decodeSliceOf(const dicom::Series& series, const dicom::SliceRef& slice,
+                                          const std::stop_token& stop);
 
 }  // namespace pdr::app

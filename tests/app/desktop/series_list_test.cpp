@@ -5,15 +5,18 @@
 #include <QSignalSpy>
 #include <QStandardItemModel>
 #include <QTest>
+#include <cstdlib>
 
 #include "app/jobs/series_images.h"
 #include "app/presenters/series_presenter.h"
+#include "app/scan/grid_series.h"
 #include "app/scan/series_choice.h"
 #include "dicom/import.h"
 #include "dicom/write/export.h"
 #include "render/volume/phantom.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/desktop/the.h"
+#include "tests/support/grid_files.h"
 #include "tests/support/patience.h"
 #include "ui/series/series_delegate.h"
 #include "ui/series/series_panel.h"
@@ -49,6 +52,7 @@ class TestSeriesList : public QObject {
     void whoItIsStandsInTheImage();
     void thumbnailsComeInTheOrderOfTheList();
     void noThumbnailComesOnceTheyAreCancelled();
+    void volumeFilesHaveThumbnailsAsRadiologistsSeeThem();
 
   private:
     QString at(const QString& name) const { return place_->filePath(name); }
@@ -174,6 +178,26 @@ void TestSeriesList::noThumbnailComesOnceTheyAreCancelled() {
     QTRY_COMPARE_WITH_TIMEOUT(made.count(), 1, test::kPatience);
     QTest::qWait(20);
     QCOMPARE(made.count(), 1);
+}
+
+/// NIfTI and NRRD often store the patient's right and back first.
+void TestSeriesList::volumeFilesHaveThumbnailsAsRadiologistsSeeThem() {
+    const auto thumbnailOf = [&](const std::string& directions) {
+        const std::string bytes = test::nrrdBytes({{"space directions", directions}});
+        const auto series = gridSeries(test::written(ui::fromQt(at("scan.nrrd")), bytes), noProgress);
+        return series ? seriesImage(*series) : QImage();
+    };
+    const auto looksLike = [](const QImage& a, const QImage& b) {  // but for rounding, which has a direction
+        for (int y = 0; y < a.height(); ++y)
+            for (int x = 0; x < a.width(); ++x)
+                if (!b.valid(x, y) || std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > 3)
+                    return false;
+        return !a.isNull();
+    };
+    const QImage usual = thumbnailOf("(0.8,0,0) (0,0.9,0) (0,0,1.5)");
+    QVERIFY(!looksLike(usual, usual.mirrored(true, false)) && !looksLike(usual, usual.mirrored(false, true)));
+    QVERIFY(looksLike(thumbnailOf("(-0.8,0,0) (0,0.9,0) (0,0,-1.5)"), usual.mirrored(true, false)));
+    QVERIFY(looksLike(thumbnailOf("(0.8,0,0) (0,-0.9,0) (0,0,-1.5)"), usual.mirrored(false, true)));
 }
 
 }  // namespace pdr::app

@@ -42,6 +42,16 @@ class GridSeriesTest : public QObject {
         QCOMPARE(volume->geometry().spacingMm(), dvec3(0.8, 0.9, 1.5));
     }
 
+    void aSliceOfItCanBeReadAlone() {
+        const auto series = seriesOf(test::nrrdBytes({{"space directions", "(0.8,0,0) (0,0.9,0) (0,0,-1.5)"}}));
+        const auto volume = loadVoxels(*series, dicom::Padding::maskAsAir, noProgress);
+        for (const int k : {0, 3, 7}) {
+            const auto slice = decodeSliceOf(*series, series->slices[std::size_t(k)], {});
+            QVERIFY(slice && slice->size == ivec2(6, 5));
+            QVERIFY(std::ranges::equal(slice->hu, std::span(volume->voxels()).subspan(std::size_t(k) * 30, 30)));
+        }
+    }
+
     /// The list, the report and images say that nothing in the file calls its values HU.
     void itIsSaidThatTheUnitIsNotStated() {
         const auto series = seriesOf(test::nrrdBytes());
