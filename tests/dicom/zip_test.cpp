@@ -35,7 +35,7 @@ Result<Volume> loaded(const Result<ScanResult>& scan) {
 class ZipTest : public QObject {
     Q_OBJECT
 
-    const test::SliceFolder slices_, archives_;
+    test::SliceFolder slices_, archives_;
 
     fs::path at(const std::string& name) const { return archives_.path() / name; }
     Result<ScanResult> scanOf(const std::vector<test::ZipMember>& members) const {

@@ -76,7 +76,7 @@ inline std::string nrrdBytes(std::vector<std::pair<std::string, std::string>> ch
                                                            {"encoding", "raw"},
                                                            {"space origin", "(-10,-20,30)"}};
     for (const auto& [field, value] : changed) {
-        std::erase_if(lines, [&](const auto& line) { return line.first == field; });
+        std::erase_if(lines, [&field = field](const auto& line) { return line.first == field; });
         if (!value.empty())
             lines.emplace_back(field, value);
     }
@@ -96,7 +96,7 @@ inline std::string metaImageBytes(std::vector<std::pair<std::string, std::string
         {"DimSize", "6 5 8"},        {"ElementType", "MET_SHORT"}};
     std::string data = "LOCAL";
     for (const auto& [key, value] : changed) {
-        std::erase_if(lines, [&](const auto& line) { return line.first == key; });
+        std::erase_if(lines, [&key = key](const auto& line) { return line.first == key; });
         if (key == "ElementDataFile")
             data = value;
         else if (!value.empty())
