@@ -41,11 +41,10 @@ QStandardItem* headingOf(const dicom::Series& first, int patient) {
 }
 
 QStandardItem* itemOf(const dicom::Series& series, int index, int patient) {
-    const double distanceMm = series.verdict.loadable() ? sliceDistanceMm(series.geometry) : 0;
     QStandardItem* row = rowOf(series, patient);
     row->setData(index, kSeriesRole);
     row->setData(seriesName(series), kTitleRole);
-    row->setData(seriesFacts(series, distanceMm) << verdictText(series.verdict), kLinesRole);
+    row->setData(seriesFacts(series) << verdictText(series.verdict), kLinesRole);
     row->setData(series.verdict.loadable(), kLoadableRole);
     row->setData(detailOf(series.verdict), kDetailRole);
     row->setToolTip(detailOf(series.verdict));

@@ -6,6 +6,8 @@
 #include <string>
 #include <tuple>
 
+#include "render/volume/sheared.h"
+
 namespace pdr::ui {
 namespace {
 
@@ -17,10 +19,6 @@ Person personOf(const dicom::Series& series) {
 
 const std::string& dateOf(const dicom::Series& series) {
     return series.study.date.empty() ? series.series.date : series.study.date;
-}
-
-dvec3 normalOf(const VolumeGeometry& geometry) {
-    return glm::normalize(glm::cross(dvec3(geometry.patientFromIndex[0]), dvec3(geometry.patientFromIndex[1])));
 }
 
 /// Returns whether nothing speaks against HU: a perfusion map is CT, too, but shows a flow.
@@ -36,7 +34,7 @@ auto rankOf(const dicom::Series& series) {
     long distance = 0;  // [0.01 mm], so that rounding in the files does not matter
     if (series.verdict.loadable()) {
         kind = series.series.resampled ? resampled : isCt(series) && isAxial(series.geometry) ? axialCt : otherVolume;
-        distance = std::lround(sliceDistanceMm(series.geometry) * 100);
+        distance = std::lround(sliceDrift(series.geometry).gapMm * 100);
     } else if (series.verdict.stack == dicom::Stack::notCt) {
         kind = noVolume;
     }
@@ -45,12 +43,9 @@ auto rankOf(const dicom::Series& series) {
 
 }  // namespace
 
-double sliceDistanceMm(const VolumeGeometry& geometry) {
-    return std::abs(glm::dot(dvec3(geometry.patientFromIndex[2]), normalOf(geometry)));
-}
-
 bool isAxial(const VolumeGeometry& geometry) {
-    const dvec3 normal = glm::abs(normalOf(geometry));
+    const dmat4& map = geometry.patientFromIndex;
+    const dvec3 normal = glm::abs(glm::cross(dvec3(map[0]), dvec3(map[1])));
     return normal.z > normal.x && normal.z > normal.y;
 }
 

@@ -13,9 +13,6 @@ struct ListedStudy {
     std::vector<int> series;  ///< indices in ScanResult::series, at least one, as they are listed
 };
 
-/// Returns the distance between neighbouring slices, along their normal [mm].
-double sliceDistanceMm(const VolumeGeometry& geometry);
-
 /// Returns whether the slices lie across the patient: their normal is nearer to the line from feet to head than to the
 /// other two axes.
 bool isAxial(const VolumeGeometry& geometry);

@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "render/volume/sheared.h"
 #include "ui/text/language.h"
 #include "ui/text/room_text.h"
 
@@ -70,14 +71,14 @@ QString windowSubject(const dicom::Series& series) {
     return described && !namesPatient(title, series.patient) && !isFileName(series) ? title : seriesNumber(series);
 }
 
-QStringList seriesFacts(const dicom::Series& series, double sliceDistanceMm) {
+QStringList seriesFacts(const dicom::Series& series) {
     const bool loadable = series.verdict.loadable();
     const ivec3 size = series.geometry.size;
     const auto images = series.slices.size();
     const QString count = loadable      ? translated("%1 slices").arg(size.z)
                           : images == 1 ? translated("1 image")
                                         : translated("%1 images").arg(images);
-    const QString apart = loadable ? number(sliceDistanceMm, 2) + " mm" : QString();
+    const QString apart = loadable ? number(sliceDrift(series.geometry).gapMm, 2) + " mm" : QString();
     const QString pixels = size.x > 0 ? QString::fromUtf8("%1 × %2").arg(size.x).arg(size.y) : QString();
     QStringList lines{joined({count, apart}), inWords(series.series.phase),
                       joined({pixels, inWords(series.series.coding)})};

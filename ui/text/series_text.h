@@ -17,9 +17,9 @@ QString seriesTitle(const dicom::Series& series);
 QString windowSubject(const dicom::Series& series);
 /// Returns "CT series 3", which reveals nothing about the patient.
 QString seriesNumber(const dicom::Series& series);
-/// Returns lines that describe the images of a series, or as much as is known: "100 slices · 2.50 mm", with
-/// `sliceDistanceMm` if it can be loaded; the phase; "512 × 512 · JPEG 2000".
-QStringList seriesFacts(const dicom::Series& series, double sliceDistanceMm);
+/// Returns lines that describe the images of a series, or as much as is known: "100 slices · 2.50 mm", the
+/// distance of their planes, if it can be loaded; the phase; "512 × 512 · JPEG 2000".
+QStringList seriesFacts(const dicom::Series& series);
 /// Returns the date and the description of the study of `series`: "2024-01-31 · Follow-up"; the date alone if names are
 /// hidden, since descriptions sometimes contain them. Empty if nothing is stated.
 QString studyText(const dicom::Series& series, bool namesHidden);

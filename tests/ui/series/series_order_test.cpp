@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include "render/volume/sheared.h"
 #include "ui/series/series_order.h"
 #include "ui/text/series_words.h"
 
@@ -88,12 +89,12 @@ void TestSeriesOrder::studiesStandByPatientAndNewestFirst() {
 /// The step from slice to slice of a tilted stack is longer than the distance between the slices.
 void TestSeriesOrder::distancesAreAlongTheNormal() {
     VolumeGeometry geometry = axial(2).geometry;
-    QCOMPARE(sliceDistanceMm(geometry), 2.0);
+    QCOMPARE(sliceDrift(geometry).gapMm, 2.0);
     geometry.patientFromIndex[2].y = 1.5;
-    QCOMPARE(sliceDistanceMm(geometry), 2.0);
+    QCOMPARE(sliceDrift(geometry).gapMm, 2.0);
     QVERIFY(isAxial(geometry));
     QVERIFY(!isAxial(coronal(2).geometry));
-    QCOMPARE(sliceDistanceMm(coronal(2).geometry), 2.0);
+    QCOMPARE(sliceDrift(coronal(2).geometry).gapMm, 2.0);
 }
 
 void TestSeriesOrder::theGravestNoteIsTheWord() {

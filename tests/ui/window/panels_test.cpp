@@ -72,7 +72,7 @@ class TestPanels : public QObject {
 void TestPanels::aSeriesIsDescribedInWords() {
     const dicom::Series series = threeSeries().series[0];
     QCOMPARE(seriesTitle(series), "Thorax");
-    QCOMPARE(seriesFacts(series, 2.5), QStringList({"100 slices · 2.50 mm", "512 × 256"}));
+    QCOMPARE(seriesFacts(series), QStringList({"100 slices · 2.50 mm", "512 × 256"}));
     QCOMPARE(studyText(series, false), "2024-01-31");
     QCOMPARE(patientName(series.patient), "Family, Given");
 }
@@ -82,7 +82,7 @@ void TestPanels::aSeriesWithoutNameOrDateIsStillDescribed() {
     series.series.number = 7;
     series.verdict.stack = dicom::Stack::noGeometry;
     QCOMPARE(seriesTitle(series), "Series 7");
-    QCOMPARE(seriesFacts(series, 0), QStringList("0 images"));
+    QCOMPARE(seriesFacts(series), QStringList("0 images"));
     QCOMPARE(studyText(series, false), "");
     QCOMPARE(patientName(series.patient), "Name not given");
     series.series.date = "sometime";
