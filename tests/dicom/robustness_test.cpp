@@ -11,6 +11,7 @@
 #include "dicom/read/file_structure.h"
 #include "dicom/read/pixels.h"
 #include "dicom/read/slice_header.h"
+#include "tests/support/deflated.h"
 #include "tests/support/dicom/shared_data.h"
 
 using namespace pdr;
@@ -74,20 +75,6 @@ Bytes nestedWithLengths(int depth) {
         inner = tag(8, 0x1140) + little(std::uint32_t(inner.size()), 4) + inner;
     }
     return inner;
-}
-
-Bytes deflated(const Bytes& bytes) {
-    z_stream stream{};
-    deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 9, Z_DEFAULT_STRATEGY);
-    Bytes out(deflateBound(&stream, uLong(bytes.size())), '\0');
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-    stream.avail_in = uInt(bytes.size());
-    stream.next_out = reinterpret_cast<Bytef*>(out.data());
-    stream.avail_out = uInt(out.size());
-    deflate(&stream, Z_FINISH);
-    out.resize(stream.total_out);
-    deflateEnd(&stream);
-    return out;
 }
 
 /// Returns the most address space or memory that this process has ever had [kB].
@@ -164,8 +151,9 @@ class RobustnessTest : public QObject {
     }
 
     void nestingInsideDeflatedFilesIsBounded() {
-        QCOMPARE(structureOf(headOf(kDeflated) + deflated(nested(64, true))).damage, Bytes());
-        QVERIFY(structureOf(headOf(kDeflated) + deflated(nested(20000, true))).damage.find("nested") != Bytes::npos);
+        QCOMPARE(structureOf(headOf(kDeflated) + test::deflated(nested(64, true), test::kBareStream)).damage, Bytes());
+        QVERIFY(structureOf(headOf(kDeflated) + test::deflated(nested(20000, true), test::kBareStream))
+                    .damage.find("nested") != Bytes::npos);
         use(file_);
     }
 

@@ -1,31 +1,18 @@
-#include <zlib.h>
-
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <random>
 
 #include "render/volume/file/grid_file.h"
+#include "tests/support/deflated.h"
 #include "tests/support/grid_files.h"
 
 using namespace pdr;
 
 namespace fs = std::filesystem;
 
-/// Returns `bytes` as gzip packs them.
 static std::string packed(const std::string& bytes) {
-    constexpr int kGzip = 16;
-    z_stream stream{};
-    deflateInit2(&stream, 6, Z_DEFLATED, MAX_WBITS + kGzip, 8, Z_DEFAULT_STRATEGY);
-    std::string out(deflateBound(&stream, bytes.size()), '\0');
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-    stream.avail_in = uInt(bytes.size());
-    stream.next_out = reinterpret_cast<Bytef*>(out.data());
-    stream.avail_out = uInt(out.size());
-    deflate(&stream, Z_FINISH);
-    out.resize(stream.total_out);
-    deflateEnd(&stream);
-    return out;
+    return test::deflated(bytes, test::kGzipFile);
 }
 
 /// Volume files are read as their headers say, and refused where they say too little. That the headers are understood
