@@ -20,6 +20,7 @@ std::vector<dicom::SlicePlane> planesOf(const VolumeGeometry& grid) {
     const dmat4& map = grid.patientFromIndex;
     const dvec3 mm = grid.spacingMm();
     std::vector<dicom::SlicePlane> planes;
+    planes.reserve(std::size_t(grid.size.z));
     for (int k = 0; k < grid.size.z; ++k)
         planes.push_back({std::string("#").append(std::to_string(k + 1)), ivec2(grid.size),
                           dvec3(map * dvec4(0, 0, k, 1)), dvec3(map[0]) / mm.x, dvec3(map[1]) / mm.y, dvec2(mm)});
