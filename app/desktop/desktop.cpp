@@ -135,7 +135,7 @@ void Desktop::connectPresenters() {
     QObject::connect(&document_, &Document::closing, &bridge_, [this] {
         for (const auto& presenter : presenters_)
             presenter->releaseVolume();
-        bridge_.clear();  // last: a job that is cancelled may have changed the scene
+        bridge_.clear();
     });
     QObject::connect(&document_, &Document::changed, &window_, [this](Changes changes) { showDocument(changes); });
     QObject::connect(&bridge_, &RenderBridge::frameReady, &window_,

@@ -86,11 +86,11 @@ void Document::close() {
 }
 
 void Document::closeVolume() {
-    if (hasVolume())
+    // From here on there is no volume, so that a job that is cancelled by closing() makes no scene of it
+    if (const std::shared_ptr<const Volume> volume = std::exchange(volume_, nullptr))
         emit closing();
     plan_.image = withoutCutOf(look());
     history_.forget();
-    volume_.reset();
     table_ = {};
     hidden_.reset();
     parts_.reset();

@@ -58,6 +58,7 @@ class TestImageOnScreen : public QObject {
     void aFailureAnswersTheSaveThatWaits();
     void closingAnswersTheSaveThatWaits();
     void aClosedPatientIsFreedAndNotRenderedOn();
+    void whileAMaskIsMadeAPatientIsClosedAndFreed();
     void anotherSeriesClosesTheFirstBeforeItIsRead();
 
   private:
@@ -290,6 +291,19 @@ void TestImageOnScreen::aClosedPatientIsFreedAndNotRenderedOn() {
     QCOMPARE(mishaps->accumulates.load(), iterations);
     trial.frames.clear();
     trial.openAndWait(series_);  // and what is opened next is shown
+}
+
+/// A mask that is not wanted any more gives back what is visible, which is an edit of its own.
+void TestImageOnScreen::whileAMaskIsMadeAPatientIsClosedAndFreed() {
+    Trial trial;
+    trial.openAndWait(series_);
+    Document& document = trial.desktop.document();
+    const std::weak_ptr<const Volume> volume = document.scene().volume;
+    Visible peeled;
+    peeled.peelMm = 5;
+    document.setVisible(peeled);
+    trial.desktop.presenter<SeriesPresenter>().close();
+    QTRY_VERIFY_WITH_TIMEOUT(volume.expired(), test::kPatience);
 }
 
 void TestImageOnScreen::anotherSeriesClosesTheFirstBeforeItIsRead() {
