@@ -36,12 +36,16 @@ struct Trial {
 
     static constexpr QSize kWindowSize{700, 420};  ///< small, since each pixel is rendered
 
-    /// Opens a series and waits for a full image of it. Frames of the one before may still arrive meanwhile.
+    /// Opens a series and waits for a full image of it, with the mask that its look wants, since a mask begins an image
+    /// of its own. Frames of the one before may still arrive meanwhile.
     void openAndWait(const QString& series) {
-        const std::uint64_t before = desktop.document().scene().revision;
+        const Document& document = desktop.document();
+        const std::uint64_t before = document.scene().revision;
         desktop.open(series);
-        QTRY_VERIFY_WITH_TIMEOUT(!frames.empty() && frames.back()->revision > before && !frames.back()->coarse,
-                                 test::kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(document.hasVolume() && document.scene().revision > before, test::kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(document.setup().look.visible.all() || document.scene().mask, test::kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!frames.empty(), test::kPatience);
+        waitForNewest();
     }
 
     /// Waits for a full image of the document's newest scene.
