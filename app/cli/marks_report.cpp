@@ -83,6 +83,7 @@ Json markOf(const MarkRow& row) {
             {"details", std::string(value.details)},
             {"region", regionOf(row)},
             {"area", areaOf(row)},
+            {"acrossHole", value.acrossHole},
             {"places", placesOf(row)}};
 }
 

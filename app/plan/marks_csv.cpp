@@ -47,7 +47,8 @@ std::string headOf() {
     for (std::size_t n = 1; n <= kMostPlaces; ++n)
         for (const char* column : {"found", "x_mm_lps", "y_mm_lps", "z_mm_lps"})
             add(line, std::string(column) + '_' + std::to_string(n));
-    return line + ",mean_hu,mean_plus_minus_95,median_hu,area_mm2,area_plus_minus_95,area_bound,corners_mm_lps";
+    return line +
+           ",mean_hu,mean_plus_minus_95,median_hu,area_mm2,area_plus_minus_95,area_bound,corners_mm_lps,across_hole";
 }
 
 void addValue(std::string& line, const MarkRow& row) {
@@ -109,6 +110,7 @@ std::string lineOf(const MarkRow& row) {
     }
     addMeanAndArea(line, row);
     add(line, row.kind == MeasureKind::polygon ? cornersOf(row) : "");
+    add(line, !row.value ? "" : row.value->acrossHole ? "yes" : "no");
     return line;
 }
 

@@ -100,7 +100,7 @@ Json measurement(const std::string& name, double number, const Measured& value, 
 }
 
 /// Returns the value and its ± as measurements of names that Slicer does not use, since it would replace them by what
-/// it computes from the points. A bound says so in its name.
+/// it computes from the points. A bound says so in its name, and so does what was measured across a hole.
 Json measurements(const MarkRow& row) {
     Json all = Json::array();
     if (!row.value)
@@ -109,7 +109,8 @@ Json measurements(const MarkRow& row) {
     const std::string bound = value.bound == measure::Bound::atMost    ? ", at most"
                               : value.bound == measure::Bound::atLeast ? ", at least"
                                                                        : "";
-    const std::string name = std::string("PD-Render ") + markupOf(row.kind).quantity + bound;
+    const std::string hole = value.acrossHole ? ", across a hole" : "";
+    const std::string name = std::string("PD-Render ") + markupOf(row.kind).quantity + bound + hole;
     all.push_back(measurement(name, value.value, value, value.text));
     if (value.plusMinus)
         all.push_back(measurement(name + ", plus or minus", *value.plusMinus, value,

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <utility>
 
+#include "app/plan/hole_mark.h"
 #include "app/plan/measured_region.h"
 #include "app/plan/plan_fields.h"
 
@@ -59,7 +61,10 @@ std::vector<MarkRow> marksTable(const Plan& plan, const Volume& volume) {
 }
 
 std::vector<MarkRow> marksTableWithoutScan(const SavedPlan& saved) {
-    return tableOf(saved.plan, [&](const Measurement& one) { return valueWithoutScan(one, saved.scan.spacingMm); });
+    return tableOf(saved.plan, [&](const Measurement& one) {
+        Result<Measured> value = valueWithoutScan(one, saved.scan.spacingMm);
+        return value ? markedForHoles(*std::move(value), one, saved.scan.holes) : value;
+    });
 }
 
 std::string readable(const MarkRow& row) {

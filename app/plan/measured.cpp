@@ -1,7 +1,9 @@
 #include "app/plan/measured.h"
 
 #include <cmath>
+#include <utility>
 
+#include "app/plan/hole_mark.h"
 #include "app/plan/measured_region.h"
 #include "render/measure/angle.h"
 #include "render/measure/distance.h"
@@ -68,6 +70,27 @@ Result<Measured> pointOf(const Place& place, const Volume& volume) {
                                       "with a ±.")};
 }
 
+Result<Measured> valueOf(const Measurement& measurement, const Volume& volume) {
+    const std::vector<Place>& places = measurement.places;
+    switch (measurement.kind) {
+        case MeasureKind::distance:
+            return measuredOf(measure::distance(volume.geometry(), places[0], places[1]), Unit::mm);
+        case MeasureKind::angle:
+            return angleOf(measure::angle(places[0], places[1], places[2]));
+        case MeasureKind::lines:
+            return linesOf(places);
+        case MeasureKind::point:
+            return pointOf(places[0], volume);
+        case MeasureKind::ball:
+            return measuredBall(places, volume);
+        case MeasureKind::ellipse:
+            return measuredEllipse(places, volume);
+        case MeasureKind::polygon:
+            break;
+    }
+    return measuredPolygon(places, volume);
+}
+
 }  // namespace
 
 std::optional<double> plusMinusOf(const Stated& stated) {
@@ -97,24 +120,8 @@ Text ordinalName(MeasureKind kind, int number) {
 }
 
 Result<Measured> measured(const Measurement& measurement, const Volume& volume) {
-    const std::vector<Place>& places = measurement.places;
-    switch (measurement.kind) {
-        case MeasureKind::distance:
-            return measuredOf(measure::distance(volume.geometry(), places[0], places[1]), Unit::mm);
-        case MeasureKind::angle:
-            return angleOf(measure::angle(places[0], places[1], places[2]));
-        case MeasureKind::lines:
-            return linesOf(places);
-        case MeasureKind::point:
-            return pointOf(places[0], volume);
-        case MeasureKind::ball:
-            return measuredBall(places, volume);
-        case MeasureKind::ellipse:
-            return measuredEllipse(places, volume);
-        case MeasureKind::polygon:
-            break;
-    }
-    return measuredPolygon(places, volume);
+    Result<Measured> value = valueOf(measurement, volume);
+    return value ? markedForHoles(*std::move(value), measurement, holesOf(volume)) : value;
 }
 
 }  // namespace pdr::app

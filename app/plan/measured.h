@@ -17,6 +17,7 @@ struct Measured {
     measure::Bound bound = measure::Bound::none;
     std::optional<measure::RegionStatistics> region;  ///< what is known of the voxels of a region
     std::optional<measure::Stated> area;              ///< area of an ellipse or a polygon [mm^2]
+    bool acrossHole = false;                          ///< depends on slices that were not measured (hole_mark.h)
     Text text;                                        ///< the value as lists and views show it: "42.3 ± 0.5 mm"
     Text details;                                     ///< sentences: what the ± consists of, and what else is known
 };

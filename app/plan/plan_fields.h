@@ -68,6 +68,13 @@ void describe(Visit& visit, Place& place) {
 
 }  // namespace measure
 
+template <class Visit>
+void describe(Visit& visit, Hole& hole) {
+    visit.direction({"normal", "of its slices, a unit vector (LPS)", {}, kRequired}, hole.normal);
+    visit({"fromMm", "where it begins along the normal", kPlaceMm, kRequired}, hole.fromMm);
+    visit({"toMm", "where it ends", kPlaceMm, kRequired}, hole.toMm);
+}
+
 namespace app {
 
 template <class Visit>
@@ -78,6 +85,7 @@ void describe(Visit& visit, ScanMark& scan) {
     visit({"size", "voxels", {1, 16384}, kRequired}, scan.size);
     visit({"spacingMm", "between voxels", {1e-6, 1e6}, kRequired}, scan.spacingMm);
     visit({"importRule", "rule by which voxels were read", {1, 1e6}, kRequired}, scan.importRule);
+    visit.list({"holes", "layers in which slices are interpolated; measurements there are marked"}, scan.holes);
 }
 
 template <class Visit>

@@ -1,6 +1,7 @@
 #include "app/plan/plan_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -16,7 +17,8 @@ namespace {
 
 constexpr std::string_view kFormat = "pdrender-plan";
 constexpr std::uint64_t kMostBytes = 16 << 20;
-constexpr std::size_t kMostSliceDigits = 16 * 16384;  // of as many slices as a scan may have
+constexpr std::size_t kMostSlices = 16384;  // as many as a scan may have
+constexpr std::size_t kMostSliceDigits = 16 * kMostSlices;
 
 /// Returns whether a symmetric matrix can be a covariance: no direction has a negative variance. Decomposes it
 /// (Cholesky with pivots), since its determinant is nothing but rounding where one direction is much less sure than the
@@ -73,8 +75,19 @@ Result<void> check(const std::vector<Measurement>& measurements) {
     return {};
 }
 
+Result<void> check(const std::vector<Hole>& holes) {
+    if (holes.size() > kMostSlices)
+        return Error{phrase("has more than %1 holes", kMostSlices), "scan.holes", ""};
+    for (std::size_t i = 0; i < holes.size(); ++i)
+        if (std::abs(glm::length(holes[i].normal) - 1) > 1e-6)
+            return Error{phrase("is no unit vector"), "scan.holes[" + std::to_string(i) + "].normal", ""};
+    return {};
+}
+
 Result<void> check(const SavedPlan& saved) {
     if (auto ok = FieldCheck::check(saved.scan, "scan"); !ok)
+        return ok;
+    if (auto ok = check(saved.scan.holes); !ok)
         return ok;
     if (auto ok = FieldCheck::check(saved.plan); !ok)
         return ok;

@@ -104,7 +104,8 @@ ScanMark markOf(const Volume& volume, const std::string& salt) {
             .hash = hashOf(volume, salt),
             .sliceHashes = sliceHashesOf(volume, salt),
             .size = volume.size(),
-            .spacingMm = volume.geometry().spacingMm()};
+            .spacingMm = volume.geometry().spacingMm(),
+            .holes = holesOf(volume)};
 }
 
 Result<void> checkIsScanOf(const ScanMark& mark, const Volume& volume) {

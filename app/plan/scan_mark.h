@@ -3,9 +3,10 @@
 /// proof; without it nothing can be looked up, and two plans of one patient do not resemble each other.
 
 #include <string>
+#include <vector>
 
 #include "render/base/result.h"
-#include "render/volume/volume.h"
+#include "render/volume/holes.h"
 
 namespace pdr::app {
 
@@ -19,6 +20,7 @@ struct ScanMark {
     ivec3 size{0};
     dvec3 spacingMm{0};
     int importRule = kImportRule;
+    std::vector<Hole> holes{};  ///< layers in which slices are interpolated: measurements there are marked
     bool operator==(const ScanMark&) const = default;
 };
 

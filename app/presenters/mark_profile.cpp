@@ -25,7 +25,7 @@ std::optional<ui::ShownProfile> profileOf(const Measurement& measurement, const 
     const dvec3 beyond = kBeyondMm / length * (ends[1].mm - ends[0].mm);
     ui::ShownProfile shown{{}, length, {halfLevelAt(volume, ends[0]), halfLevelAt(volume, ends[1])}};
     for (const measure::ProfileSample& sample : measure::profile(volume, ends[0].mm - beyond, ends[1].mm + beyond))
-        shown.samples.push_back({sample.mm - kBeyondMm, sample.hu, sample.measured});
+        shown.samples.push_back({sample.mm - kBeyondMm, sample.hu, sample.measured, sample.acrossHole});
     return shown;
 }
 

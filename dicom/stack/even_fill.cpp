@@ -26,6 +26,24 @@ SliceBlend blendAt(const std::vector<double>& heights, int above, double height,
     return {below, above, (height - low) / (high - low)};
 }
 
+/// Returns the runs of new slices that lie between measured ones far apart, each from the slice before it to the one
+/// behind it.
+std::vector<HoleHeights> holesIn(const EvenFill& fill, const std::vector<double>& heights) {
+    std::vector<HoleHeights> holes;
+    bool open = false;
+    for (std::size_t k = 0; k < fill.slices.size(); ++k) {
+        const SliceBlend& slice = fill.slices[k];
+        const double apart = heights[std::size_t(slice.above)] - heights[std::size_t(slice.below)];
+        const bool inHole = slice.weight > 0 && apart >= kHoleGaps * fill.gapMm;
+        if (inHole && !open)
+            holes.push_back({fill.gapMm * double(k - 1), 0});
+        if (inHole)
+            holes.back().toMm = fill.gapMm * double(k + 1);
+        open = inHole;
+    }
+    return holes;
+}
+
 }  // namespace
 
 std::optional<EvenFill> evenFill(const std::vector<double>& heights, double sameMm) {
@@ -39,7 +57,7 @@ std::optional<EvenFill> evenFill(const std::vector<double>& heights, double same
     const int most = kMostFill * int(heights.size());
     const int count = std::clamp(int(std::lround(length / closest)) + 1, 2, most);
     // Find the measured slices on both sides of each
-    EvenFill fill{length / (count - 1), {}, 0, gaps.front(), widest};
+    EvenFill fill{length / (count - 1), {}, 0, gaps.front(), widest, {}};
     int above = 1;
     for (int k = 0; k < count; ++k) {
         const double height = heights.front() + fill.gapMm * k;
@@ -50,6 +68,7 @@ std::optional<EvenFill> evenFill(const std::vector<double>& heights, double same
                                     std::abs(heights[std::size_t(above)] - height));
         fill.furthestMm = std::max(fill.furthestMm, off);
     }
+    fill.holes = holesIn(fill, heights);
     return fill;
 }
 

@@ -53,6 +53,21 @@ Text distancesText(double low, double high) {
     return high - low < 0.05 ? phrase("%1 mm", inMm(high)) : phrase("%1 to %2 mm", inMm(low), inMm(high));
 }
 
+/// Returns the note by which measurements across holes are marked.
+Note holesNote(const std::vector<HoleHeights>& holes) {
+    const HoleHeights& widest =
+        *std::ranges::max_element(holes, {}, [](const HoleHeights& hole) { return hole.toMm - hole.fromMm; });
+    const Text from = inMm(widest.fromMm), to = inMm(widest.toMm);
+    return {holesRemark(holes),
+            holes.size() == 1
+                ? phrase("slices are interpolated across a hole from %1 to %2 mm above the lowest slice; what is "
+                         "measured there is marked",
+                         from, to)
+                : phrase("slices are interpolated across %3 holes, the widest from %1 to %2 mm above the lowest slice; "
+                         "what is measured there is marked",
+                         from, to, holes.size())};
+}
+
 /// Returns even slices between those of an uneven stack; none if that has holes that are too wide.
 std::optional<ResampledStack> resampled(const SortedStack& stack) {
     std::vector<double> heights;
@@ -70,6 +85,8 @@ std::optional<ResampledStack> resampled(const SortedStack& stack) {
                              inMm(fill->furthestMm))});
     if (!stack.isUpright())
         made.notes.push_back(tiltNote(made.geometry));
+    if (!fill->holes.empty())
+        made.notes.push_back(holesNote(fill->holes));
     return made;
 }
 

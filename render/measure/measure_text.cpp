@@ -113,6 +113,8 @@ Text regionText(const RegionStatistics& statistics) {
                        statistics.count, fixedNumber(statistics.millilitres, 2));
     if (statistics.padding > 0)
         text = joined(text, phrase("The scanner measured nothing in %1 more.", statistics.padding));
+    if (statistics.interpolated > 0)
+        text = joined(text, phrase("%1 of the voxels are interpolated across a hole.", statistics.interpolated));
     if (statistics.cut)
         text = joined(text, phrase("The region extends beyond the scan."));
     if (statistics.meanPlusMinus)

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "render/measure/trilinear.h"
+#include "render/volume/holes.h"
 
 namespace pdr::measure {
 namespace {
@@ -27,12 +28,13 @@ std::vector<ProfileSample> profile(const Volume& volume, dvec3 from, dvec3 to) {
     const double length = glm::distance(from, to);
     const double step = length > 0 ? layerStepMm(grid, (to - from) / length) / 2 : 1;
     const int steps = std::max(1, int(std::ceil(length / step)));
+    const std::vector<Hole> holes = holesOf(volume);
     std::vector<ProfileSample> samples;
     for (int n = 0; n <= steps; ++n) {
         const double share = double(n) / steps;
         const dvec3 mm = glm::mix(from, to, share);
-        samples.push_back(
-            {share * length, huAt(volume, grid, mm), grid.contains(mm) && !touchesPadding(volume, grid, mm)});
+        samples.push_back({share * length, huAt(volume, grid, mm),
+                           grid.contains(mm) && !touchesPadding(volume, grid, mm), reachesInto(holes, mm, mm)});
     }
     return samples;
 }

@@ -11,7 +11,8 @@ namespace pdr::measure {
 struct ProfileSample {
     double mm;  ///< distance from the beginning of the line
     double hu;
-    bool measured;  ///< false outside the scan, and where the scanner measured nothing
+    bool measured;            ///< false outside the scan, and where the scanner measured nothing
+    bool acrossHole = false;  ///< whether the HU depend on slices in a hole of the scan (render/volume/holes.h)
 };
 
 /// Samples the line at equal distances, at most half of what lies between two layers of voxels along it, both ends

@@ -6,6 +6,8 @@
 #include "render/base/significance.h"
 #include "render/measure/measured_voxels.h"
 #include "render/measure/noise.h"
+#include "render/measure/trilinear.h"
+#include "render/volume/holes.h"
 
 namespace pdr::measure {
 namespace {
@@ -39,6 +41,16 @@ double plusMinus(const MeasuredVoxels& region, double mean, dvec3 spacingMm) {
     return studentT(0.05, freedom) * std::sqrt(noise.varianceOfMean());
 }
 
+/// Returns how many voxels lie in a hole of the scan.
+std::size_t interpolatedOf(const std::vector<ivec3>& voxels, const Volume& volume) {
+    const std::vector<Hole> holes = holesOf(volume);
+    if (holes.empty())
+        return 0;
+    const GridPlace grid(volume.geometry());
+    const auto isInterpolated = [&](ivec3 voxel) { return reachesInto(holes, grid.mm(voxel), grid.mm(voxel)); };
+    return std::size_t(std::ranges::count_if(voxels, isInterpolated));
+}
+
 }  // namespace
 
 Result<RegionStatistics> regionStatistics(const Volume& volume, const MeasuredShape& shape) {
@@ -49,6 +61,7 @@ Result<RegionStatistics> regionStatistics(const Volume& volume, const MeasuredSh
                                         : phrase("no voxel's centre lies in this region"),
                      "", phrase("Move it, or make it larger."), ErrorKind::refused};
     RegionStatistics statistics{.count = count, .padding = region.padding, .cut = region.cut};
+    statistics.interpolated = interpolatedOf(region.voxels, volume);
     const dmat3 step(volume.geometry().patientFromIndex);
     statistics.millilitres = double(count) * std::abs(glm::determinant(step)) / 1000;
     double sum = 0, squares = 0;

@@ -35,9 +35,10 @@ using MeasuredShape = std::variant<Ball, PlaneEllipse, PlanePolygon>;
 inline constexpr std::size_t kFewestForMean = 20;
 
 struct RegionStatistics {
-    std::size_t count = 0;    ///< measured voxels: all numbers below are theirs
-    std::size_t padding = 0;  ///< voxels inside where the scanner measured nothing
-    bool cut = false;         ///< the region extends beyond the scan; of a region in a plane, its outline
+    std::size_t count = 0;         ///< measured voxels: all numbers below are theirs
+    std::size_t padding = 0;       ///< voxels inside where the scanner measured nothing
+    std::size_t interpolated = 0;  ///< how many of `count` lie in a hole of the scan (render/volume/holes.h)
+    bool cut = false;              ///< the region extends beyond the scan; of a region in a plane, its outline
     double millilitres = 0;
     double meanHu = 0, medianHu = 0;
     double sdHu = 0;  ///< with count - 1; 0 for a single voxel

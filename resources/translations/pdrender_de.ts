@@ -286,6 +286,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 mm: %2 HU</translation>
     </message>
     <message>
+        <source>%1 mm: %2 HU, interpolated across a hole</source>
+        <translation>%1 mm: %2 HU, über eine Lücke interpoliert</translation>
+    </message>
+    <message>
         <source>%1 mm: nothing measured</source>
         <translation>%1 mm: nichts gemessen</translation>
     </message>
@@ -312,6 +316,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1 of the curve</source>
         <translation>%1 der Kurve</translation>
+    </message>
+    <message>
+        <source>%1 of the voxels are interpolated across a hole.</source>
+        <translation>%1 der Voxel sind über eine Lücke interpoliert.</translation>
     </message>
     <message>
         <source>%1 or more thin lines hidden by denoising: E shows where</source>
@@ -500,6 +508,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1, before denoising</source>
         <translation>%1, vor dem Entrauschen</translation>
+    </message>
+    <message>
+        <source>%1, interpolated across a hole</source>
+        <translation>%1, über eine Lücke interpoliert</translation>
     </message>
     <message>
         <source>%1, not CT</source>
@@ -2176,6 +2188,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>It needs R, G and B, or Y.</source>
         <translation>Es braucht R, G und B, oder Y.</translation>
+    </message>
+    <message>
+        <source>It reaches where slices were not measured: they are interpolated, and the ± does not know what lies between.</source>
+        <translation>Sie reicht dorthin, wo keine Schichten gemessen wurden: Sie sind interpoliert, und das ± weiß nicht, was dazwischen liegt.</translation>
     </message>
     <message>
         <source>It was refused, or the device failed before.</source>
@@ -4824,6 +4840,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Hand ±%1</translation>
     </message>
     <message>
+        <source>has more than %1 holes</source>
+        <translation>hat mehr als %1 Lücken</translation>
+    </message>
+    <message>
         <source>has more than %1 measurements</source>
         <translation>hat mehr als %1 Messungen</translation>
     </message>
@@ -4954,6 +4974,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>is no field here</source>
         <translation>ist hier kein Feld</translation>
+    </message>
+    <message>
+        <source>is no unit vector</source>
+        <translation>ist kein Einheitsvektor</translation>
     </message>
     <message>
         <source>is the id of two measurements</source>
@@ -5934,6 +5958,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>slice %1 cannot be written</source>
         <translation>Schicht %1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>slices are interpolated across %3 holes, the widest from %1 to %2 mm above the lowest slice; what is measured there is marked</source>
+        <translation>Schichten sind über %3 Lücken interpoliert, die weiteste von %1 bis %2 mm über der untersten Schicht; was dort gemessen wird, ist gekennzeichnet</translation>
+    </message>
+    <message>
+        <source>slices are interpolated across a hole from %1 to %2 mm above the lowest slice; what is measured there is marked</source>
+        <translation>Schichten sind über eine Lücke von %1 bis %2 mm über der untersten Schicht interpoliert; was dort gemessen wird, ist gekennzeichnet</translation>
     </message>
     <message>
         <source>slices between the scan's own are a cubic's: a choice, and no error of the computing</source>

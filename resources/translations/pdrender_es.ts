@@ -286,6 +286,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 mm: %2 UH</translation>
     </message>
     <message>
+        <source>%1 mm: %2 HU, interpolated across a hole</source>
+        <translation>%1 mm: %2 HU, interpolado a través de un hueco</translation>
+    </message>
+    <message>
         <source>%1 mm: nothing measured</source>
         <translation>%1 mm: nada medido</translation>
     </message>
@@ -312,6 +316,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1 of the curve</source>
         <translation>%1 de la curva</translation>
+    </message>
+    <message>
+        <source>%1 of the voxels are interpolated across a hole.</source>
+        <translation>%1 de los vóxeles están interpolados a través de un hueco.</translation>
     </message>
     <message>
         <source>%1 or more thin lines hidden by denoising: E shows where</source>
@@ -500,6 +508,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1, before denoising</source>
         <translation>%1, antes de eliminar el ruido</translation>
+    </message>
+    <message>
+        <source>%1, interpolated across a hole</source>
+        <translation>%1, interpolado a través de un hueco</translation>
     </message>
     <message>
         <source>%1, not CT</source>
@@ -2176,6 +2188,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>It needs R, G and B, or Y.</source>
         <translation>Necesita R, G y B, o Y.</translation>
+    </message>
+    <message>
+        <source>It reaches where slices were not measured: they are interpolated, and the ± does not know what lies between.</source>
+        <translation>Llega adonde no se midieron cortes: están interpolados, y el ± no sabe qué hay entre ellos.</translation>
     </message>
     <message>
         <source>It was refused, or the device failed before.</source>
@@ -4824,6 +4840,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>mano ±%1</translation>
     </message>
     <message>
+        <source>has more than %1 holes</source>
+        <translation>tiene más de %1 huecos</translation>
+    </message>
+    <message>
         <source>has more than %1 measurements</source>
         <translation>tiene más de %1 mediciones</translation>
     </message>
@@ -4954,6 +4974,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>is no field here</source>
         <translation>no es un campo aquí</translation>
+    </message>
+    <message>
+        <source>is no unit vector</source>
+        <translation>no es un vector unitario</translation>
     </message>
     <message>
         <source>is the id of two measurements</source>
@@ -5934,6 +5958,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>slice %1 cannot be written</source>
         <translation>no se puede escribir el corte %1</translation>
+    </message>
+    <message>
+        <source>slices are interpolated across %3 holes, the widest from %1 to %2 mm above the lowest slice; what is measured there is marked</source>
+        <translation>los cortes están interpolados a través de %3 huecos, el más ancho de %1 a %2 mm por encima del corte más bajo; lo que se mide allí queda marcado</translation>
+    </message>
+    <message>
+        <source>slices are interpolated across a hole from %1 to %2 mm above the lowest slice; what is measured there is marked</source>
+        <translation>los cortes están interpolados a través de un hueco de %1 a %2 mm por encima del corte más bajo; lo que se mide allí queda marcado</translation>
     </message>
     <message>
         <source>slices between the scan's own are a cubic's: a choice, and no error of the computing</source>

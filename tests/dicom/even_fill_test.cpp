@@ -45,6 +45,18 @@ class EvenFillTest : public QObject {
         QVERIFY(fill->furthestMm < 2.5 + 1e-12);
     }
 
+    /// Holes go from slice to slice; in a zone whose slices find no place among the new ones, they are one.
+    void holesLieWhereMeasuredSlicesAreFarApart() {
+        using Holes = std::vector<pdr::HoleHeights>;
+        const auto holesOf = [](const std::vector<double>& heights) { return evenFill(heights, kSameMm)->holes; };
+        QVERIFY(holesOf({10, 12.5, 15, 20, 22.5}) == (Holes{{5, 10}}));
+        QVERIFY(holesOf({0, 2, 4, 8, 10, 16, 18}) == (Holes{{4, 8}, {10, 16}}));
+        QVERIFY(holesOf({0, 2, 4, 8, 12, 14}) == (Holes{{4, 8}, {8, 12}}));
+        const Holes zone = holesOf({0, 1.5, 3, 4.5, 9.5, 14.5});
+        QVERIFY(zone.size() == 1 && std::abs(zone[0].fromMm - 4.35) < 1e-9 && std::abs(zone[0].toMm - 14.5) < 1e-9);
+        QVERIFY(holesOf({0, 2, 4, 6.4, 8.4, 10.8, 12.8}).empty());
+    }
+
     /// A slice that lies a little off its place is taken as it was measured; heights are those of the grid otherwise.
     void slicesLieWhereTheyWereMeasured() {
         std::mt19937 random(5);

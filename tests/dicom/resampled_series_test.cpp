@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "dicom/import.h"
+#include "render/volume/holes.h"
 #include "tests/support/dicom/slice_folder.h"
 
 using namespace pdr;
@@ -53,6 +54,8 @@ class ResampledSeriesTest : public QObject {
         const std::string note = made.verdict.notes.front().text;
         for (const char* said : {"5 slices, 2 to 4 mm apart", "6 every 2 mm", "up to 2 mm from where"})
             QVERIFY2(note.find(said) != std::string::npos, note.c_str());
+        QCOMPARE(made.verdict.notes.back().code, std::string("holes:4.00-8.00"));
+        QVERIFY(made.verdict.notes.back().text.find("a hole from 4 to 8 mm above the lowest") != std::string::npos);
     }
 
     void measuredSlicesStayAndMissingOnesAreBetween() {
@@ -63,6 +66,7 @@ class ResampledSeriesTest : public QObject {
         QVERIFY2(bool(volume), volume ? "" : volume.error().text().c_str());
         QVERIFY(volume->geometry().patientFromIndex == series.geometry.patientFromIndex);
         QVERIFY(volume->remarks().find("resampled") != std::string::npos);
+        QVERIFY(holesOf(*volume) == (std::vector<Hole>{{{0, 0, 1}, 4, 8}}));
         for (int i = 0; i < kPixels; ++i)
             for (const auto& [k, stored] : {std::pair(0, 1000), {1, 1100}, {2, 1200}, {3, 1250}, {4, 1300}, {5, 1400}})
                 QCOMPARE(huAt(*volume, k, i), stored + i);

@@ -75,8 +75,10 @@ QString ProfileChart::reading() const {
     if (read_ < 0)
         return {};
     const ShownProfile::Sample& sample = profile_.samples[std::size_t(read_)];
-    return sample.measured ? tr("%1 mm: %2 HU").arg(number(sample.mm, 1), number(sample.hu, 0))
-                           : tr("%1 mm: nothing measured").arg(number(sample.mm, 1));
+    if (!sample.measured)
+        return tr("%1 mm: nothing measured").arg(number(sample.mm, 1));
+    return (sample.acrossHole ? tr("%1 mm: %2 HU, interpolated across a hole") : tr("%1 mm: %2 HU"))
+        .arg(number(sample.mm, 1), number(sample.hu, 0));
 }
 
 void ProfileChart::read(int index) {
@@ -173,17 +175,27 @@ void ProfileChart::paintEnds(QPainter& painter) const {
     }
 }
 
-/// Paints the curve, which is interrupted where nothing was measured.
+/// Paints the curve, which is interrupted where nothing was measured, and dotted across a hole.
 void ProfileChart::paintCurve(QPainter& painter) const {
-    painter.setPen(QPen(palette().color(QPalette::WindowText), 1.5));
     painter.setBrush(Qt::NoBrush);
+    const auto& samples = profile_.samples;
     QPolygonF run;
-    for (const ShownProfile::Sample& sample : profile_.samples) {
-        if (sample.measured)
-            run << pointOf(sample.mm, sample.hu);
-        if (!sample.measured || &sample == &profile_.samples.back())
-            painter.drawPolyline(std::exchange(run, {}));
+    bool dotted = false;
+    const auto paintRun = [&] {
+        painter.setPen(
+            QPen(palette().color(QPalette::WindowText), 1.5, dotted ? Qt::DotLine : Qt::SolidLine, Qt::FlatCap));
+        painter.drawPolyline(std::exchange(run, {}));
+    };
+    for (std::size_t n = 1; n < samples.size(); ++n) {
+        const ShownProfile::Sample &from = samples[n - 1], &to = samples[n];
+        const bool acrossHole = from.acrossHole || to.acrossHole;
+        if (!from.measured || acrossHole != dotted)
+            paintRun();
+        dotted = acrossHole;
+        if (from.measured && to.measured)
+            run << (run.isEmpty() ? QPolygonF{pointOf(from.mm, from.hu)} : QPolygonF()) << pointOf(to.mm, to.hu);
     }
+    paintRun();
 }
 
 void ProfileChart::paintReading(QPainter& painter) const {

@@ -13,7 +13,8 @@ struct ShownProfile {
     struct Sample {
         double mm;  ///< from the first end towards the second; negative before it
         double hu;
-        bool measured;  ///< false outside the scan, and where the scanner measured nothing
+        bool measured;            ///< false outside the scan, and where the scanner measured nothing
+        bool acrossHole = false;  ///< interpolated between slices that lie far apart
         bool operator==(const Sample&) const = default;
     };
     std::vector<Sample> samples;                      ///< in the order of their mm; at least two

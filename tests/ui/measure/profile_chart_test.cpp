@@ -66,6 +66,39 @@ class ProfileChartTest : public QObject {
         chart.setProfile(outside);
         QTest::keyClick(&chart, Qt::Key_Home);
         QCOMPARE(chart.reading(), QString("-5.0 mm: nothing measured"));
+        outside.samples[1].acrossHole = true;
+        chart.setProfile(outside);
+        QTest::keyClick(&chart, Qt::Key_Home);
+        QTest::keyClick(&chart, Qt::Key_Right);
+        QCOMPARE(chart.reading(), QString("-4.0 mm: 40 HU, interpolated across a hole"));
+    }
+
+    /// Along the plate, a column of pixels in three or fewer of five has ink where the curve is dotted; all have
+    /// beside.
+    void theCurveIsDottedAcrossAHole() {
+        ShownProfile profile = plate();
+        for (ShownProfile::Sample& sample : profile.samples)
+            sample.acrossHole = sample.mm > 8 && sample.mm < 20;
+        ProfileChart chart;
+        QPalette palette(Qt::white);
+        palette.setColor(QPalette::WindowText, Qt::black);
+        palette.setColor(QPalette::Window, Qt::white);
+        chart.setPalette(palette);
+        chart.resize(600, 130);
+        chart.setProfile(profile);
+        const QImage image = painted(chart);
+        const auto inked = [&](double fromMm, double toMm) {
+            int columns = 0, count = 0;
+            for (int x = int(chart.pointOf(fromMm, 900).x()); x < int(chart.pointOf(toMm, 900).x()); ++x, ++columns) {
+                int darkest = 255;
+                for (int y = -2; y <= 2; ++y)
+                    darkest = std::min(darkest, qGray(image.pixel(x, int(chart.pointOf(0, 900).y()) + y)));
+                count += darkest < 150;
+            }
+            return double(count) / columns;
+        };
+        QVERIFY2(inked(1, 8) == 1, qPrintable(QString::number(inked(1, 8))));
+        QVERIFY2(inked(9, 19) > 0.1 && inked(9, 19) < 0.6, qPrintable(QString::number(inked(9, 19))));
     }
 
     /// The curve, the ends and the half level are where their numbers are, light on dark and dark on light.
