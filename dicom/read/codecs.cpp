@@ -75,7 +75,11 @@ bool isCompressed(const std::string& transferSyntaxUid) {
 }
 
 bool isBigEndian(const std::string& transferSyntaxUid) {
-    return DcmXfer(transferSyntaxUid.c_str()).isBigEndian();
+    return DcmXfer(transferSyntaxUid.c_str()).getPixelDataByteOrder() == EBO_BigEndian;
+}
+
+bool isGeBigEndian(const std::string& transferSyntaxUid) {
+    return DcmXfer(transferSyntaxUid.c_str()).getXfer() == EXS_PrivateGE_LEI_WithBigEndianPixelData;
 }
 
 bool isDeflated(const std::string& transferSyntaxUid) {
@@ -89,6 +93,7 @@ bool canDecode(const std::string& transferSyntaxUid) {
         case EXS_LittleEndianImplicit:
         case EXS_LittleEndianExplicit:
         case EXS_BigEndianExplicit:
+        case EXS_PrivateGE_LEI_WithBigEndianPixelData:
         case EXS_DeflatedLittleEndianExplicit:
         case EXS_RLELossless:
         case EXS_JPEGProcess1:
@@ -133,6 +138,7 @@ Text codingName(const std::string& transferSyntaxUid) {
         case EXS_LittleEndianImplicit:
         case EXS_LittleEndianExplicit:
         case EXS_BigEndianExplicit:
+        case EXS_PrivateGE_LEI_WithBigEndianPixelData:
             return phrase("uncompressed");
         case EXS_DeflatedLittleEndianExplicit:
             return std::string("Deflate");

@@ -23,6 +23,10 @@ bool isCompressed(const std::string& transferSyntaxUid);
 /// Returns whether pixels in this transfer syntax lie in the file with the high byte first.
 bool isBigEndian(const std::string& transferSyntaxUid);
 
+/// Returns whether this transfer syntax is one of GE's own: implicit little endian but for the pixels, which are words
+/// with the high byte first (1.2.840.113619.5.2).
+bool isGeBigEndian(const std::string& transferSyntaxUid);
+
 /// Returns whether an object in this transfer syntax is deflated as a whole.
 bool isDeflated(const std::string& transferSyntaxUid);
 

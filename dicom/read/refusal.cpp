@@ -44,8 +44,10 @@ std::optional<Refusal> refusePixels(const SliceHeader& header) {
     if (header.format.samplesPerPixel != 1 || header.format.photometric.rfind("MONOCHROME", 0) != 0)
         return Refusal{Stack::notCt, phrase("a colour image (%1), not a CT slice", header.format.photometric)};
     // The order of bytes in words depends on how the element is written, and no CT is known that needs it.
-    const bool hasSwappedBytes = header.format.bitsAllocated == 8 && isBigEndian(header.transferSyntaxUid);
-    const bool isOutOfReach = header.hasFrameGroups && (isDeflated(header.transferSyntaxUid) || hasSwappedBytes);
+    const std::string& coding = header.transferSyntaxUid;
+    const bool hasSwappedBytes = header.format.bitsAllocated == 8 && isBigEndian(coding);
+    const bool isOutOfReach =
+        header.hasFrameGroups ? isDeflated(coding) || hasSwappedBytes : hasSwappedBytes && isGeBigEndian(coding);
     if (!canDecode(header.transferSyntaxUid) || isOutOfReach)
         return unreadable(phrase("its pixels are coded as %1, which this version cannot read",
                                  transferSyntaxName(header.transferSyntaxUid)));

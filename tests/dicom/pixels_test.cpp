@@ -2,6 +2,8 @@
 
 #include <QTemporaryDir>
 #include <QTest>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 #include "dicom/import.h"
@@ -47,6 +49,25 @@ class Folder {
     QTemporaryDir folder_;
 };
 
+std::string bytesOf(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Writes a slice in GE's own transfer syntax: implicit little endian, and pixels with their high byte first.
+void writeGeSlice(const std::filesystem::path& file, SliceFile slice) {
+    for (std::uint16_t& word : slice.raw)
+        word = std::uint16_t(word << 8 | word >> 8);
+    test::writeSliceFile(file, slice);
+    DcmFileFormat content;
+    if (content.loadFile(file.c_str()).bad() || content.saveFile(file.c_str(), EXS_LittleEndianImplicit).bad())
+        qFatal("the test cannot write its file");
+    std::string bytes = bytesOf(file);
+    const std::string implicit = UID_LittleEndianImplicitTransferSyntax + std::string(1, '\0');
+    bytes.replace(bytes.find(implicit), implicit.size(), UID_PrivateGE_LEI_WithBigEndianPixelDataTransferSyntax);
+    std::ofstream(file, std::ios::binary) << bytes;
+}
+
 std::uint16_t bits(int value) {
     return std::uint16_t(std::int16_t(value));
 }
@@ -83,6 +104,32 @@ class PixelsTest : public QObject {
             data.putAndInsertUint8Array(DCM_PixelData, bytes, 12);
         };
         QVERIFY((Folder(slice).voxels(3) == Values{255, 1, 2}));
+    }
+
+    /// The same pixels as in little endian, padding and all; bytes in swapped words are of no known order.
+    void pixelsOfGeWithTheHighByteFirstLoad() {
+        const QTemporaryDir folder;
+        const std::filesystem::path path = folder.path().toStdString();
+        SliceFile slice{.raw = {bits(-2000), bits(-5), 0x0100, 300, 0, 0, 0, 0, 0, 0, 0, 0}};
+        slice.change = [](DcmDataset& data) { data.putAndInsertSint16(DCM_PixelPaddingValue, -2000); };
+        writeGeSlice(path / "a", slice);
+        slice.position.z = 2;
+        writeGeSlice(path / "b", slice);
+        const auto scan = scanFolder(path, noProgress);
+        QVERIFY(scan && scan->series.front().verdict.loadable());
+        QCOMPARE(std::string(scan->series.front().series.coding), std::string("uncompressed"));
+        const auto volume = loadSeries(scan->series.front(), Padding::maskAsAir, noProgress);
+        QVERIFY(volume && volume->paddingCount() == 2 && volume->isPadding(0));
+        QVERIFY((Values(volume->voxels().begin() + 1, volume->voxels().begin() + 4) == Values{-5, 256, 300}));
+        slice.change = [](DcmDataset& data) {
+            data.putAndInsertUint16(DCM_BitsAllocated, 8);
+            data.putAndInsertUint16(DCM_BitsStored, 8);
+            data.putAndInsertUint16(DCM_HighBit, 7);
+        };
+        for (const char* name : {"a", "b"})
+            writeGeSlice(path / name, slice);
+        const auto bytes = scanFolder(path, noProgress);
+        QVERIFY(bytes && !bytes->series.front().verdict.loadable());
     }
 
     void pixelsOfThirtyTwoBitsLoad() {
