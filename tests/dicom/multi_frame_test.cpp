@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "dicom/import.h"
+#include "dicom/read/pixels.h"
 #include "render/base/progress.h"
 #include "tests/support/dicom/enhanced_file.h"
 #include "tests/support/dicom/memory_source.h"
@@ -128,6 +129,61 @@ class MultiFrameTest : public QObject {
         test::writeCodedEnhancedFile(this->file(), file, streams, E_TransferSyntax(coding),
                                      {fragments, hasTable, std::size_t(besides)});
         verifyIsRead(file);
+    }
+
+    /// The basic table stays empty then (PS3.5, A.4), and each frame is one fragment.
+    void extendedOffsetTablesAreRead() {
+        const test::EnhancedFile file = thorax(4);
+        for (const E_TransferSyntax coding : {EXS_RLELossless, EXS_JPEGProcess14SV1}) {
+            std::vector<std::string> streams;
+            for (const test::EnhancedFrame& frame : file.frames)
+                streams.push_back(test::streamOf(scratch(), kSize, frame.raw, coding));
+            test::writeCodedEnhancedFile(this->file(), file, streams, coding, {.hasExtendedTable = true});
+            verifyIsRead(file);
+        }
+    }
+
+    void whatCodingLosesIsThatOfEachFrameAlone_data() {
+        QTest::addColumn<int>("coding");
+        QTest::addColumn<int>("bits");
+        QTest::addColumn<int>("most");
+        QTest::newRow("JPEG baseline") << int(EXS_JPEGProcess1) << 8 << 20;
+        QTest::newRow("JPEG extended, 8 bits") << int(EXS_JPEGProcess2_4) << 8 << 20;
+        QTest::newRow("JPEG extended, 12 bits") << int(EXS_JPEGProcess2_4) << 12 << 60;
+        QTest::newRow("JPEG-LS near-lossless") << int(EXS_JPEGLSLossy) << 12 << 2;
+    }
+    void whatCodingLosesIsThatOfEachFrameAlone() {
+        QFETCH(int, coding);
+        QFETCH(int, bits);
+        QFETCH(int, most);
+        test::EnhancedFile file = thorax(3);
+        std::vector<std::string> streams;
+        std::vector<std::vector<int>> alone;
+        for (test::EnhancedFrame& frame : file.frames) {
+            for (std::uint16_t& raw : frame.raw)
+                raw = std::uint16_t(raw >> (12 - bits));
+            streams.push_back(test::streamOf(scratch(), kSize, frame.raw, E_TransferSyntax(coding), bits));
+            const auto decoded = decodeSlice(NamedBytes{scratch()}, Padding::keep);
+            QVERIFY2(bool(decoded), decoded ? "" : decoded.error().text().c_str());
+            alone.emplace_back(decoded->hu.begin(), decoded->hu.end());
+        }
+        if (bits == 8)
+            file.change = [](DcmDataset& data) { test::putEightBits(data, {}); };
+        test::writeCodedEnhancedFile(this->file(), file, streams, E_TransferSyntax(coding), {2, true});
+        const Series series = scanned().series.at(0);
+        QVERIFY(std::ranges::count(series.verdict.notes, "lossy", &Note::code) == 1);
+        const auto volume = loadSeries(series, Padding::keep, noProgress);
+        QVERIFY2(bool(volume), volume ? "" : volume.error().text().c_str());
+        int largest = 0;
+        for (int k = 0; k < 3; ++k) {
+            const test::EnhancedFrame& frame = file.frames[std::size_t(2 - k)];
+            const std::vector<int> seen = sliceOf(*volume, k), truth = huOf(frame);
+            for (std::size_t i = 0; i < seen.size(); ++i) {
+                QCOMPARE(seen[i], alone[std::size_t(2 - k)][i] + int(frame.intercept));
+                largest = std::max(largest, std::abs(seen[i] - truth[i]));
+            }
+        }
+        QVERIFY2(largest > 0 && largest <= most, qPrintable(QString::number(largest)));
     }
 
     /// RLE has no marker: without a table, nobody knows which fragment belongs to which frame.

@@ -112,8 +112,16 @@ inline void writeEnhancedFile(const std::filesystem::path& path, const EnhancedF
 struct Fragmenting {
     int perFrame = 1;  ///< number of fragments of each frame
     bool hasTable = false;
-    std::size_t besides = 0;  ///< what is added to the offsets of the table, to make them wrong [bytes]
+    std::size_t besides = 0;        ///< what is added to the offsets of the table, to make them wrong [bytes]
+    bool hasExtendedTable = false;  ///< whether offsets and lengths of 64 bits lie in elements of their own
 };
+
+/// Adds an element of 64-bit numbers.
+inline void addNumbers(DcmDataset& data, const DcmTagKey& tag, const std::vector<Uint64>& numbers) {
+    auto* element = new DcmOther64bitVeryLong(tag);
+    element->putUint64Array(numbers.data(), static_cast<unsigned long>(numbers.size()));
+    data.insert(element, true);
+}
 
 /// Writes `file` with `streams`, one for each frame, as its pixels.
 inline void writeCodedEnhancedFile(const std::filesystem::path& path, const EnhancedFile& file,
@@ -127,8 +135,11 @@ inline void writeCodedEnhancedFile(const std::filesystem::path& path, const Enha
     auto* table = new DcmPixelItem(DCM_PixelItemTag);
     sequence->insert(table);
     std::vector<Uint8> offsets;
+    std::vector<Uint64> longOffsets, lengths;
     std::size_t at = 0;
     for (const std::string& stream : streams) {
+        longOffsets.push_back(at);
+        lengths.push_back(stream.size());
         for (int shift = 0; shift < 32; shift += 8)
             offsets.push_back(Uint8((at + how.besides) >> shift));
         const std::size_t length = (stream.size() / std::size_t(how.perFrame) + 1) / 2 * 2;
@@ -145,6 +156,10 @@ inline void writeCodedEnhancedFile(const std::filesystem::path& path, const Enha
     }
     if (how.hasTable)
         table->putUint8Array(offsets.data(), static_cast<unsigned long>(offsets.size()));
+    if (how.hasExtendedTable) {
+        addNumbers(data, DCM_ExtendedOffsetTable, longOffsets);
+        addNumbers(data, DCM_ExtendedOffsetTableLengths, lengths);
+    }
     auto* pixels = new DcmPixelData(DCM_PixelData);
     pixels->putOriginalRepresentation(coding, nullptr, sequence);
     data.insert(pixels, true);
@@ -154,10 +169,23 @@ inline void writeCodedEnhancedFile(const std::filesystem::path& path, const Enha
         qFatal("the test cannot write its file");
 }
 
-/// Returns the stream of one compressed frame; `scratch` is overwritten.
+/// Alters `data` so that its pixels, `raw`, have eight bits.
+inline void putEightBits(DcmDataset& data, const std::vector<std::uint16_t>& raw) {
+    data.putAndInsertUint16(DCM_BitsAllocated, 8);
+    data.putAndInsertUint16(DCM_BitsStored, 8);
+    data.putAndInsertUint16(DCM_HighBit, 7);
+    const std::vector<Uint8> bytes(raw.begin(), raw.end());
+    if (!bytes.empty())
+        data.putAndInsertUint8Array(DCM_PixelData, bytes.data(), static_cast<unsigned long>(bytes.size()));
+}
+
+/// Returns the stream of one compressed frame of twelve bits, or eight; `scratch` is overwritten by a file of that
+/// frame alone.
 inline std::string streamOf(const std::filesystem::path& scratch, ivec2 size, const std::vector<std::uint16_t>& raw,
-                            E_TransferSyntax coding) {
-    const SliceFile slice{.size = size, .raw = raw, .isSigned = false, .bitsStored = 12};
+                            E_TransferSyntax coding, int bits = 12) {
+    SliceFile slice{.size = size, .raw = raw, .isSigned = false, .bitsStored = 12};
+    if (bits == 8)
+        slice.change = [&raw](DcmDataset& data) { putEightBits(data, raw); };
     if (!writeCompressedSlice(scratch, slice, coding))
         qFatal("the test cannot encode a frame");
     const std::string bytes = bytesOf(scratch);
