@@ -88,6 +88,11 @@ void readMeaning(DcmItem& item, ValueMeaning& meaning) {
     meaning.paddingLimit = sixteenBits(item, DCM_PixelPaddingRangeLimit);
 }
 
+std::optional<int> countIn(DcmItem& item, const DcmTagKey& tag) {
+    const auto stated = numbers<1>(item, tag);
+    return stated ? std::optional(int(std::clamp((*stated)[0], -1e9, 1e9))) : std::nullopt;
+}
+
 /// Fills `read` from the elements before the pixels. False if the toolkit cannot parse them.
 bool parseHeader(const NamedBytes& object, HeaderRead& read, bool& isDirectory) {
     SliceHeader& header = read.header;
@@ -99,8 +104,8 @@ bool parseHeader(const NamedBytes& object, HeaderRead& read, bool& isDirectory) 
     header.sopClassUid = text(item, DCM_SOPClassUID);
     header.sopInstanceUid = text(item, DCM_SOPInstanceUID);
     header.frameOfReferenceUid = text(item, DCM_FrameOfReferenceUID);
-    if (const auto instance = numbers<1>(item, DCM_InstanceNumber))
-        header.instanceNumber = int(std::clamp((*instance)[0], -1e9, 1e9));
+    header.instanceNumber = countIn(item, DCM_InstanceNumber);
+    header.acquisitionImages = countIn(item, DCM_ImagesInAcquisition);
     const std::string stated = text(item, DCM_LossyImageCompression);
     header.isLossy = codingIsLossy(header.transferSyntaxUid) || stated == "01";
     header.mayBeLossy = codingMayLose(header.transferSyntaxUid) && stated.empty();

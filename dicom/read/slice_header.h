@@ -63,6 +63,7 @@ struct SliceHeader {
     std::string sopClassUid, sopInstanceUid, frameOfReferenceUid;  ///< as stated, even if malformed
     std::string imageType;  ///< values joined by a backslash: "ORIGINAL\PRIMARY\AXIAL"
     std::optional<int> instanceNumber;
+    std::optional<int> acquisitionImages;           ///< how many images its acquisition made (ImagesInAcquisition)
     std::array<std::string, kPhaseKeys> phaseKeys;  ///< by PhaseKey; empty: not stated
     bool isLossy = false;                           ///< whether the pixels went through a lossy coding, now or earlier
     bool mayBeLossy = false;           ///< whether their coding may have lost something, and nothing is stated

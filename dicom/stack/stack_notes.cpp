@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
+#include <utility>
 
 #include "dicom/read/codecs.h"
 
@@ -84,15 +86,45 @@ bool areNumberedInOrder(const Slices& slices) {
     return slices.size() > 1 && 10 * std::size_t(steps) >= 9 * (slices.size() - 1);
 }
 
-/// Notes that slices may be missing. Positions cannot show that a slice is missing at an end; its number can.
-void noteMissingNumbers(const Slices& slices, const std::set<int>& numbers, std::vector<Note>& notes) {
+/// Returns how many images the acquisition of all slices made, if they state it, and are of one acquisition.
+std::optional<std::size_t> acquisitionImages(const Slices& slices) {
+    const auto acquisitionOf = [](const SliceHeader* slice) {
+        return std::pair(slice->acquisitionImages, slice->phaseKeys[std::size_t(PhaseKey::acquisitionNumber)]);
+    };
+    const auto first = acquisitionOf(slices.front());
+    const bool isOne = std::ranges::all_of(slices, [&](const auto* slice) { return acquisitionOf(slice) == first; });
+    return isOne && first.first > 0 ? std::optional(std::size_t(*first.first)) : std::nullopt;
+}
+
+/// Notes that a few images of the acquisition are not there. Many may belong to another series: the same acquisition
+/// may have been reconstructed twice.
+void noteMissingImages(std::size_t stated, std::size_t seen, std::vector<Note>& notes) {
+    constexpr std::size_t kFew = 10;  // one of ten
+    const std::size_t missing = stated > seen ? stated - seen : 0;
+    if (missing == 0 || missing * kFew > std::max(seen, kFew))
+        return;
+    notes.push_back({"incomplete", phrase(missing == 1 ? "1 slice may be missing: the files state that their "
+                                                         "acquisition made %2 images, and %3 are there"
+                                                       : "%1 slices may be missing: the files state that their "
+                                                         "acquisition made %2 images, and %3 are there",
+                                          missing, stated, seen)});
+}
+
+/// Notes that slices may be missing. Positions cannot show that a slice is missing at an end; its number can, or how
+/// many images the acquisition made.
+void noteMissing(const Slices& slices, const std::set<int>& numbers, std::vector<Note>& notes) {
     constexpr int kHabit = 100;  // numbers that begin there or later begin so by habit: nothing is missing before them
     const auto lowest = numbers.lower_bound(1);
     if (!areNumberedInOrder(slices) || lowest == numbers.end())
         return;
+    const std::optional<std::size_t> stated = acquisitionImages(slices);
+    if (stated == slices.size() || stated == numbers.size())
+        return;
     int first = *lowest < kHabit ? 1 : *lowest;
     const std::size_t missing =
         std::size_t(*numbers.rbegin() - first + 1) - std::size_t(std::distance(lowest, numbers.end()));
+    if (missing == 0 && stated)
+        noteMissingImages(*stated, numbers.size(), notes);
     if (missing == 0 || missing > slices.size())
         return;
     while (numbers.contains(first))
@@ -129,7 +161,7 @@ std::vector<Note> notesOn(const Slices& slices, const std::set<int>& numbers) {
     noteMeaning(slices, notes);
     noteLoss(slices, notes);
     if (!numbers.empty())
-        noteMissingNumbers(slices, numbers, notes);
+        noteMissing(slices, numbers, notes);
     return notes;
 }
 

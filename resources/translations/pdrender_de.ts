@@ -358,6 +358,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 Schichten fehlen vielleicht: Die Dateien sind bis %2 nummeriert, und Nummer %3 und weitere sind nicht da</translation>
     </message>
     <message>
+        <source>%1 slices may be missing: the files state that their acquisition made %2 images, and %3 are there</source>
+        <translation>%1 Schichten fehlen vielleicht: Laut den Dateien hat ihre Aufnahme %2 Bilder ergeben, und %3 sind da</translation>
+    </message>
+    <message>
         <source>%1 slices may have been compressed with loss: their coding allows that, and their files do not say</source>
         <translation>%1 Schichten wurden vielleicht mit Verlust komprimiert: Ihre Codierung erlaubt das, und ihre Dateien sagen nichts dazu</translation>
     </message>
@@ -816,6 +820,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>1 slice may be missing: the files are numbered up to %2, and number %3 is not there</source>
         <translation>1 Schicht fehlt vielleicht: Die Dateien sind bis %2 nummeriert, und Nummer %3 ist nicht da</translation>
+    </message>
+    <message>
+        <source>1 slice may be missing: the files state that their acquisition made %2 images, and %3 are there</source>
+        <translation>1 Schicht fehlt vielleicht: Laut den Dateien hat ihre Aufnahme %2 Bilder ergeben, und %3 sind da</translation>
     </message>
     <message>
         <source>1 slice may have been compressed with loss: its coding allows that, and its file does not say</source>

@@ -358,6 +358,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>pueden faltar %1 cortes: los archivos están numerados hasta %2, y faltan el número %3 y otros</translation>
     </message>
     <message>
+        <source>%1 slices may be missing: the files state that their acquisition made %2 images, and %3 are there</source>
+        <translation>quizá falten %1 cortes: según los archivos, su adquisición produjo %2 imágenes, y hay %3</translation>
+    </message>
+    <message>
         <source>%1 slices may have been compressed with loss: their coding allows that, and their files do not say</source>
         <translation>%1 cortes quizá se comprimieron con pérdida: su codificación lo permite y sus archivos no lo indican</translation>
     </message>
@@ -816,6 +820,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>1 slice may be missing: the files are numbered up to %2, and number %3 is not there</source>
         <translation>puede faltar 1 corte: los archivos están numerados hasta %2, y falta el número %3</translation>
+    </message>
+    <message>
+        <source>1 slice may be missing: the files state that their acquisition made %2 images, and %3 are there</source>
+        <translation>quizá falte 1 corte: según los archivos, su adquisición produjo %2 imágenes, y hay %3</translation>
     </message>
     <message>
         <source>1 slice may have been compressed with loss: its coding allows that, and its file does not say</source>

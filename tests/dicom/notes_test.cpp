@@ -306,6 +306,41 @@ class NotesTest : public QObject {
         QVERIFY2(words.isEmpty() ? note.empty() : note.find(words.toStdString()) == 0, note.c_str());
     }
 
+    /// What the acquisition made is there: then none is missing, whatever the numbers. A few that are not there may be
+    /// missing at the end, where numbers cannot show it; many are of another reconstruction.
+    void acquisitionsSayHowManyImagesTheyMade_data() {
+        QTest::addColumn<int>("first");
+        QTest::addColumn<int>("stated");
+        QTest::addColumn<bool>("alternate");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("complete, from 3 on") << 3 << 20 << false << "";
+        QTest::newRow("not stated, from 3 on") << 3 << 0 << false << "2 slices may be missing";
+        QTest::newRow("another number, from 3 on") << 3 << 22 << false << "2 slices may be missing";
+        QTest::newRow("one more") << 1 << 21 << false
+                                  << "1 slice may be missing: the files state that their acquisition";
+        QTest::newRow("two more") << 1 << 22 << false << "2 slices may be missing: the files state that their";
+        QTest::newRow("twice as many") << 1 << 40 << false << "";
+        QTest::newRow("fewer") << 1 << 10 << false << "";
+        QTest::newRow("one more, two acquisitions") << 1 << 21 << true << "";
+    }
+    void acquisitionsSayHowManyImagesTheyMade() {
+        QFETCH(int, first);
+        QFETCH(int, stated);
+        QFETCH(bool, alternate);
+        QFETCH(QString, words);
+        test::SliceFolder folder;
+        folder.addStack(20, {.size = {4, 3}}, "", [&](int k, SliceFile& slice) {
+            slice.change = [=](DcmDataset& data) {
+                data.putAndInsertString(DCM_InstanceNumber, std::to_string(first + k).c_str());
+                data.putAndInsertString(DCM_AcquisitionNumber, alternate && k > 9 ? "2" : "1");
+                if (stated > 0)
+                    data.putAndInsertString(DCM_ImagesInAcquisition, std::to_string(stated).c_str());
+            };
+        });
+        const std::string note = noteOf(folder.scan().series.front().verdict.notes, "incomplete");
+        QVERIFY2(words.isEmpty() ? note.empty() : note.find(words.toStdString()) == 0, note.c_str());
+    }
+
     void scoutsCountAmongTheNumbers() {
         test::SliceFolder folder;
         folder.addStack(10, {.size = {4, 3}}, "", [&](int k, SliceFile& slice) { putNumber(slice, k + 2); });
