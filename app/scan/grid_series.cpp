@@ -161,6 +161,7 @@ Result<dicom::Series> gridSeries(const std::filesystem::path& file, const Progre
     dicom::Series series;
     series.series.modality = formatName(file);
     series.series.description = file.filename().string();
+    series.series.uid = file.filename().string();
     series.series.number = 1;
     judgeGrid(series, *grid);
     if (series.verdict.loadable()) {

@@ -38,7 +38,8 @@ Files filesIn(const fs::path& folder) {
 }
 
 /// Adds an entry for each volume file, or the reason why there is none. Error: cancelled().
-Result<void> addGrids(dicom::ScanResult& scan, const std::vector<fs::path>& grids, const Progress& progress) {
+Result<void> addGrids(dicom::ScanResult& scan, const fs::path& folder, const std::vector<fs::path>& grids,
+                      const Progress& progress) {
     for (std::size_t i = 0; i < grids.size(); ++i) {
         const double all = double(grids.size());
         Result<dicom::Series> series = gridSeries(grids[i], partOf(progress, double(i) / all, double(i + 1) / all));
@@ -49,6 +50,7 @@ Result<void> addGrids(dicom::ScanResult& scan, const std::vector<fs::path>& grid
             scan.problems.push_back({grids[i], series.error().what});
             continue;
         }
+        series->series.uid = grids[i].lexically_relative(folder).generic_string();
         series->series.number = int(i + 1);
         scan.series.push_back(*std::move(series));
     }
@@ -69,7 +71,7 @@ Result<dicom::ScanResult> scanWholeFolder(const fs::path& folder, const Progress
         scan = dicom::ScanResult();
         scan->filesSeen = scan->notDicom = files.count;
     }
-    if (auto ok = addGrids(*scan, files.grids, partOf(progress, 0.5, 1)); !ok)
+    if (auto ok = addGrids(*scan, folder, files.grids, partOf(progress, 0.5, 1)); !ok)
         return ok.error();
     return scan;
 }

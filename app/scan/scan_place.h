@@ -19,7 +19,8 @@ namespace pdr::app {
 bool isScanFile(const std::filesystem::path& path);
 
 /// Lists the series of a folder, of an archive, or the one of a volume file. In a folder each volume file is an entry,
-/// numbered by name. Errors: those of dicom::scanFolder(), dicom::scanArchive() and gridSeries().
+/// numbered by name; in place of a UID it has its path as seen from the folder ("left/head.nii.gz"). Errors: those of
+/// dicom::scanFolder(), dicom::scanArchive() and gridSeries().
 Result<dicom::ScanResult> scanPlace(const std::filesystem::path& path, const Progress& progress);
 
 /// Reads the voxels of `series`, which comes from scanPlace(); see dicom::loadSeries().

@@ -3,6 +3,7 @@
 
 #include "app/scan/grid_series.h"
 #include "app/scan/scan_place.h"
+#include "app/scan/series_choice.h"
 #include "tests/support/grid_files.h"
 
 using namespace pdr;
@@ -139,6 +140,25 @@ class GridSeriesTest : public QObject {
                              "or grey levels, no HU"));
         QCOMPARE(scan->problems.size(), std::size_t(1));
         QCOMPARE(scan->problems[0].file, folder / "damaged.mha");
+    }
+
+    /// Files of one name in two folders are told apart; one that is opened by itself has its own name.
+    void oneOfSeveralFilesIsChosenByItsPath() {
+        const fs::path folder = at("both");
+        for (const char* side : {"left", "right"}) {
+            fs::create_directories(folder / side);
+            test::written(folder / side / "scan.nrrd", test::nrrdBytes());
+        }
+        const auto scan = scanPlace(folder, noProgress);
+        QVERIFY(scan && scan->series.size() == 2);
+        for (const char* path : {"left/scan.nrrd", "right/scan.nrrd"}) {
+            const auto chosen = chosenSeries(*scan, path);
+            QVERIFY2(bool(chosen), path);
+            QCOMPARE(chosen->slices.front().file, folder / path);
+        }
+        QVERIFY(!chosenSeries(*scan, "scan.nrrd"));
+        const auto alone = scanPlace(folder / "left/scan.nrrd", noProgress);
+        QVERIFY(alone && chosenSeries(*alone, "scan.nrrd"));
     }
 
     void whatIsNoNumberIsPadding() {
