@@ -6,6 +6,7 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "dicom/read/codecs.h"
@@ -67,10 +68,13 @@ bool hasOverlayInPixels(DcmDataset& data) {
     return data.findAndGetUint16(DcmTagKey(0x6000, 0x0102), bit).good() && bit > 0;
 }
 
-std::size_t impossiblePixels(DcmDataset& data, const PixelFormat& format) {
+std::size_t impossiblePixels(DcmDataset& data, const Decoding& decoding) {
+    const PixelFormat& format = decoding.format;
     if (format.highBit != format.bitsStored - 1 || format.bitsStored == format.bitsAllocated ||
         hasOverlayInPixels(data))
         return 0;
+    if (!decoding.words.empty())
+        return impossiblePixels(decoding.words.data(), decoding.words.size(), format);
     unsigned long count = 0;
     const Uint16* words = nullptr;
     const Uint8* bytes = nullptr;
@@ -94,15 +98,11 @@ PixelFormat formatOf(const J2kStream& stream, PixelFormat stated) {
 }
 
 Decoding decompressJ2k(DcmDataset& data, const SliceHeader& header) {
-    const J2kImage image = decodeJ2k(joinedFragments(data), {header.columns, header.rows});
-    Decoding decoding{{}, formatOf(image.stream, header.format), !image.stream.isReversible, image.isMended};
-    if (!image.stream.damage.empty()) {
+    J2kImage image = decodeJ2k(joinedFragments(data), {header.columns, header.rows});
+    Decoding decoding{
+        {}, formatOf(image.stream, header.format), !image.stream.isReversible, image.isMended, std::move(image.words)};
+    if (!image.stream.damage.empty())
         decoding.damage = phrase("the compressed image is damaged: %1", image.stream.damage);
-        return decoding;
-    }
-    const std::vector<Uint16> words(image.values.begin(), image.values.end());
-    if (data.putAndInsertUint16Array(DCM_PixelData, words.data(), static_cast<unsigned long>(words.size())).bad())
-        decoding.damage = phrase("the compressed image cannot be decoded");
     return decoding;
 }
 
@@ -132,7 +132,7 @@ Decoding decompress(DcmDataset& data, const SliceHeader& header) {
         isCompressed(header.transferSyntaxUid) && !codingIsLossy(header.transferSyntaxUid) && !decoding.hasLost;
     if (!decoding.damage.empty() || !isExact)
         return decoding;
-    if (const std::size_t count = impossiblePixels(data, decoding.format); count > 0)
+    if (const std::size_t count = impossiblePixels(data, decoding); count > 0)
         decoding.damage = phrase("the compressed image is damaged: %1 of its pixels hold numbers that %2 bits cannot",
                                  count, decoding.format.bitsStored);
     return decoding;

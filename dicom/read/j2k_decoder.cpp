@@ -131,7 +131,7 @@ J2kImage decodeJ2k(std::vector<std::uint8_t> stream, ivec2 size) {
     if (ivec2(int(grey.w), int(grey.h)) != size || grey.data == nullptr)
         damage = phrase("it is not of the size that the file's header says");
     else
-        image.values.assign(grey.data, grey.data + std::size_t(size.x) * std::size_t(size.y));
+        image.words.assign(grey.data, grey.data + std::size_t(size.x) * std::size_t(size.y));
     return image;
 }
 

@@ -11,7 +11,7 @@ namespace pdr::dicom {
 struct J2kImage {
     J2kStream stream;
     bool isMended = false;             ///< whether a length was put right; see mendLastLength()
-    std::vector<std::int32_t> values;  ///< row by row from the top; empty if the stream is damaged
+    std::vector<std::uint16_t> words;  ///< the pixels' bits, row by row from the top; empty if the stream is damaged
 };
 
 /// Decodes `stream`, a grey image of `size` pixels (columns, rows) and at most 16 bits. All that the decoder complains

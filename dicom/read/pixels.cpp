@@ -237,6 +237,8 @@ Result<DecodedSlice> decodePixels(const NamedBytes& object, const SliceHeader& h
     const Decoding decoding = decompress(data, header);
     if (!decoding.damage.empty())
         return damagedObject(object, decoding.damage);
+    if (!decoding.words.empty())
+        return toHu(decoding.words.data(), header, decoding, padding);
 
     const unsigned long expected = static_cast<unsigned long>(header.columns) * static_cast<unsigned long>(header.rows);
     unsigned long count = 0;

@@ -266,8 +266,8 @@ class Jpeg2000Test : public QObject {
             for (unsigned n = 0; n < 1 + random() % 3; ++n)
                 stream[random() % headers] = std::uint8_t(random());
             const J2kImage image = decodeJ2k(stream, kSize);
-            QVERIFY(image.values.empty() != image.stream.damage.empty());
-            refused += image.values.empty();
+            QVERIFY(image.words.empty() != image.stream.damage.empty());
+            refused += image.words.empty();
         }
         QVERIFY2(refused > 300, qPrintable(QString::number(refused)));
     }
