@@ -2,33 +2,19 @@
 
 #include <cstdio>
 
+#include "app/cli/named_scene.h"
 #include "app/cli/progress_line.h"
-#include "app/scan/scan_place.h"
 #include "app/scan/scene_volume.h"
-#include "render/base/file_ending.h"
 
 namespace pdr::app {
 namespace {
 
-/// Returns the source of the voxels as they are. Error: those of scene files; a file that is none.
+/// Returns the source of the voxels as they are. Errors: those of namedScene().
 Result<VolumeSource> sourceOf(const std::filesystem::path& path, const std::string& seriesUid, Table table) {
-    VolumeSource source;
-    source.dicomFolder = path;
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(path, ignored) && !isScanFile(path)) {
-        if (fileEnding(path) != ".json")
-            return Error{"this is a file, but neither a scan nor a scene file (.json)", path.string(),
-                         "Give the folder that holds the DICOM files."};
-        const auto file = readSceneFile(path);
-        if (!file)
-            return file.error();
-        source = file->source;
-    }
-    if (!seriesUid.empty() && source.dicomFolder.empty())
-        return Error{"--series chooses among the series of a DICOM folder, this scene has a raw file", path.string(),
-                     "Leave it out."};
-    if (!seriesUid.empty())
-        source.seriesUid = seriesUid;
+    const Result<SceneFile> file = namedScene(path, seriesUid);
+    if (!file)
+        return file.error();
+    VolumeSource source = file->source;
     source.clampHu.reset();
     source.table = table;
     source.reconstruction = Reconstruction::linear;

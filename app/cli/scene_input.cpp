@@ -4,14 +4,13 @@
 #include <cstdio>
 #include <utility>
 
+#include "app/cli/named_scene.h"
 #include "app/cli/progress_line.h"
 #include "app/looks/fitted_looks.h"
 #include "app/looks/looks.h"
 #include "app/looks/small_image.h"
 #include "app/scan/environment_image.h"
-#include "app/scan/scan_place.h"
 #include "app/scan/scene_volume.h"
-#include "render/base/file_ending.h"
 #include "render/prepare/flatten.h"
 #include "render/prepare/layers_text.h"
 #include "render/scene/fit_view.h"
@@ -22,36 +21,15 @@ namespace {
 
 constexpr ivec2 kFolderFilm{1024, 1024};
 
-/// Returns whether the input is a file other than a scan: a scene file, or nothing that can be rendered.
-bool isFile(const SceneInput& input) {
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(input.path, ignored) && !isScanFile(input.path);
-}
-
 /// Reads the scene file, or makes a scene for a scan, and applies the options that do not need the voxels.
 Result<SceneFile> readInput(const SceneInput& input) {
-    SceneFile file;
-    if (isFile(input) && fileEnding(input.path) != ".json")
-        return Error{"this is a file, but neither a scan nor a scene file (.json)", input.path.string(),
-                     "Give the folder that holds the DICOM files."};
-    if (isFile(input)) {
-        auto read = readSceneFile(input.path);
-        if (!read)
-            return read.error();
-        file = *std::move(read);
-    } else {
-        file.source.dicomFolder = input.path;
-        file.source.table = Table::hidden;
-        file.scene.film = kFolderFilm;
-    }
-    if (!input.seriesUid.empty() && file.source.dicomFolder.empty())
-        return Error{"--series chooses among the series of a DICOM folder, this scene has a raw file",
-                     input.path.string(), "Leave it out."};
-    if (!input.seriesUid.empty())
-        file.source.seriesUid = input.seriesUid;
-    file.source.table = input.table.value_or(file.source.table);
-    file.scene.film = input.size.value_or(file.scene.film);
-    file.scene.seed = input.seed.value_or(file.scene.seed);
+    Result<SceneFile> file = namedScene(input.path, input.seriesUid);
+    if (!file)
+        return file;
+    const bool isFile = isSceneFile(input.path);
+    file->source.table = input.table.value_or(isFile ? file->source.table : Table::hidden);
+    file->scene.film = input.size.value_or(isFile ? file->scene.film : kFolderFilm);
+    file->scene.seed = input.seed.value_or(file->scene.seed);
     return file;
 }
 
@@ -66,7 +44,7 @@ void take(LoadedScene& work, const SceneInput& input, const FetchedVolume& volum
         work.notes.push_back(note.text);
     if (const std::string table = segment::tableText(volume.wanted.table); !table.empty())
         work.notes.push_back(table);
-    if (input.view || !isFile(input))
+    if (input.view || !isSceneFile(input.path))
         work.scene.camera = fittedView(input.view.value_or(firstView(framed.box)), framed,
                                        double(work.scene.film.x) / double(work.scene.film.y), kViewFilled);
 }
@@ -75,7 +53,7 @@ void take(LoadedScene& work, const SceneInput& input, const FetchedVolume& volum
 /// for a scene file, which has its own.
 Result<std::optional<NamedLook>> chosenLook(const SceneInput& input, const segment::Findings& findings,
                                             std::vector<std::string>& notes) {
-    if (!input.look && isFile(input))
+    if (!input.look && isSceneFile(input.path))
         return std::optional<NamedLook>();
     auto bundled = input.look ? Result(std::vector{*input.look}) : bundledLooks();
     if (!bundled)
