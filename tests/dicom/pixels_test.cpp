@@ -106,7 +106,7 @@ class PixelsTest : public QObject {
         QVERIFY((Folder(slice).voxels(3) == Values{255, 1, 2}));
     }
 
-    /// The same pixels as in little endian, padding and all; bytes in swapped words are of no known order.
+    /// Pixels and padding are those of little endian; bytes in swapped words are of no known order.
     void pixelsOfGeWithTheHighByteFirstLoad() {
         const QTemporaryDir folder;
         const std::filesystem::path path = folder.path().toStdString();
