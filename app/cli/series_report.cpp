@@ -83,13 +83,15 @@ std::string checksumOf(const Volume& volume) {
     return hash.result().toHex().toStdString();
 }
 
-void addTable(Json& report, const Volume& volume, const Progress& progress) {
-    const auto table = segment::hideTable(volume, progress);
-    if (!table)
+/// Adds what is known of the table. The memory of `volume` serves to hide it.
+void addTable(Json& report, Volume volume, const Progress& progress) {
+    const auto nobody = [](int, std::span<const std::int16_t>, std::span<const std::int16_t>) {};
+    const auto hidden = segment::hideTableIn(std::move(volume), nobody, progress);
+    if (!hidden)
         return;
-    report["table"] = {{"hiddenMl", table->hiddenMl}, {"touchedMl", table->cutMl},
-                       {"bodyMl", table->bodyMl},     {"metalMl", table->metalMl},
-                       {"parts", table->parts},       {"text", segment::tableText(*table)}};
+    const segment::HiddenTable& table = hidden->table;
+    report["table"] = {{"hiddenMl", table.hiddenMl}, {"touchedMl", table.cutMl}, {"bodyMl", table.bodyMl},
+                       {"metalMl", table.metalMl},   {"parts", table.parts},     {"text", segment::tableText(table)}};
 }
 
 void addPixels(Json& report, const dicom::Series& series, bool withTimes, const Progress& progress) {
@@ -99,7 +101,7 @@ void addPixels(Json& report, const dicom::Series& series, bool withTimes, const 
             addTime(report, step, time);
     };
     std::vector<dicom::Note> notes;
-    const Result<Volume> volume = loadVoxels(series, dicom::Padding::keep, progress, &notes);
+    Result<Volume> volume = loadVoxels(series, dicom::Padding::keep, progress, &notes);
     if (!volume) {
         if (series.verdict.loadable()) {
             report["loadable"] = false;
@@ -118,7 +120,7 @@ void addPixels(Json& report, const dicom::Series& series, bool withTimes, const 
     addSeconds("checksum");
     if (!series.verdict.loadable())
         return;
-    addTable(report, *volume, progress);
+    addTable(report, *std::move(volume), progress);
     addSeconds("table");
 }
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/scan/scan_place.h"
-#include "app/scan/scene_volume.h"
+#include "app/scan/seen_series.h"
 #include "render/base/errors.h"
 #include "ui/text/to_qt.h"
 
@@ -51,24 +51,15 @@ void ImportJob::loadSeries(int index) {
         // Wait for the memory of the previous volume
         if (auto freed = waitUntilFreed(before, patience, progress); !freed)
             return failure(freed.error());
-        // Read the series without its table
-        auto fetched = fetchSeries(series, {.table = Table::hidden}, progress);
-        if (!fetched)
-            return failure(fetched.error());
-        const WantedVolume& wanted = fetched->wanted;
-        const segment::Findings findings = segment::findingsOn(*wanted.volume, wanted.framed.box);
-        // Pack the voxels of the table
-        std::shared_ptr<const HiddenVoxels> hidden;
-        if (wanted.table.body) {
-            auto packed = HiddenVoxels::of(*wanted.scan, *wanted.table.body, progress);
-            if (!packed)
-                return failure(packed.error());
-            hidden = std::make_shared<const HiddenVoxels>(*std::move(packed));
-        }
-        return [this, index, volume = wanted.volume, notes = fetched->notes, table = wanted.table, findings, hidden] {
-            loadNotes_ = notes;
-            lastLoaded_ = volume;
-            emit loaded(volume, index, table, findings, hidden);
+        // Read the series, and hide its table
+        auto seen = seenSeries(series, progress);
+        if (!seen)
+            return failure(seen.error());
+        const segment::Findings findings = segment::findingsOn(*seen->volume, seen->table.bodyBox);
+        return [this, index, seen = *seen, findings] {
+            loadNotes_ = seen.notes;
+            lastLoaded_ = seen.volume;
+            emit loaded(seen.volume, index, seen.table, findings, seen.hidden);
         };
     });
 }

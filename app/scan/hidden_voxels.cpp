@@ -51,13 +51,15 @@ void unpack(const std::vector<std::byte>& frame, std::span<std::int16_t> voxels)
 Result<HiddenVoxels> HiddenVoxels::of(const Volume& scan, const Volume& seen, const Progress& progress) {
     assert(scan.size() == seen.size());
     return segment::orCancelled([&]() -> Result<HiddenVoxels> {
-        HiddenVoxels hidden;
-        hidden.slices_.resize(std::size_t(scan.size().z));
-        segment::forEachSlice(scan.size().z, segment::checkpointOf(progress, 1, "hiding the table"), [&](int z) {
-            hidden.slices_[std::size_t(z)] = packed(sliceOf(scan, z), sliceOf(seen, z));
-        });
+        HiddenVoxels hidden(scan.size().z);
+        segment::forEachSlice(scan.size().z, segment::checkpointOf(progress, 1, "hiding the table"),
+                              [&](int z) { hidden.keep(z, sliceOf(scan, z), sliceOf(seen, z)); });
         return hidden;
     });
+}
+
+void HiddenVoxels::keep(int slice, std::span<const std::int16_t> scan, std::span<const std::int16_t> seen) {
+    slices_[std::size_t(slice)] = packed(scan, seen);
 }
 
 Volume HiddenVoxels::scanOf(const Volume& seen) const {

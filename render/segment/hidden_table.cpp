@@ -31,27 +31,53 @@ HiddenTable undecided(const Volume& volume, const Text& why) {
     return table;
 }
 
-/// The changes to one slice of voxels.
+/// What lies in one slice outside the cells that are shown.
 struct HiddenSlice {
-    std::int64_t seen = 0;  ///< voxels denser than kSeenHu that were replaced by air
+    std::int64_t seen = 0;  ///< voxels denser than kSeenHu
     std::int16_t highest = INT16_MIN;
 };
 
-/// Replaces with air the voxels of slice `z` that lie in cells which are not shown.
-HiddenSlice hideSlice(const BodyMask& mask, ivec3 size, int z, std::int16_t* slice) {
-    HiddenSlice hidden;
-    for (int y = 0; y < size.y; ++y) {
-        const std::uint8_t* shown = &mask.shown[mask.grid.index(0, y / mask.grid.block.y, z / mask.grid.block.z)];
-        std::int16_t* row = slice + std::size_t(y) * std::size_t(size.x);
-        for (int x = 0; x < size.x; ++x) {
-            if (shown[x / mask.grid.block.x])
-                continue;
-            hidden.seen += row[x] > kSeenHu;
-            hidden.highest = std::max(hidden.highest, row[x]);
-            row[x] = Volume::kAirHu;
+/// Calls visit(y, hidden) for each row of slice `z`: a voxel whose number in `hidden` is -1 is not shown; 0: it is.
+/// Numbers of the voxels' own width let the visits become vector instructions.
+template <class Visit>
+void forEachRow(const BodyMask& mask, int z, Visit visit) {
+    const CellGrid& grid = mask.grid;
+    std::vector<std::int16_t> hidden(std::size_t(grid.voxels.x));
+    for (int y = 0; y < grid.voxels.y; ++y) {
+        if (y % grid.block.y == 0) {
+            const std::uint8_t* shown = &mask.shown[grid.index(0, y / grid.block.y, z / grid.block.z)];
+            for (int x = 0; x < grid.voxels.x; x += grid.block.x, ++shown)
+                std::fill_n(hidden.begin() + x, std::min(grid.block.x, grid.voxels.x - x),
+                            std::int16_t(*shown ? 0 : -1));
         }
+        visit(y, hidden.data());
     }
-    return hidden;
+}
+
+HiddenSlice hiddenIn(const BodyMask& mask, int z, const std::int16_t* slice) {
+    HiddenSlice all;
+    const int length = mask.grid.voxels.x;
+    forEachRow(mask, z, [&](int y, const std::int16_t* hidden) {
+        const std::int16_t* row = slice + std::size_t(y) * std::size_t(length);
+        int seen = 0;
+        std::int16_t highest = INT16_MIN;
+        for (int x = 0; x < length; ++x) {
+            seen += hidden[x] & int(row[x] > kSeenHu);
+            highest = std::max(highest, std::int16_t((row[x] & hidden[x]) | (INT16_MIN & ~hidden[x])));
+        }
+        all = {all.seen + seen, std::max(all.highest, highest)};
+    });
+    return all;
+}
+
+/// Replaces the voxels of slice `z` that are not shown with air.
+void hideSlice(const BodyMask& mask, int z, std::int16_t* slice) {
+    const int length = mask.grid.voxels.x;
+    forEachRow(mask, z, [&](int y, const std::int16_t* hidden) {
+        std::int16_t* row = slice + std::size_t(y) * std::size_t(length);
+        for (int x = 0; x < length; ++x)
+            row[x] = std::int16_t((row[x] & ~hidden[x]) | (Volume::kAirHu & hidden[x]));
+    });
 }
 
 VolumeGeometry boxIn(const Volume& volume, const BodyMask& mask) {
@@ -72,60 +98,127 @@ std::string factOf(const HiddenTable& table) {
     return volumeText(table.hiddenMl) + " of " + volumeText(table.hiddenMl + table.bodyMl) + rule;
 }
 
-/// A copy of the scan's voxels with air outside a mask.
-struct Masked {
-    Voxels voxels;
-    HiddenSlice hidden;  ///< changes to all slices
-};
-
-Masked masked(const Volume& volume, const BodyMask& mask, const Checkpoint& checkpoint) {
-    const ivec3 size = volume.size();
-    const std::size_t area = std::size_t(size.x) * std::size_t(size.y);
-    Masked result{Voxels(volume.voxels().begin(), volume.voxels().end()), {}};
-    std::vector<HiddenSlice> slices(std::size_t(size.z));
-    forEachSlice(size.z, checkpoint, [&](int z) {
-        slices[std::size_t(z)] = hideSlice(mask, size, z, result.voxels.data() + area * std::size_t(z));
-    });
-    for (const HiddenSlice& slice : slices)
-        result.hidden = {result.hidden.seen + slice.seen, std::max(result.hidden.highest, slice.highest)};
-    return result;
+/// Returns the number of voxels in a slice.
+std::size_t sliceVoxels(ivec3 size) {
+    return std::size_t(size.x) * std::size_t(size.y);
 }
 
-HiddenTable tableOf(const Volume& volume, BodyMask mask, const Checkpoint& checkpoint) {
+HiddenSlice hiddenIn(const BodyMask& mask, const Volume& volume, const Checkpoint& checkpoint) {
+    const ivec3 size = volume.size();
+    std::vector<HiddenSlice> slices(std::size_t(size.z));
+    forEachSlice(size.z, checkpoint, [&](int z) {
+        slices[std::size_t(z)] = hiddenIn(mask, z, &volume.voxels()[sliceVoxels(size) * std::size_t(z)]);
+    });
+    HiddenSlice all;
+    for (const HiddenSlice& slice : slices)
+        all = {all.seen + slice.seen, std::max(all.highest, slice.highest)};
+    return all;
+}
+
+/// A table that was found, and the cells that are shown without it.
+struct FoundTable {
+    HiddenTable facts;  ///< without the voxels of the body
+    BodyMask mask;      ///< empty where nothing is hidden
+
+    bool hidesAnything() const { return facts.undecided.empty() && facts.hiddenMl >= kLeastMl; }
+};
+
+FoundTable tableIn(const Volume& volume, BodyMask mask, const Checkpoint& checkpoint) {
     HiddenTable table;
-    Masked all = masked(volume, mask, checkpoint);
-    if (all.hidden.highest > kMetalHu) {
-        all.voxels = {};  // frees the first copy before the second is made
+    HiddenSlice hidden = hiddenIn(mask, volume, checkpoint);
+    if (hidden.highest > kMetalHu) {
         table.metalMl = showMetal(volume, mask);
-        all = masked(volume, mask, checkpoint);
+        hidden = hiddenIn(mask, volume, checkpoint);
     }
     table.bodyBox = boxIn(volume, mask);
     table.outlineMm = placesOf(volume.geometry(), mask.rowEnds);
-    table.hiddenMl = double(all.hidden.seen) * voxelMl(volume.geometry());
+    table.hiddenMl = double(hidden.seen) * voxelMl(volume.geometry());
     table.cutMl = volumeMl(mask.cut, mask.grid);
     table.bodyMl = mask.bodyMl;
     table.parts = mask.parts;
-    if (table.hiddenMl >= kLeastMl)
-        table.body = std::make_shared<const Volume>(volume.withVoxels(std::move(all.voxels), factOf(table)));
-    return table;
+    return {std::move(table), std::move(mask)};
+}
+
+FoundTable withoutMemory(const Volume& volume) {
+    return {undecided(volume, phrase("there is not enough memory to look for it")), {}};
+}
+
+/// Finds the table, and changes nothing. Error: cancelled().
+Result<FoundTable> findTable(const Volume& volume, const Progress& progress) {
+    try {
+        Result<BodyMask> mask = bodyMask(volume, partOf(progress, 0, 0.7));
+        if (!mask && mask.error().kind == ErrorKind::cancelled)
+            return mask.error();
+        return orCancelled([&]() -> Result<FoundTable> {
+            if (!mask)
+                return FoundTable{undecided(volume, mask.error().what), {}};
+            return tableIn(volume, *std::move(mask), checkpointOf(progress, 0.8, kStep));
+        });
+    } catch (const std::bad_alloc&) {
+        return withoutMemory(volume);
+    }
+}
+
+/// Returns a copy of the voxels with air in place of the table.
+Voxels hiddenCopy(const Volume& volume, const BodyMask& mask, const Checkpoint& checkpoint) {
+    const std::size_t count = sliceVoxels(volume.size());
+    Voxels voxels(volume.voxels().size());
+    forEachSlice(volume.size().z, checkpoint, [&](int z) {
+        const std::size_t first = count * std::size_t(z);
+        std::copy_n(&volume.voxels()[first], count, &voxels[first]);
+        hideSlice(mask, z, &voxels[first]);
+    });
+    return voxels;
+}
+
+/// Replaces the table with air in `voxels`, and calls `lost` for the slices that change.
+void hideIn(std::span<std::int16_t> voxels, const BodyMask& mask, const SliceLoss& lost, const Checkpoint& checkpoint) {
+    const std::size_t count = sliceVoxels(mask.grid.voxels);
+    forEachSlice(mask.grid.voxels.z, checkpoint, [&](int z) {
+        const std::span<std::int16_t> slice = voxels.subspan(count * std::size_t(z), count);
+        const std::vector<std::int16_t> before(slice.begin(), slice.end());
+        hideSlice(mask, z, slice.data());
+        if (!std::ranges::equal(before, slice))
+            lost(z, before, slice);
+    });
 }
 
 }  // namespace
 
 Result<HiddenTable> hideTable(const Volume& volume, const Progress& progress) {
+    Result<FoundTable> found = findTable(volume, progress);
+    if (!found)
+        return found.error();
     try {
-        Result<BodyMask> mask = bodyMask(volume, partOf(progress, 0, 0.7));
-        if (!mask && mask.error().kind == ErrorKind::cancelled)
-            return mask.error();
         return orCancelled([&]() -> Result<HiddenTable> {
-            HiddenTable table = mask ? tableOf(volume, *std::move(mask), checkpointOf(progress, 0.8, kStep))
-                                     : undecided(volume, mask.error().what);
+            HiddenTable& table = found->facts;
+            if (found->hidesAnything())
+                table.body = std::make_shared<const Volume>(volume.withVoxels(
+                    hiddenCopy(volume, found->mask, checkpointOf(progress, 0.9, kStep)), factOf(table)));
             checkpointOf(progress, 1, kStep)();
-            return table;
+            return std::move(table);
         });
     } catch (const std::bad_alloc&) {
-        return undecided(volume, phrase("there is not enough memory to look for it"));
+        return withoutMemory(volume).facts;
     }
+}
+
+Result<ScanWithoutTable> hideTableIn(Volume scan, const SliceLoss& lost, const Progress& progress) {
+    Result<FoundTable> found = findTable(scan, progress);
+    if (!found)
+        return found.error();
+    return orCancelled([&]() -> Result<ScanWithoutTable> {
+        HiddenTable& table = found->facts;
+        const Checkpoint checkpoint = checkpointOf(progress, 0.9, kStep);
+        const auto hide = [&](std::span<std::int16_t> voxels) { hideIn(voxels, found->mask, lost, checkpoint); };
+        const bool hides = found->hidesAnything();
+        const auto seen =
+            std::make_shared<const Volume>(hides ? std::move(scan).changed(hide, factOf(table)) : std::move(scan));
+        if (hides)
+            table.body = seen;
+        checkpointOf(progress, 1, kStep)();
+        return ScanWithoutTable{seen, std::move(table)};
+    });
 }
 
 Text tableText(const HiddenTable& table) {

@@ -1,7 +1,10 @@
 #pragma once
 /// Hides the table and other objects around the patient in a scan.
 
+#include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +33,21 @@ struct HiddenTable {
 /// too, see outside_metal.h. Less than 1 ml is not hidden. The result is undecided where bodyMask() refuses, and
 /// without enough memory. Error: cancelled().
 Result<HiddenTable> hideTable(const Volume& volume, const Progress& progress);
+
+/// Takes a slice that loses voxels to the table: its number, its voxels before that, and after it. Called from several
+/// threads, once for each slice.
+using SliceLoss =
+    std::function<void(int slice, std::span<const std::int16_t> scan, std::span<const std::int16_t> seen)>;
+
+/// A scan whose table is hidden.
+struct ScanWithoutTable {
+    std::shared_ptr<const Volume> volume;  ///< the scan, with air outside the body where anything is hidden
+    HiddenTable table;                     ///< its body is `volume`, or null where nothing is hidden
+};
+
+/// Does the same in the memory of the scan, which large scans fill. `lost` gets what it takes to restore the scan.
+/// What `lost` throws is thrown. Error: cancelled(); the scan is lost then.
+Result<ScanWithoutTable> hideTableIn(Volume scan, const SliceLoss& lost, const Progress& progress);
 
 /// Returns a sentence or two for the user: "Table and holder hidden: 884 ml outside the body. 34 ml of it touched the
 /// skin: check the edge.", or why nothing is hidden. Empty: there was nothing to hide.

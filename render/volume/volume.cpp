@@ -16,11 +16,20 @@ ValueRanges united(ValueRanges a, const ValueRanges& b) {
     return a;
 }
 
+/// Returns the range of some voxels. Two numbers of their own become vector instructions.
+HuRange rangeOf(std::span<const std::int16_t> voxels) {
+    std::int16_t lowest = INT16_MAX, highest = INT16_MIN;
+    for (const std::int16_t hu : voxels) {
+        lowest = std::min(lowest, hu);
+        highest = std::max(highest, hu);
+    }
+    return {lowest, highest};
+}
+
 /// Returns the ranges of the voxels [begin, end). `padding` is empty or has a flag for each voxel.
 ValueRanges rangesOf(const Voxels& voxels, const std::vector<bool>& padding, std::size_t begin, std::size_t end) {
     ValueRanges ranges;
-    for (std::size_t i = begin; i < end; ++i)
-        ranges.stored.include({voxels[i], voxels[i]});
+    ranges.stored = rangeOf(std::span(voxels).subspan(begin, end - begin));
     if (padding.empty())
         ranges.measured = ranges.stored;
     else
@@ -114,6 +123,13 @@ Volume Volume::clamped(std::int16_t lowest, std::int16_t highest) && {
 
 Volume Volume::withVoxels(Voxels voxels, std::string hidden) const {
     return Volume(geometry_, std::move(voxels), padding_, remarks_, std::move(hidden));
+}
+
+Volume Volume::changed(const std::function<void(std::span<std::int16_t>)>& change, std::string hidden) && {
+    change(voxels_);
+    hidden_ = std::move(hidden);
+    findRanges();
+    return std::move(*this);
 }
 
 void Volume::findRanges() {

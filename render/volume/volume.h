@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -84,6 +85,9 @@ class Volume {
     Volume clamped(std::int16_t lowest, std::int16_t highest) &&;
     /// Returns the same scan with other voxels in place of these; `hidden` describes what they hide.
     Volume withVoxels(Voxels voxels, std::string hidden) const;
+    /// Returns the same scan after `change` has written other values to its voxels, in the same memory: *this is empty
+    /// afterwards. `hidden` describes what they hide. What `change` throws is thrown; the scan is lost then.
+    Volume changed(const std::function<void(std::span<std::int16_t>)>& change, std::string hidden) &&;
 
     const VolumeGeometry& geometry() const { return geometry_; }
     ivec3 size() const { return geometry_.size; }

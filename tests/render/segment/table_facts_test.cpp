@@ -112,6 +112,39 @@ class TableFactsTest : public QObject {
         QCOMPARE(many.hiddenMl, alone.hiddenMl);
     }
 
+    /// The window hides the table in the memory of the scan: the same voxels and figures, and what is lost is handed
+    /// out.
+    void inPlaceIsTheSame() {
+        const auto patient = onTable(-8, 30).volume;
+        const HiddenTable copied = hidden(*patient);
+        Voxels restored(copied.body->voxels().begin(), copied.body->voxels().end());
+        const std::size_t area = restored.size() / std::size_t(patient->size().z);
+        const auto restore = [&](int z, std::span<const std::int16_t> scan, std::span<const std::int16_t>) {
+            std::ranges::copy(scan, restored.begin() + std::ptrdiff_t(area * std::size_t(z)));
+        };
+        Volume scan = *patient;
+        const std::int16_t* memory = scan.voxels().data();
+        const auto inPlace = *segment::hideTableIn(std::move(scan), restore, noProgress);
+        QVERIFY(inPlace.volume->voxels().data() == memory);
+        QVERIFY(inPlace.table.body == inPlace.volume);
+        QVERIFY(sameVoxels(*inPlace.volume, *copied.body));
+        QVERIFY(std::ranges::equal(restored, patient->voxels()));
+        QCOMPARE(inPlace.volume->hidden(), copied.body->hidden());
+        QVERIFY(inPlace.volume->storedRange() == copied.body->storedRange());
+        QCOMPARE(inPlace.volume->highestHu(), copied.body->highestHu());
+        QCOMPARE(inPlace.table.hiddenMl, copied.hiddenMl);
+        QCOMPARE(inPlace.table.cutMl, copied.cutMl);
+    }
+
+    void withoutATableTheScanStaysInPlace() {
+        const auto alone = lying(trunk).volume;
+        const auto none = [](int, std::span<const std::int16_t>, std::span<const std::int16_t>) {};
+        const auto inPlace = *segment::hideTableIn(Volume(*alone), none, noProgress);
+        QVERIFY(!inPlace.table.body);
+        QVERIFY(sameVoxels(*inPlace.volume, *alone));
+        QVERIFY(inPlace.volume->hidden().empty());
+    }
+
     void whatCannotBeKnownIsSaid_data() {
         QTest::addColumn<Anatomy>("anatomy");
         QTest::addColumn<double>("sliceMm");
