@@ -47,11 +47,6 @@ struct CellCounts {
 
 struct Moments {
     std::int64_t sum = 0, squares = 0, count = 0;
-    void add(std::int64_t hu) {
-        sum += hu;
-        squares += hu * hu;
-        ++count;
-    }
     double mean() const { return double(sum) / double(count); }
     double spread() const { return std::sqrt(std::max(0.0, double(squares) / double(count) - mean() * mean())); }
 };
@@ -61,25 +56,56 @@ ivec3 blockOf(const VolumeGeometry& geometry) {
     return glm::clamp(ivec3(voxels), ivec3(1), geometry.size);
 }
 
+/// Sums over the voxels of a row of cells that have the same place along the row. Their loops become vector
+/// instructions.
+struct RowSums {
+    explicit RowSums(int length) : sum(std::size_t(length)), squares(sum.size()) {}
+
+    void clear() {
+        std::ranges::fill(sum, 0);
+        std::ranges::fill(squares, 0);
+    }
+    void add(const std::int16_t* hu) {
+        int above = 0;
+        for (std::size_t x = 0; x < sum.size(); ++x) {
+            sum[x] += hu[x];
+            squares[x] += double(int(hu[x]) * int(hu[x]));
+            above += int(hu[x] > kMetalHu);
+        }
+        metal += std::uint64_t(above);
+    }
+    /// Returns the moments of the `count` voxels that lie in [first, first + length) along the row.
+    Moments of(int first, int length, std::int64_t count) const {
+        Moments cell{0, 0, count};
+        for (auto x = std::size_t(first); x < std::size_t(first + length); ++x) {
+            cell.sum += sum[x];
+            cell.squares += std::int64_t(squares[x]);
+        }
+        return cell;
+    }
+
+    std::vector<std::int64_t> sum;
+    std::vector<double> squares;  ///< whole numbers
+    std::uint64_t metal = 0;      ///< voxels above kMetalHu
+};
+
 /// Counts the whole cells of a layer; the remainder at the end of an axis is left out.
 CellCounts countLayer(const Volume& scan, ivec3 block, int layer) {
     const ivec3 size = scan.size(), cells = size / block;
     CellCounts counts;
-    std::vector<Moments> row(std::size_t(cells.x));
+    RowSums sums(cells.x * block.x);
     for (int j = 0; j < cells.y; ++j) {
-        std::ranges::fill(row, Moments{});
+        sums.clear();
         for (int z = layer * block.z; z < (layer + 1) * block.z; ++z)
-            for (int y = j * block.y; y < (j + 1) * block.y; ++y) {
-                const std::int16_t* hu = &scan.voxels()[(std::size_t(z) * size.y + y) * size.x];
-                for (int x = 0; x < cells.x * block.x; ++x) {
-                    row[std::size_t(x / block.x)].add(hu[x]);
-                    counts.metal += hu[x] > kMetalHu;
-                }
-            }
-        for (const Moments& cell : row)
+            for (int y = j * block.y; y < (j + 1) * block.y; ++y)
+                sums.add(&scan.voxels()[(std::size_t(z) * size.y + y) * size.x]);
+        for (int i = 0; i < cells.x; ++i) {
+            const Moments cell = sums.of(i * block.x, block.x, std::int64_t(block.x) * block.y * block.z);
             if (const int spread = int(cell.spread() / kSpreadHu); spread < kSpreads)
                 ++counts.cells[meanBin(cell.mean())][spread];
+        }
     }
+    counts.metal = sums.metal;
     return counts;
 }
 
