@@ -93,11 +93,11 @@ std::optional<int> countIn(DcmItem& item, const DcmTagKey& tag) {
     return stated ? std::optional(int(std::clamp((*stated)[0], -1e9, 1e9))) : std::nullopt;
 }
 
-/// Fills `read` from the elements before the pixels. False if the toolkit cannot parse them.
-bool parseHeader(const NamedBytes& object, HeaderRead& read, bool& isDirectory) {
+/// Fills `read` from the elements before the pixels. False if the toolkit cannot parse them, or `goOn` stopped it.
+bool parseHeader(const NamedBytes& object, const GoOn& goOn, HeaderRead& read, bool& isDirectory) {
     SliceHeader& header = read.header;
     DcmFileFormat content;
-    const bool parsed = parseObject(object, header, Extent::header, content);
+    const bool parsed = parseObject(object, header, Extent::header, content, goOn);
     DcmItem& item = *content.getDataset();
     isDirectory = text(*content.getMetaInfo(), DCM_MediaStorageSOPClassUID) == UID_MediaStorageDirectoryStorage;
     header.imageType = text(item, DCM_ImageType);
@@ -126,7 +126,7 @@ bool parseHeader(const NamedBytes& object, HeaderRead& read, bool& isDirectory) 
     readMeaning(item, header.meaning);
     header.window = readWindow(item);
     readPlane(item, header);
-    if (header.hasFrameGroups && !refusePixels(header))
+    if (parsed && header.hasFrameGroups && !refusePixels(header))
         read.frames = readFrames(item, header);
     return parsed;
 }
@@ -157,7 +157,7 @@ HeaderRead readSliceHeader(const NamedBytes& object, const GoOn& goOn) {
     if (!structure.damage.empty() && !structure.reachesPixels)
         return read;
     bool isDirectory = false;
-    const bool parsed = parseHeader(object, read, isDirectory);
+    const bool parsed = parseHeader(object, goOn, read, isDirectory);
     if (isDirectory) {
         read.kind = HeaderRead::Kind::directory;
     } else if (!parsed && structure.damage.empty()) {

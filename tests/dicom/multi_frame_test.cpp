@@ -5,6 +5,7 @@
 
 #include "dicom/import.h"
 #include "dicom/read/pixels.h"
+#include "dicom/read/slice_header.h"
 #include "render/base/progress.h"
 #include "tests/support/dicom/enhanced_file.h"
 #include "tests/support/dicom/memory_source.h"
@@ -90,6 +91,22 @@ class MultiFrameTest : public QObject {
         const Series series = scanned().series.at(0);
         QCOMPARE(series.slices.front().frame, 4);
         QCOMPARE(series.slices.back().frame, 0);
+    }
+
+    /// The toolkit parses the groups of a thousand frames for a third of a second; who cancels does not wait for that.
+    void parsingTheGroupsEndsOnRequest() {
+        test::writeEnhancedFile(file(), thorax(50));
+        int asked = 0;
+        const auto count = [&] { return ++asked > 0; };
+        QVERIFY(readSliceHeader({file()}, count).kind == HeaderRead::Kind::object);
+        const int all = asked;
+        QVERIFY2(all > 10 * 50, qPrintable(QString::number(all)));
+        for (int last = all / 4; last < all; last += all / 4) {
+            asked = 0;
+            const HeaderRead read = readSliceHeader({file()}, [&] { return ++asked < last; });
+            QVERIFY(read.kind == HeaderRead::Kind::damaged && read.frames.empty());
+            QCOMPARE(asked, last);
+        }
     }
 
     void theHighByteMayComeFirst() {
