@@ -104,13 +104,21 @@ void LooksPresenter::showDocument(Changes changes) {
 
 void LooksPresenter::showFrame(const std::shared_ptr<const Frame>&) {
     images_.setImageStands(true);
+    afterImage_.imageStands();
+}
+
+void LooksPresenter::releaseVolume() {
+    afterImage_.reset();
+    images_.forget();
 }
 
 void LooksPresenter::requestImages(bool moving) {
     if (moving)
         images_.cancel();
     else if (document().hasVolume())
-        images_.make(document().seen(), document().parts(), document().bodyBox(), lookTasks(document()));
+        afterImage_.call([this] {
+            images_.make(document().seen(), document().parts(), document().bodyBox(), lookTasks(document()));
+        });
 }
 
 /// Offers the user's own looks after the bundled ones.

@@ -4,6 +4,7 @@
 #include "app/jobs/look_images.h"
 #include "app/looks/own_looks.h"
 #include "app/presenters/presenter.h"
+#include "app/rendering/after_first_image.h"
 #include "ui/looks/look_panel.h"
 #include "ui/looks/visible_row.h"
 
@@ -18,7 +19,7 @@ class LooksPresenter : public Presenter {
 
     void showDocument(Changes changes) override;
     void showFrame(const std::shared_ptr<const Frame>& frame) override;
-    void releaseVolume() override { images_.forget(); }
+    void releaseVolume() override;
     /// The row below the looks, for the presenter of the visible parts.
     ui::VisibleRow& visibleRow() { return *visible_; }
     LookImages& images() { return images_; }
@@ -39,6 +40,7 @@ class LooksPresenter : public Presenter {
     ui::VisibleRow* visible_;
     OwnLooks own_;
     LookImages images_;
+    AfterFirstImage afterImage_;
 };
 
 }  // namespace pdr::app

@@ -35,12 +35,17 @@ void TissuePresenter::pick(QPointF place) {
 
 void TissuePresenter::showDocument(Changes changes) {
     if (has(changes, Changes::series) && document().hasVolume())
-        study_.setVolume(document().seen());
+        afterImage_.call([this] { study_.setVolume(document().seen()); });
     if (has(changes, Changes::tissue | Changes::looks))
         panel_->setTransferFunction(document().setup().look.transferFunction);
 }
 
+void TissuePresenter::showFrame(const std::shared_ptr<const Frame>&) {
+    afterImage_.imageStands();
+}
+
 void TissuePresenter::releaseVolume() {
+    afterImage_.reset();
     study_.setVolume(nullptr);
     panel_->setHistogram(nullptr);
 }

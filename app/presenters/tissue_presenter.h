@@ -4,6 +4,7 @@
 #include "app/document/tissue_edits.h"
 #include "app/jobs/tissue_study.h"
 #include "app/presenters/presenter.h"
+#include "app/rendering/after_first_image.h"
 #include "ui/tissue/tissue_panel.h"
 #include "ui/view/drag_tool.h"
 #include "ui/view/pick_tool.h"
@@ -17,6 +18,7 @@ class TissuePresenter : public Presenter {
     explicit TissuePresenter(const Workspace& workspace);
 
     void showDocument(Changes changes) override;
+    void showFrame(const std::shared_ptr<const Frame>& frame) override;
     void releaseVolume() override;
     /// Shows the tissue that is seen at `place`, in fractions of the image's width and height.
     void pick(QPointF place);
@@ -32,6 +34,7 @@ class TissuePresenter : public Presenter {
     ui::PickTool pick_;
     TissueEdits edits_;
     TissueStudy study_;
+    AfterFirstImage afterImage_;
 };
 
 }  // namespace pdr::app

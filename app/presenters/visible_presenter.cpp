@@ -22,7 +22,10 @@ VisiblePresenter::VisiblePresenter(const Workspace& workspace, ui::VisibleRow& r
 
 void VisiblePresenter::connectMasks() {
     showProgressOf(masks_);
-    connect(&document(), &Document::maskWanted, &masks_, &MaskJob::make);
+    connect(&document(), &Document::maskWanted, this,
+            [this](const std::shared_ptr<const segment::BodyParts>& parts, const Visible& visible) {
+                afterImage_.call([this, parts, visible] { masks_.make(parts, visible); });
+            });
     connect(&masks_, &MaskJob::made, &document(), &Document::setMask);
     connect(&masks_, &MaskJob::cancelled, &document(), &Document::keepVisible);
     connect(&masks_, &MaskJob::refused, this, [this](const Visible& visible, const Error& error) {
@@ -40,6 +43,15 @@ void VisiblePresenter::showDocument(Changes changes) {
         return;
     row_.setChoice(document().setup().look.visible);
     row_.setNotShown(notShownText(document().scene()));
+}
+
+void VisiblePresenter::showFrame(const std::shared_ptr<const Frame>&) {
+    afterImage_.imageStands();
+}
+
+void VisiblePresenter::releaseVolume() {
+    afterImage_.reset();
+    masks_.cancel();
 }
 
 }  // namespace pdr::app

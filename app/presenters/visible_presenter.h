@@ -3,6 +3,7 @@
 
 #include "app/jobs/mask_job.h"
 #include "app/presenters/presenter.h"
+#include "app/rendering/after_first_image.h"
 #include "ui/looks/visible_row.h"
 
 namespace pdr::app {
@@ -15,7 +16,8 @@ class VisiblePresenter : public Presenter {
     VisiblePresenter(const Workspace& workspace, ui::VisibleRow& row);
 
     void showDocument(Changes changes) override;
-    void releaseVolume() override { masks_.cancel(); }
+    void showFrame(const std::shared_ptr<const Frame>& frame) override;
+    void releaseVolume() override;
     bool cancelJob() override { return cancel(masks_); }
     MaskJob& masks() { return masks_; }
 
@@ -24,6 +26,7 @@ class VisiblePresenter : public Presenter {
 
     ui::VisibleRow& row_;
     MaskJob masks_;
+    AfterFirstImage afterImage_;
 };
 
 }  // namespace pdr::app
