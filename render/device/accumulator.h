@@ -64,6 +64,8 @@ class Accumulator {
         use(**known);
         return {};
     }
+    /// Returns the whole film, on the host, and is without one until restart(). A film on the host is moved, not copied.
+    virtual Result<std::shared_ptr<const Film>> putAway() { return film(); }
     /// Continues from `film`, of the same area, as if all its samples had been taken here.
     virtual Result<void> resume(const Film& film) = 0;
     /// Empties the film for the scene of that revision, which was uploaded before; forgets requested images. Allocates

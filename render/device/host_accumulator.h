@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <memory>
+#include <utility>
 
 #include "render/device/accumulator.h"
 #include "render/film/display/tone_map.h"
@@ -21,6 +22,7 @@ class HostAccumulator : public Accumulator {
     Result<Image> readback() override;
     int maxInFlight() const override { return 1; }
     Result<std::shared_ptr<const Film>> film() override { return std::make_shared<const Film>(film_); }
+    Result<std::shared_ptr<const Film>> putAway() override { return std::make_shared<const Film>(std::move(film_)); }
     Result<void> look(const std::function<void(const Film&)>& use) override {
         use(film_);
         return {};

@@ -77,6 +77,7 @@ class SpareFilm final : public Accumulator {
     Result<Image> readback() override { return film_->readback(); }
     int maxInFlight() const override { return film_->maxInFlight(); }
     Result<std::shared_ptr<const Film>> film() override { return film_->film(); }
+    Result<std::shared_ptr<const Film>> putAway() override { return film_->putAway(); }
     Result<void> look(const std::function<void(const Film&)>& use) override { return film_->look(use); }
     Result<void> resume(const Film& film) override { return film_->resume(film); }
     Result<void> restart(const Tile& area, std::uint64_t revision) override {

@@ -21,6 +21,11 @@ void DisplayPipeline::markShown() {
     coarser_.reset();
 }
 
+void DisplayPipeline::markReturned() {
+    markShown();
+    fresh_ = broken_ = true;
+}
+
 bool DisplayPipeline::findGuide(FilmOnDevice& place, int finer, const std::stop_token& stop) {
     if (!guideSought_ && finer > 1) {
         guide_ = place.guide(finer, stop);

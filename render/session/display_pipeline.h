@@ -43,6 +43,10 @@ class DisplayPipeline {
     void breakOff() { broken_ = first_; }
     /// Records that an image of the film was made. The coarser film is not needed any more.
     void markShown();
+    /// Records that the film has come back with its samples: its image is to be made before more of them.
+    void markReturned();
+    /// Records that an image of the film that was made before has been shown again.
+    void markShownBefore() { broken_ = false; }
 
     // Images of the film. Errors: the device's.
     /// Finds the guide to draw a coarse film on, with `finer` pixels along each of the film's; returns whether there is

@@ -8,7 +8,7 @@ Text deviceLabel(const DeviceInfo& device) {
     return device.hostMemory ? phrase("the CPU") : phrase("the GPU %1", device.name);
 }
 
-Result<void> FilmOnDevice::begin(const Scene& scene) {
+Result<void> FilmOnDevice::begin(const Scene& scene, const Film* from) {
     torn_ = true;
     scene_ = scene;
     Result<void> begun = device_->upload(*scene_);
@@ -19,6 +19,8 @@ Result<void> FilmOnDevice::begin(const Scene& scene) {
     if (!begun)
         return begun;
     begun = emptyFilm();
+    if (begun && from != nullptr)
+        begun = film_->resume(*from);
     if (!begun)
         film_.reset();
     torn_ = false;

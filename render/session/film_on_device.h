@@ -29,8 +29,14 @@ class FilmOnDevice {
     std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) {
         return device_->guide(finer, stop);
     }
-    /// Begins an empty film of `scene`. Errors: the device's; there is no film then.
-    Result<void> begin(const Scene& scene);
+    /// Begins a film of `scene` with the samples of `from`; null: it is empty. Errors: the device's; there is no film
+    /// then.
+    Result<void> begin(const Scene& scene, const Film* from = nullptr);
+    /// Returns the film, which must exist, and is without one from now on. Errors: the device's.
+    Result<std::shared_ptr<const Film>> putAway() {
+        torn_ = true;
+        return film_->putAway();
+    }
     /// Continues on `device`, from `from` unless that is null. Errors: the new device's; nothing changes then.
     Result<void> moveTo(std::unique_ptr<Device> device, const Film* from);
     /// Lends the device to `work`, which may upload other scenes; afterwards uploads that of the film again. Errors:

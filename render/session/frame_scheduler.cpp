@@ -29,6 +29,11 @@ void FrameScheduler::chooseFiner() {
     passing_ = false;
 }
 
+void FrameScheduler::chooseFull() {
+    divider_ = 1;
+    passing_ = false;
+}
+
 void FrameScheduler::reset(TileProgress progress) {
     sweep_ = Sweep(std::move(progress));
     timer_.clear();

@@ -45,6 +45,8 @@ class FrameScheduler {
     void chooseFirst(ivec2 size, bool moving);
     /// Chooses the next finer film of the same scene.
     void chooseFiner();
+    /// Chooses the full film of a scene at rest.
+    void chooseFull();
     int divider() const { return divider_; }  ///< see ResolutionLadder
     bool isCoarse() const { return divider_ > 1 || passing_; }
     /// Records how long a film took to begin [s].

@@ -50,13 +50,14 @@ void Session::Loop::take(const RenderCommands::Iteration& step) {
     quality_.chooseRegion(commands.region());
     if (step.device)
         switchTo(step.device);
+    bool isBack = false;  // the next step says what is still to do on a film that came back
     if (step.order) {
         revision_ = step.order->scene.revision;
-        begin(*step.order);
+        isBack = begin(*step.order);
     }
     if (step.watch)
         effectCosts_.watch(*step.watch);
-    if (place_.film() != nullptr && !step.idle)
+    if (!isBack && place_.film() != nullptr && !step.idle)
         work(step);
     measureEffects(step);
 }
@@ -80,6 +81,7 @@ void Session::Loop::clear() {
     goOnFrom(nullptr);
     display_.dropCoarser();
     effectCosts_.forget();
+    kept_.clear();
     scene_ = {};
     place_.close();
 }
@@ -96,19 +98,25 @@ void Session::Loop::answer(const RenderCommands::Iteration& step) const {
 }
 
 /// Takes a new scene. If the drag has ended without a change, the scene is the current one and its film continues.
-void Session::Loop::begin(const RenderCommands::SceneOrder& order) {
+/// Returns whether a film that was put away has come back.
+bool Session::Loop::begin(const RenderCommands::SceneOrder& order) {
     moving_ = order.moving;
     if (place_.film() != nullptr && order.scene.revision == scene_.revision)
-        return;
+        return !moving_ && coarse() && comeBack();
+    keepFilm();
     if (const Result<void> fits = order.scene.check(); !fits) {
         place_.forget();
-        return fail(fits.error().text());
+        fail(fits.error().text());
+        return false;
     }
     scene_ = order.scene;
     effectCosts_.follow(scene_, commands.display());
     display_.dropCoarser();
+    if (!moving_ && comeBack())
+        return true;
     scheduler_.chooseFirst(scene_.film, moving_);
     beginFilm();
+    return false;
 }
 
 /// Starts an empty film of the scene, as coarse as was chosen.
@@ -186,6 +194,7 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
     display_.reset(!hasSamples());
     quality_.clear();
     bias_.clear();
+    shown_ = returning_ = nullptr;
     checkpoint_.reset(std::move(film));
 }
 
@@ -213,6 +222,7 @@ void Session::Loop::threw() noexcept {
     for (const bool elsewhere : {!place_.info().hostMemory, false}) {
         try {
             place_.dropFilm();
+            kept_.clear();
             const Text sentence = phrase("This image cannot be rendered: %1", thrownError().text());
             return elsewhere ? recover(sentence) : fail(sentence);
         } catch (...) {

@@ -10,6 +10,7 @@
 #include "render/session/display_pipeline.h"
 #include "render/session/film_on_device.h"
 #include "render/session/frame_scheduler.h"
+#include "render/session/kept_films.h"
 #include "render/session/live_effect_costs.h"
 #include "render/session/quality_tracker.h"
 #include "render/session/render_commands.h"
@@ -33,13 +34,13 @@ class Session::Loop {
     void clear();
     void answer(const RenderCommands::Iteration& step) const;
     void switchTo(const DeviceOpener& open);
-    void begin(const RenderCommands::SceneOrder& order);
+    bool begin(const RenderCommands::SceneOrder& order);
     void work(const RenderCommands::Iteration& step);
     void finish(const RenderCommands::Iteration& step, Result<void> done);
     void measureEffects(const RenderCommands::Iteration& step);
 
     // Parts of work(). Errors: the device's.
-    Result<void> accumulate(const RenderCommands::Iteration& step);
+    Result<void> accumulate(const FrameBudget& pace, const std::stop_token& stop);
     Result<void> show(const RenderCommands::Iteration& step, bool adds);
     Result<void> showCoarser(const RenderCommands::Iteration& step);
     Result<void> timeDisplay(const Display& display, std::uint32_t n, double frameSeconds);
@@ -48,11 +49,18 @@ class Session::Loop {
     Result<void> takeSnapshots();
     void send(DisplayPipeline::Images images, std::uint32_t n);
     std::shared_ptr<Frame> frameOf(DisplayedImage image, std::uint32_t n);
+    /// Completes a frame of the film with what changes without it: the scene's number and texts, the stop rule, and the
+    /// device.
+    void label(Frame& frame);
 
     // Starting and continuing films.
     void beginFilm();
     void beginFiner();
     void goOnFrom(std::shared_ptr<const Film> film);
+    void keepFilm();
+    bool comeBack();
+    bool showReturning();
+    KeptScene keptScene() const;
     Result<bool> moveTo(Result<std::unique_ptr<Device>> device, std::shared_ptr<const Film> from);
     Scene dividedScene() const;
 
@@ -78,9 +86,17 @@ class Session::Loop {
     bool givesWay() const { return !display_.awaitsFirst() || (display_.hasCoarser() && !coarse()); }
     /// Returns whether there is a denoised image whose error can be judged.
     bool canJudge() { return !coarse() && !moving_ && smooths(commands.display()); }
+    /// Returns whether the film is worth keeping for when its scene comes back.
+    bool isWorthKeeping() const {
+        return place_.film() != nullptr && !coarse() && !display_.awaitsFirst() && hasSamples() &&
+               quality_.seconds() >= kLeastKeptSeconds && scene_.schedule.kind == Schedule::Kind::pd;
+    }
     bool canSnapshot() const {
         return place_.film() != nullptr && !moving_ && !coarse() && !display_.awaitsFirst() && !isHalfMade();
     }
+
+    /// Rendering time that makes a film worth keeping; a film of less comes back as soon by being rendered again.
+    static constexpr double kLeastKeptSeconds = 0.5;
 
     FrameSink sink_;
     DeviceOpener fallback_;
@@ -98,6 +114,9 @@ class Session::Loop {
     BiasTracker bias_{clock_};
     Checkpoint checkpoint_{clock_};
     LiveEffectCosts effectCosts_{clock_};
+    KeptFilms kept_;
+    std::shared_ptr<const Frame> shown_;      ///< last full image of the film; null: none since it lost samples
+    std::shared_ptr<const Frame> returning_;  ///< last image of a film that came back, until it or a newer one is shown
 
     std::jthread thread_;  ///< declared last, because it uses all members above
 };

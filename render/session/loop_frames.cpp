@@ -7,7 +7,9 @@
 namespace pdr {
 
 void Session::Loop::work(const RenderCommands::Iteration& step) {
-    // Show the existing image on another display
+    // Show an existing image, on another display
+    if (showReturning())
+        return finish(step, {});
     brightens_ = step.redisplay && !display_.awaitsFirst() && !coarse() && smooths(commands.display());
     if (step.redisplay && (!display_.awaitsFirst() || display_.hasCoarser()))
         return finish(step, display_.awaitsFirst() ? showCoarser(step) : show(step, false));
@@ -17,11 +19,13 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
     if (place_.film() == nullptr)
         return;
     // Take samples
+    const bool keeps = isWorthKeeping();  // then the launch ends first: half of one would leave no film to keep
     Result<void> done;
     if (step.render && !display_.isBroken())
-        done = accumulate(step);
-    if (done && step.render && step.stop.stop_requested()) {
-        place_.tearFilm();  // a newer request is waiting
+        done = accumulate(step.pace, keeps ? std::stop_token() : step.stop);
+    if (done && step.render && step.stop.stop_requested()) {  // a newer request is waiting
+        if (!keeps)
+            place_.tearFilm();
         return;
     }
     if (done && !display_.awaitsFirst() && step.detour.stop_requested())
@@ -36,15 +40,15 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
         return finish(step, done);  // an interrupted judgement is repeated later
     }
     if (done && hasSamples() && frameEnds)
-        done = show(step, step.render);
+        done = show(step, step.render && scheduler_.hasIterations());
     finish(step, std::move(done));
 }
 
 /// Ends a step: takes snapshots, a checkpoint and bias measurements where due. If `done` is an error, handles that
 /// instead.
 void Session::Loop::finish(const RenderCommands::Iteration& step, Result<void> done) {
-    if (done && place_.film() == nullptr)
-        return;  // its image was interrupted
+    if (done && step.stop.stop_requested())
+        return;  // its image may have been interrupted
     if (done && canSnapshot())
         done = takeSnapshots();
     const bool isLosable = hasSamples() && !isHalfMade() && !coarse() && !place_.info().hostMemory;
@@ -88,14 +92,14 @@ Result<void> Session::Loop::beginFrame(const FrameBudget& pace) {
     return {};
 }
 
-Result<void> Session::Loop::accumulate(const RenderCommands::Iteration& step) {
+Result<void> Session::Loop::accumulate(const FrameBudget& pace, const std::stop_token& stop) {
     if (scheduler_.isBetweenFrames())
-        if (Result<void> begun = beginFrame(step.pace); !begun)
+        if (Result<void> begun = beginFrame(pace); !begun)
             return begun;
     const bool inPieces = place_.info().hostMemory && scene_.schedule.kind == Schedule::Kind::pd;
     const double start = clock_();
-    const Sweep::Order order = scheduler_.next(demand(step.pace), inPieces);
-    if (Result<void> accumulated = place_.film()->accumulate(order.tile, order.n, step.stop); !accumulated)
+    const Sweep::Order order = scheduler_.next(demand(pace), inPieces);
+    if (Result<void> accumulated = place_.film()->accumulate(order.tile, order.n, stop); !accumulated)
         return accumulated;
     scheduler_.took(order, clock_() - start);
     return {};

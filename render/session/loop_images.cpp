@@ -26,10 +26,8 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
         guided ? display_.makeOnGuide(place_, asked, adds) : display_.make(place_, asked, display, atOnce, stop);
     if (!images)
         return images.error();
-    if (display.denoised && step.stop.stop_requested()) {
-        place_.tearFilm();
+    if (display.denoised && step.stop.stop_requested())
         return {};
-    }
     const double displaySeconds = clock_() - start;
     if (display.denoised && stop.stop_requested()) {
         quality_.addSeconds(displaySeconds);
@@ -100,25 +98,36 @@ Result<void> Session::Loop::timeDisplay(const Display& display, std::uint32_t n,
 }
 
 void Session::Loop::send(DisplayPipeline::Images images, std::uint32_t n) {
-    for (DisplayedImage& image : images)
-        sink_(frameOf(std::move(image), n));
+    for (DisplayedImage& image : images) {
+        std::shared_ptr<const Frame> frame = frameOf(std::move(image), n);
+        if (!frame->coarse) {
+            shown_ = frame;
+            returning_ = nullptr;
+        }
+        sink_(std::move(frame));
+    }
+}
+
+void Session::Loop::label(Frame& frame) {
+    frame.revision = scene_.revision;
+    frame.lookName = scene_.lookName;
+    frame.maskAwaited = scene_.maskAwaited;
+    const StopRequest stop = commands.stopRequest();
+    frame.stop = stop.rule;
+    frame.reached = stop.isMet(progress());
+    frame.device = place_.info().name;
 }
 
 std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedImage image, std::uint32_t n) {
     auto frame = std::make_shared<Frame>();
     // Describe the scene
-    frame->revision = place_.revision();
+    label(*frame);
     frame->camera = scene_.camera;
-    frame->lookName = scene_.lookName;
-    frame->maskAwaited = scene_.maskAwaited;
     frame->notShown = scene_.mask ? scene_.mask->hidden() : Text();
     frame->clip = scene_.clip;
     frame->estimator = scene_.estimator;
     // State the progress
     frame->coarse = coarse();
-    const StopRequest stop = commands.stopRequest();
-    frame->stop = stop.rule;
-    frame->reached = stop.isMet(progress());
     // Add the image and its quality
     frame->size = image.size;
     frame->display = image.display;
@@ -134,7 +143,6 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedImage image, std::uint32_
     frame->iterations = n;
     if (scene_.schedule.kind == Schedule::Kind::pd)  // in other schedules iterations include their own display
         frame->efficiency = scheduler_.timer().efficiency();
-    frame->device = place_.info().name;
     frame->schedule = scene_.schedule;
     return frame;
 }

@@ -62,6 +62,9 @@ class QualityTracker {
     /// `display`: as requested. Errors: the device's.
     Result<void> lookAtRegion(Accumulator& film, std::uint64_t samples, const Display& display);
 
+    /// Returns the memory that the last judgement holds.
+    std::size_t bytes() const { return denoised_.bytes(); }
+
     /// Returns the progress of the image shown last, of a film that has so many samples in every pixel.
     ImageProgress progress(std::uint64_t samples) const;
     /// Adds to `frame`, which has its image, status, display and stop rule, what is known of its quality.

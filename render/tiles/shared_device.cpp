@@ -147,6 +147,13 @@ Result<void> SharedAccumulator::takePart(const std::stop_token& stop) {
     return {};
 }
 
+Result<std::shared_ptr<const Film>> SharedAccumulator::putAway() {
+    if (!contributors_.empty())
+        return Error{phrase("samples of nodes cannot be put away"), "", phrase("Render the image again."),
+                     ErrorKind::refused};
+    return HostAccumulator::putAway();
+}
+
 Result<void> SharedAccumulator::restart(const Tile& area, std::uint64_t revision) {
     contributors_.clear();
     return HostAccumulator::restart(area, revision);

@@ -28,6 +28,8 @@ class SharedAccumulator final : public HostAccumulator {
     OrderSize orderSize() const override;
     Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) override;
     Result<std::uint64_t> extend(std::uint64_t had, std::uint32_t n, std::stop_token stop) override;
+    /// Errors: nodes have contributed whose results may still turn out to be wrong, when nobody would withdraw them.
+    Result<std::shared_ptr<const Film>> putAway() override;
     Result<void> restart(const Tile& area, std::uint64_t revision) override;
 
   private:

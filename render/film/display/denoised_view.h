@@ -36,6 +36,8 @@ class DenoisedView {
     std::optional<LevelErrorMap> errorMap(double exposure);
     /// Returns the lines that the denoised image lacked at the last judgement; some of them may have come back since.
     std::vector<denoise::LostLine> lostLines() const;
+    /// Returns the memory that the judgement holds.
+    std::size_t bytes() const { return judgement_ ? judgement_->bytes() : 0; }
 
   private:
     std::optional<SmoothingJudgement> judgement_;

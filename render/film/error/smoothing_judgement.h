@@ -43,6 +43,8 @@ class SmoothingJudgement {
     LevelErrorMap errorMap(double exposure, double stated) const;
     /// Lines that are known to be missing, though the stated error does not show it; see denoise/lost_lines.h.
     const std::vector<denoise::LostLine>& lostLines() const { return lostLines_; }
+    /// Returns the memory that it holds.
+    std::size_t bytes() const { return evidence_.size() * sizeof(Evidence); }
 
   private:
     /// Evidence from one pixel, in units of unit_. Squared errors are unbiased, so that single ones may be below 0.

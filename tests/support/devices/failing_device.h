@@ -109,6 +109,13 @@ class FailingAccumulator final : public Accumulator {
         return film_->film();
     }
 
+    Result<std::shared_ptr<const Film>> putAway() override {
+        mishaps_->before("read");
+        if (Result<void> well = mishaps_->call(mishaps_->films); !well)
+            return well.error();
+        return film_->putAway();
+    }
+
     Result<void> resume(const Film& film) override {
         mishaps_->before("resume");
         return film_->resume(film);
