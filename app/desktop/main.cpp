@@ -61,6 +61,7 @@ int run(const DesktopOptions& options) {
     }
     Desktop desktop(*std::move(looks), std::move(first->device), {}, options.threads, kPowerSupplies);
     bridge = &desktop.bridge();
+    bridge->setKeptMemory(std::size_t(options.keptMegabytes) << 20);
     desktop.window().show();
     if (!first->notice.empty())
         desktop.window().message().showNotice(ui::inWords(first->notice));

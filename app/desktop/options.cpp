@@ -23,6 +23,8 @@ void describe(QCommandLineParser& parser) {
     parser.addOption(
         {"device", "Render with NAME: auto, cpu, cuda or cuda:1 (default: as chosen last, else auto).", "NAME"});
     parser.addOption({"threads", "Render with N threads, 1 to 1024 (default: one per core).", "N", "0"});
+    parser.addOption(
+        {"keep", "Keep up to MB of images of earlier views and looks, 0 to 1048576 (default 1024).", "MB", "1024"});
     parser.addOption({"screenshot", "Save an image of the window as PNG and quit.", "FILE"});
     parser.addOption({"after", "Seconds to wait before the screenshot, 0 to 86400 (default 5).", "SECONDS", "5"});
 }
@@ -53,15 +55,18 @@ DesktopOptions desktopOptions(const QStringList& arguments) {
         std::puts("PD-Render " PDR_VERSION);
         return answered(0);
     }
-    bool threadsRight = false, secondsRight = false;
+    bool threadsRight = false, keptRight = false, secondsRight = false;
     DesktopOptions options;
     options.folder = parser.positionalArguments().value(0);
     options.device = parser.value("device");
     options.threads = parser.value("threads").toInt(&threadsRight);
+    options.keptMegabytes = parser.value("keep").toInt(&keptRight);
     options.screenshot = parser.value("screenshot");
     options.afterSeconds = parser.value("after").toDouble(&secondsRight);
     if (!threadsRight || options.threads < 0 || options.threads > 1024)
         return usageError("--threads takes a number from 1 to 1024");
+    if (!keptRight || options.keptMegabytes < 0 || options.keptMegabytes > 1 << 20)
+        return usageError("--keep takes megabytes from 0 to 1048576");
     if (!secondsRight || !(options.afterSeconds >= 0 && options.afterSeconds <= 86400))
         return usageError("--after takes seconds from 0 to 86400");
     if (parser.positionalArguments().size() > 1)

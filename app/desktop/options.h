@@ -9,10 +9,11 @@
 namespace pdr::app {
 
 struct DesktopOptions {
-    QString folder;      ///< empty: nothing is opened
-    QString device;      ///< empty: the one chosen in the last run
-    int threads = 0;     ///< 0 = one per core
-    QString screenshot;  ///< file for an image of the window; empty: none
+    QString folder;            ///< empty: nothing is opened
+    QString device;            ///< empty: the one chosen in the last run
+    int threads = 0;           ///< 0 = one per core
+    int keptMegabytes = 1024;  ///< most memory of the images of earlier scenes [MiB]
+    QString screenshot;        ///< file for an image of the window; empty: none
     double afterSeconds = 5;
     /// The exit code if nothing is left to do: 0 after --help and --version, 2 after a message about wrong usage.
     std::optional<int> answered;

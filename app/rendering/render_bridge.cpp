@@ -74,6 +74,10 @@ void RenderBridge::setPace(const FrameBudget& pace) {
     session_.setPace(pace);
 }
 
+void RenderBridge::setKeptMemory(std::size_t bytes) {
+    session_.setKeptMemory(bytes);
+}
+
 void RenderBridge::setDevice(const QString& name) {
     chosen_ = name;
     openAndGoOn(name);

@@ -73,6 +73,8 @@ class RenderBridge : public QObject {
     /// errorFound() answers, unless the image is coarse or is replaced.
     void askErrorAt(QPointF place);
     void setPace(const pdr::FrameBudget& pace);
+    /// Sets the most memory that images of earlier scenes take together [bytes].
+    void setKeptMemory(std::size_t bytes);
     /// Continues the image on another device. If that cannot be used, noticed() says why.
     void setDevice(const QString& name);
     /// Shares the work of the device with the workers of `pool` from now on, or with none (null). The image goes on.

@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <set>
 #include <stop_token>
+#include <string>
 #include <utility>
 
 #include "render/base/result.h"
@@ -20,6 +22,10 @@ struct OrderSize {
     double seconds = 0.25;  ///< short, so that Ctrl-C and time limits take effect soon
     std::uint32_t samples = kSamplesPerBlock;
 };
+
+/// Keys of the machines whose samples a film holds although this machine has not taken all of them again: if one of
+/// them turns out to lie, the film is worthless.
+using Contributors = std::set<std::string>;
 
 class Accumulator {
   public:
@@ -64,10 +70,15 @@ class Accumulator {
         use(**known);
         return {};
     }
-    /// Returns the whole film, on the host, and is without one until restart(). A film on the host is moved, not copied.
+    /// Returns the whole film, on the host, and is without one until restart(). A film on the host is moved, not
+    /// copied.
     virtual Result<std::shared_ptr<const Film>> putAway() { return film(); }
     /// Continues from `film`, of the same area, as if all its samples had been taken here.
     virtual Result<void> resume(const Film& film) = 0;
+    /// Returns the contributors to the film; none: this machine alone has taken it.
+    virtual Contributors contributors() const { return {}; }
+    /// Adds contributors to a film from which this one continues.
+    virtual void credit(const Contributors& /*contributors*/) {}
     /// Empties the film for the scene of that revision, which was uploaded before; forgets requested images. Allocates
     /// memory only if there is too little. Errors: not enough memory.
     virtual Result<void> restart(const Tile& area, std::uint64_t revision) = 0;

@@ -47,6 +47,8 @@ class Device {
     virtual std::shared_ptr<const denoise::Guide> guide(int /*finer*/, const std::stop_token& /*stop*/) {
         return nullptr;
     }
+    /// Returns whether none of these contributors to a film has lied.
+    virtual bool trusts(const Contributors& /*contributors*/) const { return true; }
     /// Returns an empty film for whole images of that size.
     Result<std::unique_ptr<Accumulator>> film(ivec2 size, std::uint64_t revision, const Schedule& schedule) {
         return film(wholeImage(size), revision, schedule);

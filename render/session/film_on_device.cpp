@@ -8,7 +8,7 @@ Text deviceLabel(const DeviceInfo& device) {
     return device.hostMemory ? phrase("the CPU") : phrase("the GPU %1", device.name);
 }
 
-Result<void> FilmOnDevice::begin(const Scene& scene, const Film* from) {
+Result<void> FilmOnDevice::begin(const Scene& scene) {
     torn_ = true;
     scene_ = scene;
     Result<void> begun = device_->upload(*scene_);
@@ -19,12 +19,30 @@ Result<void> FilmOnDevice::begin(const Scene& scene, const Film* from) {
     if (!begun)
         return begun;
     begun = emptyFilm();
-    if (begun && from != nullptr)
-        begun = film_->resume(*from);
     if (!begun)
         film_.reset();
     torn_ = false;
     return begun;
+}
+
+Result<void> FilmOnDevice::begin(const Scene& scene, const AttestedFilm& from) {
+    if (Result<void> begun = begin(scene); !begun)
+        return begun;
+    Result<void> resumed = film_->resume(*from.film);
+    if (resumed)
+        film_->credit(from.contributors);
+    else
+        film_.reset();
+    return resumed;
+}
+
+Result<AttestedFilm> FilmOnDevice::putAway() {
+    torn_ = true;
+    Contributors contributors = film_->contributors();
+    Result<std::shared_ptr<const Film>> film = film_->putAway();
+    if (!film)
+        return film.error();
+    return AttestedFilm{*std::move(film), std::move(contributors)};
 }
 
 Result<void> FilmOnDevice::emptyFilm() {
@@ -51,9 +69,12 @@ Result<void> FilmOnDevice::moveTo(std::unique_ptr<Device> device, const Film* fr
         if (!film)
             return film.error();
         moved = *std::move(film);
-        if (from != nullptr)
+        if (from != nullptr) {
             if (Result<void> resumed = moved->resume(*from); !resumed)
                 return resumed;
+            if (film_)
+                moved->credit(film_->contributors());
+        }
     }
     torn_ = false;
     film_ = std::move(moved);

@@ -13,6 +13,12 @@ namespace pdr {
 /// Returns the device's name as used in a sentence: "the CPU", "the GPU cuda:1".
 Text deviceLabel(const DeviceInfo& device);
 
+/// A film apart from its device, and who has contributed to it.
+struct AttestedFilm {
+    std::shared_ptr<const Film> film;  ///< never null
+    Contributors contributors;
+};
+
 class FilmOnDevice {
   public:
     explicit FilmOnDevice(std::unique_ptr<Device> device) : device_(std::move(device)), info_(device_->info()) {}
@@ -29,14 +35,14 @@ class FilmOnDevice {
     std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) {
         return device_->guide(finer, stop);
     }
-    /// Begins a film of `scene` with the samples of `from`; null: it is empty. Errors: the device's; there is no film
-    /// then.
-    Result<void> begin(const Scene& scene, const Film* from = nullptr);
+    /// Begins an empty film of `scene`. Errors: the device's; there is no film then.
+    Result<void> begin(const Scene& scene);
+    /// Begins a film of `scene` with the samples of `from`. Errors: as above.
+    Result<void> begin(const Scene& scene, const AttestedFilm& from);
     /// Returns the film, which must exist, and is without one from now on. Errors: the device's.
-    Result<std::shared_ptr<const Film>> putAway() {
-        torn_ = true;
-        return film_->putAway();
-    }
+    Result<AttestedFilm> putAway();
+    /// Returns whether the device still trusts those who took the film.
+    bool trusts(const AttestedFilm& film) const { return device_->trusts(film.contributors); }
     /// Continues on `device`, from `from` unless that is null. Errors: the new device's; nothing changes then.
     Result<void> moveTo(std::unique_ptr<Device> device, const Film* from);
     /// Lends the device to `work`, which may upload other scenes; afterwards uploads that of the film again. Errors:

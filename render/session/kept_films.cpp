@@ -48,7 +48,7 @@ bool KeptScene::isGone() const {
 }
 
 std::size_t KeptFilm::bytes() const {
-    const ivec2 size = film->size();
+    const ivec2 size = film.film->size();
     const std::size_t film = std::size_t(size.x) * std::size_t(size.y) * (sizeof(Moments) + sizeof(PixelSums));
     const std::size_t image = frame ? frame->rgba.size() + (frame->errorMap ? frame->errorMap->bins.size() : 0) : 0;
     return film + image + quality.bytes();
@@ -58,11 +58,20 @@ void KeptFilms::keep(std::shared_ptr<const KeptFilm> film) {
     std::erase_if(films_, [](const auto& kept) { return kept->scene.isGone(); });
     const auto known = std::ranges::find_if(films_, [&](const auto& kept) { return kept->scene == film->scene; });
     if (known != films_.end()) {
-        if ((*known)->film->samples().mean > film->film->samples().mean)
+        if ((*known)->film.film->samples().mean > film->film.film->samples().mean)
             film = *known;
         films_.erase(known);
     }
     films_.push_back(std::move(film));
+    dropWhatExceeds();
+}
+
+void KeptFilms::limit(std::size_t mostBytes) {
+    mostBytes_ = mostBytes;
+    dropWhatExceeds();
+}
+
+void KeptFilms::dropWhatExceeds() {
     while (bytes() > mostBytes_)
         films_.pop_front();
 }
@@ -73,6 +82,10 @@ std::shared_ptr<const KeptFilm> KeptFilms::find(const KeptScene& scene) {
         return nullptr;
     std::rotate(known, known + 1, films_.end());
     return films_.back();
+}
+
+void KeptFilms::drop(const KeptScene& scene) {
+    std::erase_if(films_, [&](const auto& kept) { return kept->scene == scene; });
 }
 
 std::size_t KeptFilms::bytes() const {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "render/scene/scene.h"
+#include "render/session/film_on_device.h"
 #include "render/session/quality_tracker.h"
 #include "render/session/session.h"
 
@@ -36,7 +37,7 @@ class KeptScene {
 /// A film that was put away, and what was known of its images.
 struct KeptFilm {
     KeptScene scene;
-    std::shared_ptr<const Film> film;    ///< never null
+    AttestedFilm film;
     std::shared_ptr<const Frame> frame;  ///< last image that was shown of it; null: none
     QualityTracker quality;
 
@@ -50,18 +51,24 @@ class KeptFilms {
     static constexpr std::size_t kMostBytes = std::size_t(1) << 30;
 
     explicit KeptFilms(std::size_t mostBytes = kMostBytes) : mostBytes_(mostBytes) {}
+    /// Sets the most memory [bytes].
+    void limit(std::size_t mostBytes);
 
     /// Takes a film; of two films of one scene the one with fewer samples is dropped. Then films go, those used longest
     /// ago first, until the rest is within the limit; a film that exceeds it alone is not kept.
     void keep(std::shared_ptr<const KeptFilm> film);
     /// Returns the film of that scene, which stays, as the one used last; null: none.
     std::shared_ptr<const KeptFilm> find(const KeptScene& scene);
+    /// Drops the film of that scene, if there is one.
+    void drop(const KeptScene& scene);
     /// Drops all films.
     void clear() { films_.clear(); }
     /// Returns the memory that they take together.
     std::size_t bytes() const;
 
   private:
+    void dropWhatExceeds();
+
     std::size_t mostBytes_;
     std::deque<std::shared_ptr<const KeptFilm>> films_;  ///< the one used last is the last
 };

@@ -46,6 +46,8 @@ void Session::Loop::run(std::stop_token stop) {
 void Session::Loop::take(const RenderCommands::Iteration& step) {
     if (step.clear)
         clear();
+    if (step.keptMemory)
+        kept_.limit(*step.keptMemory);
     answer(step);
     quality_.chooseRegion(commands.region());
     if (step.device)

@@ -16,27 +16,31 @@ KeptScene Session::Loop::keptScene() const {
 void Session::Loop::keepFilm() {
     if (!isWorthKeeping())
         return;
-    if (Result<std::shared_ptr<const Film>> film = place_.putAway())
+    if (Result<AttestedFilm> film = place_.putAway())
         kept_.keep(std::make_shared<const KeptFilm>(
             KeptFilm{keptScene(), *std::move(film), shown_, std::exchange(quality_, QualityTracker(clock_))}));
     quality_.chooseRegion(commands.region());
 }
 
-/// Continues the film of the scene that was put away; returns whether there is one. Its last image is shown at once:
-/// the device may need longer to take the scene and the samples. Measured biases and the costs of effects are measured
-/// anew.
+/// Continues the film of the scene that was put away; returns whether there is one that can be trusted. Its last image
+/// is shown at once: the device may need longer to take the scene and the samples. Measured biases and the costs of
+/// effects are measured anew.
 bool Session::Loop::comeBack() {
     const std::shared_ptr<const KeptFilm> kept = kept_.find(keptScene());
     if (!kept)
         return false;
+    if (!place_.trusts(kept->film)) {
+        kept_.drop(kept->scene);
+        return false;
+    }
     scheduler_.chooseFull();
-    goOnFrom(kept->film);
+    goOnFrom(kept->film.film);
     quality_ = kept->quality;
     quality_.chooseRegion(commands.region());
     returning_ = kept->frame;
     display_.markReturned();
     showReturning();
-    if (const Result<void> begun = place_.begin(scene_, kept->film.get()); !begun)
+    if (const Result<void> begun = place_.begin(scene_, kept->film); !begun)
         failedOnDevice(begun.error());
     else if (place_.info().hostMemory)
         checkpoint_.reset(nullptr);  // lost only with this program: no use for a second copy

@@ -65,6 +65,12 @@ void RenderCommands::setPace(const FrameBudget& pace) {
     pace_ = pace.clamped();
 }
 
+void RenderCommands::setKeptMemory(std::size_t bytes) {
+    const std::lock_guard lock(mutex_);
+    keptMemory_ = bytes;
+    changed_.notify_one();
+}
+
 void RenderCommands::setRegion(const std::optional<Region>& region) {
     const std::lock_guard lock(mutex_);
     displayChanged_ = displayChanged_ || region != region_;
@@ -153,7 +159,7 @@ bool RenderCommands::asked(const LoopState& state) const {
     const bool look = std::any_of(looks_.begin(), looks_.end(), [&](const SnapshotRequest& look) {
         return !state.film || state.canSnapshot || look.revision != state.revision;
     });
-    return clear_ || scene_ || device_ || displayChanged_ || look;
+    return clear_ || scene_ || device_ || displayChanged_ || keptMemory_ || look;
 }
 
 bool RenderCommands::renders(const LoopState& state) const {
@@ -183,6 +189,7 @@ std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& s
     step.render = renders(state) || step.order;
     step.redisplay = displayChanged_;
     step.pace = pace_;
+    step.keptMemory = std::exchange(keptMemory_, std::nullopt);
     step.stop = running_.get_token();
     step.detour = detour_.get_token();
     step.unanswerable = takeUnanswerable(state, step);

@@ -54,7 +54,8 @@ class RenderCommands {
         bool render = false;     ///< take more iterations, if there is a film
         bool redisplay = false;  ///< the display changed: first show the existing image
         FrameBudget pace;
-        std::stop_token stop;    ///< stops this step
+        std::optional<std::size_t> keptMemory;  ///< most memory of kept films [bytes]; none: no change
+        std::stop_token stop;                   ///< stops this step
         std::stop_token detour;  ///< stops work that is no part of its image; another display does so, too
     };
 
@@ -65,6 +66,7 @@ class RenderCommands {
     /// Sets the region, and shows the current image again with the region's status.
     void setRegion(const std::optional<Region>& region);
     void setPace(const FrameBudget& pace);
+    void setKeptMemory(std::size_t bytes);
     void setDevice(DeviceOpener open);
     void setPaused(bool paused);
     void setYielding(bool yielding);
@@ -112,6 +114,7 @@ class RenderCommands {
     bool errorMap_ = false;
     std::optional<Region> region_;
     FrameBudget pace_;
+    std::optional<std::size_t> keptMemory_;
     StopRequest stop_;
     bool yields_ = false;  ///< nothing is done that no request asks for
     bool clear_ = false;

@@ -37,6 +37,10 @@ void Session::setPace(const FrameBudget& pace) {
     loop_->commands.setPace(pace);
 }
 
+void Session::setKeptMemory(std::size_t bytes) {
+    loop_->commands.setKeptMemory(bytes);
+}
+
 void Session::setIterationsPerFrame(int n) {
     loop_->commands.setPace({.iterations = n});
 }

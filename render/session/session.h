@@ -129,6 +129,9 @@ class Session {
     void setRegion(const std::optional<Region>& region);
     /// Sets how many iterations a displayed frame gets.
     void setPace(const FrameBudget& pace);
+    /// Sets the most memory that films of earlier scenes take together [bytes], which come back at once with their
+    /// scene; at first KeptFilms::kMostBytes.
+    void setKeptMemory(std::size_t bytes);
     /// Sets n, a fixed number of iterations per displayed frame, [1, 10000].
     void setIterationsPerFrame(int n);
     /// Continues on another device, from the samples taken so far. If the device cannot be opened or refuses the scene,

@@ -43,6 +43,7 @@ class SharedDevice final : public Device {
     std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) override {
         return own_->guide(finer, stop);
     }
+    bool trusts(const Contributors& contributors) const override { return !work_->isAnyUntrusted(contributors); }
 
   private:
     std::unique_ptr<Device> own_;
@@ -145,13 +146,6 @@ Result<void> SharedAccumulator::takePart(const std::stop_token& stop) {
             return taken;
     }
     return {};
-}
-
-Result<std::shared_ptr<const Film>> SharedAccumulator::putAway() {
-    if (!contributors_.empty())
-        return Error{phrase("samples of nodes cannot be put away"), "", phrase("Render the image again."),
-                     ErrorKind::refused};
-    return HostAccumulator::putAway();
 }
 
 Result<void> SharedAccumulator::restart(const Tile& area, std::uint64_t revision) {

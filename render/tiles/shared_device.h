@@ -3,8 +3,6 @@
 /// to the last bit, no matter who renders which samples.
 
 #include <memory>
-#include <set>
-#include <string>
 #include <vector>
 
 #include "render/device/device.h"
@@ -28,8 +26,10 @@ class SharedAccumulator final : public HostAccumulator {
     OrderSize orderSize() const override;
     Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) override;
     Result<std::uint64_t> extend(std::uint64_t had, std::uint32_t n, std::stop_token stop) override;
-    /// Errors: nodes have contributed whose results may still turn out to be wrong, when nobody would withdraw them.
-    Result<std::shared_ptr<const Film>> putAway() override;
+    Contributors contributors() const override { return contributors_; }
+    void credit(const Contributors& contributors) override {
+        contributors_.insert(contributors.begin(), contributors.end());
+    }
     Result<void> restart(const Tile& area, std::uint64_t revision) override;
 
   private:
@@ -47,7 +47,7 @@ class SharedAccumulator final : public HostAccumulator {
     Device& own_;
     SharedWork& work_;
     const std::uint64_t& scene_;
-    std::set<std::string> contributors_;  ///< keys of workers with merged results that were not audited as a whole
+    Contributors contributors_;  ///< workers with merged results that were not audited as a whole
 };
 
 }  // namespace pdr

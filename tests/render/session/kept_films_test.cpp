@@ -40,8 +40,11 @@ KeptScene kept(const Scene& scene, bool texturesFilter = false) {
 std::shared_ptr<const KeptFilm> filmOf(const Scene& scene, ivec2 size, std::uint64_t samples = 1) {
     FilmContent content = Film(size, scene.revision).content();
     content.progress.advance(wholeImage(size), samples);
-    return std::make_shared<const KeptFilm>(KeptFilm{
-        kept(scene), std::make_shared<const Film>(scene.revision, std::move(content)), nullptr, QualityTracker({})});
+    return std::make_shared<const KeptFilm>(
+        KeptFilm{kept(scene),
+                 {std::make_shared<const Film>(scene.revision, std::move(content)), {}},
+                 nullptr,
+                 QualityTracker({})});
 }
 
 /// The first `count` views of one volume.
@@ -175,6 +178,8 @@ class KeptFilmsTest : public QObject {
             QVERIFY(films.bytes() <= 3 * kBytes);
         }
         QCOMPARE(films.bytes(), 3 * kBytes);
+        films.limit(kBytes);
+        QCOMPARE(films.bytes(), kBytes);
         films.keep(filmOf(scenes[0], {20, 20}));  // more than all
         QCOMPARE(films.bytes(), std::size_t(0));
     }
@@ -184,9 +189,9 @@ class KeptFilmsTest : public QObject {
         KeptFilms films;
         films.keep(filmOf(scene, kSize, 5));
         films.keep(filmOf(scene, kSize, 3));
-        QCOMPARE(films.find(kept(scene))->film->samplesPerPixel(), std::uint64_t(5));
+        QCOMPARE(films.find(kept(scene))->film.film->samplesPerPixel(), std::uint64_t(5));
         films.keep(filmOf(scene, kSize, 7));
-        QCOMPARE(films.find(kept(scene))->film->samplesPerPixel(), std::uint64_t(7));
+        QCOMPARE(films.find(kept(scene))->film.film->samplesPerPixel(), std::uint64_t(7));
         QCOMPARE(films.bytes(), kBytes);
     }
 

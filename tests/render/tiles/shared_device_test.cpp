@@ -197,6 +197,28 @@ class SharedDeviceTest : public QObject {
         QVERIFY(liar.status().results < Trust::kFirst);  // tiles of air alone have none to hide
     }
 
+    /// A film that was put away and continued knows whom to mistrust, as if it had stayed.
+    void aFilmKeepsItsContributors() {
+        const auto pool = newPool();
+        pool->setOwnHelps(false);
+        NearbyWorker node(pool, "node");
+        const auto device = shareDevice(makeCpuDevice(1), pool);
+        const auto film = *startFilm(*device, sceneToShare());
+        for (int i = 0; i < 200 && film->contributors().empty(); ++i)
+            QVERIFY(film->accumulate(32, {}));
+        const Contributors contributors = film->contributors();
+        QCOMPARE(contributors, Contributors{"node"});
+        const std::shared_ptr<const Film> away = *film->putAway();
+        QVERIFY(film->restart(away->area(), 7) && film->contributors().empty());
+        QVERIFY(film->resume(*away));
+        film->credit(contributors);
+        QVERIFY(device->trusts(contributors));
+        QCOMPARE(*film->extend(away->samplesPerPixel(), 1, {}), away->samplesPerPixel() + 1);
+        pool->quarantine(node.status().id, "it lied");
+        QVERIFY(!device->trusts(contributors));
+        QCOMPARE(*film->extend(away->samplesPerPixel() + 1, 1, {}), std::uint64_t(0));
+    }
+
     void liesAboutFaultsAreFoundLater_data() {
         QTest::addColumn<int>("nature");
         QTest::newRow("hidden") << int(NearbyWorker::Nature::hidesSeldom);
