@@ -4,8 +4,9 @@
 
 namespace pdr {
 
-void DenoisedView::judge(const Film& film, std::uint64_t samples, const std::stop_token& stop) {
-    std::optional<SmoothingJudgement> judgement = SmoothingJudgement::of(film, stop);
+void DenoisedView::judge(const Film& film, std::uint64_t samples, const std::stop_token& stop,
+                         const HalfSmoother& smoother) {
+    std::optional<SmoothingJudgement> judgement = SmoothingJudgement::of(film, smoother, stop);
     if (stop.stop_requested())
         return;
     judgedSamples_ = samples;

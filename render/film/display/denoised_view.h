@@ -22,8 +22,10 @@ class DenoisedView {
     bool isStale(std::uint64_t samples) const { return samples >= kSamplesToJudge && samples != judgedSamples_; }
     /// Returns the samples per pixel that the film had at the last judgement; 0: none yet.
     std::uint64_t judgedSamples() const { return judgedSamples_; }
-    /// Judges `film`; `samples`: as passed to isDue(). Changes nothing after a stop request.
-    void judge(const Film& film, std::uint64_t samples, const std::stop_token& stop);
+    /// Judges the image that `smoother` makes of `film`; `samples`: as passed to isDue(). Changes nothing after a stop
+    /// request.
+    void judge(const Film& film, std::uint64_t samples, const std::stop_token& stop,
+               const HalfSmoother& smoother = denoisedHalves);
 
     /// Returns `wanted`, without denoising where the raw film is better.
     Display better(Display wanted) const;

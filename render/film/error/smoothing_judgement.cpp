@@ -117,18 +117,23 @@ struct SmoothingJudgement::Sums {
     }
 };
 
-std::optional<SmoothingJudgement> SmoothingJudgement::of(const Film& film, const std::stop_token& stop) {
+SmoothHalves denoisedHalves(const NoisyFilm& noisy, const std::stop_token& stop) {
+    return {denoise::denoised(noisy.even.mean, noisy.even.variance, noisy.ratio, stop),
+            denoise::denoised(noisy.odd.mean, noisy.odd.variance, noisy.ratio, stop)};
+}
+
+std::optional<SmoothingJudgement> SmoothingJudgement::of(const Film& film, const HalfSmoother& smoother,
+                                                         const std::stop_token& stop) {
     if (film.samplesPerPixel() < kSamplesToJudge)
         return std::nullopt;
     NoisyFilm noisy = noisyFilm(film, stop);
     noisy.all.mean = {};  // only the halves are judged
     if (stop.stop_requested())
         return std::nullopt;
-    const denoise::Colours even = denoise::denoised(noisy.even.mean, noisy.even.variance, noisy.ratio, stop);
-    const denoise::Colours odd = denoise::denoised(noisy.odd.mean, noisy.odd.variance, noisy.ratio, stop);
+    const SmoothHalves smooth = smoother(noisy, stop);
     if (stop.stop_requested())
         return std::nullopt;
-    SmoothingJudgement judgement(film, noisy, even, odd, stop);
+    SmoothingJudgement judgement(film, noisy, smooth.even, smooth.odd, stop);
     if (stop.stop_requested())
         return std::nullopt;
     return judgement;

@@ -4,6 +4,7 @@
 /// the cross-validation of Rousselle, Knaus & Zwicker 2012. The mean of both denoised halves is judged; all samples
 /// denoised at once, which is what is shown (smoothRadiance), are as good or a little better.
 
+#include <functional>
 #include <optional>
 
 #include "render/denoise/lost_lines.h"
@@ -26,11 +27,26 @@ struct DenoisedError {
 /// Samples per pixel below which nothing is stated: 2 of each half.
 inline constexpr std::uint64_t kSamplesToJudge = 4;
 
+/// Two smooth images in units of NoisyFilm::unit: `even` knows nothing of the samples with odd numbers, `odd` nothing
+/// of the others. What else they know is the same for both, and independent of the film.
+struct SmoothHalves {
+    denoise::Colours even, odd;
+};
+/// Makes the smooth halves of a film. Worthless after a stop request.
+using HalfSmoother = std::function<SmoothHalves(const NoisyFilm&, const std::stop_token&)>;
+/// Returns the halves of `noisy`, each denoised alone.
+SmoothHalves denoisedHalves(const NoisyFilm& noisy, const std::stop_token& stop);
+
 class SmoothingJudgement {
   public:
     /// Judges `film`, which takes as long as denoising the image twice. Nothing: fewer than kSamplesToJudge samples, or
     /// a stop request.
-    static std::optional<SmoothingJudgement> of(const Film& film, const std::stop_token& stop = {});
+    static std::optional<SmoothingJudgement> of(const Film& film, const std::stop_token& stop = {}) {
+        return of(film, denoisedHalves, stop);
+    }
+    /// Judges the image that `smoother` makes of `film`.
+    static std::optional<SmoothingJudgement> of(const Film& film, const HalfSmoother& smoother,
+                                                const std::stop_token& stop = {});
 
     /// Returns the error over a region, which is clipped to the film, on a display of that exposure. Nothing if too
     /// little is known: where the region has tissue in less than 16 tiles of 16 x 16 pixels, while the image rests on
