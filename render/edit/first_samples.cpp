@@ -1,0 +1,103 @@
+#include "render/edit/first_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pdr {
+namespace {
+
+/// An upper bound on radiance: anything brighter is far beyond white. Its square is still finite.
+constexpr double kBrightest = 1e15;
+
+void set(denoise::Colours& colours, ivec2 at, dvec3 radiance) {
+    for (int c = 0; c < 3; ++c)
+        colours[c].row(at.y)[at.x] = float(std::min(radiance[c], kBrightest));
+}
+
+void mirror(denoise::Colours& colours) {
+    for (denoise::Plane& plane : colours)
+        plane.mirror();
+}
+
+/// Returns the pixels of one colour of a chessboard, and between them the mean of the four around each.
+denoise::Plane chessboard(const denoise::Plane& plane, int colour) {
+    const ivec2 size = plane.size();
+    denoise::Plane out(size);
+    denoise::eachBand(size.y, {}, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            // Beyond an edge lies a copy of the edge, which is of the other colour
+            const float *above = plane.row(y > 0 ? y - 1 : 1), *below = plane.row(y + 1 < size.y ? y + 1 : size.y - 2);
+            const float* row = plane.row(y);
+            for (int x = 0; x < size.x; ++x) {
+                const float across = row[x > 0 ? x - 1 : 1] + row[x + 1 < size.x ? x + 1 : size.x - 2];
+                out.row(y)[x] = (x + y) % 2 == colour ? row[x] : (above[x] + below[x] + across) / 4;
+            }
+        }
+    });
+    out.mirror();
+    return out;
+}
+
+HalfImages onChessboard(const denoise::Colours& image) {
+    HalfImages halves;
+    for (std::size_t c = 0; c < 3; ++c) {
+        halves.even[c] = chessboard(image[c], 0);
+        halves.odd[c] = chessboard(image[c], 1);
+    }
+    return halves;
+}
+
+}  // namespace
+
+HalfImages halfImagesOf(const Film& film) {
+    HalfImages halves{denoise::coloursOf(film.size()), denoise::coloursOf(film.size())};
+    const std::size_t width = std::size_t(film.size().x);
+    film.each([&](std::size_t pixel, const Moments& known) {
+        const ivec2 at(int(pixel % width), int(pixel / width));
+        const HalfMeans means = halvesOf(known);
+        set(halves.even, at, means.even);
+        set(halves.odd, at, means.odd);
+    });
+    mirror(halves.even);
+    mirror(halves.odd);
+    return film.samplesPerPixel() < 2 ? onChessboard(halves.even) : halves;
+}
+
+denoise::Colours meanOf(const denoise::Colours& a, const denoise::Colours& b) {
+    denoise::Colours mean;
+    for (std::size_t c = 0; c < 3; ++c)
+        mean[c] = denoise::combined([](float x, float y) { return (x + y) / 2; }, a[c], b[c]);
+    return mean;
+}
+
+bool FirstSamples::isMark(std::uint64_t samples) {
+    return std::ranges::find(kMarks, samples) != kMarks.end();
+}
+
+std::uint64_t FirstSamples::leftToMark(std::uint64_t samples) {
+    const auto next = std::ranges::upper_bound(kMarks, samples);
+    return next == kMarks.end() ? std::numeric_limits<std::uint64_t>::max() : *next - samples;
+}
+
+void FirstSamples::keep(const Film& film) {
+    const SampleCounts counts = film.samples();
+    const auto mark = std::ranges::find(kMarks, counts.least);
+    if (mark != kMarks.end() && counts.least == counts.most)
+        kept_[std::size_t(mark - kMarks.begin())] = std::make_shared<const HalfImages>(halfImagesOf(film));
+}
+
+std::shared_ptr<const HalfImages> FirstSamples::at(std::uint64_t mark) const {
+    const auto found = std::ranges::find(kMarks, mark);
+    return found == kMarks.end() ? nullptr : kept_[std::size_t(found - kMarks.begin())];
+}
+
+std::uint64_t FirstSamples::lastShared(const FirstSamples& other, std::uint64_t samples) const {
+    std::uint64_t last = 0;
+    for (const std::uint64_t mark : kMarks)
+        if (mark <= samples && at(mark) && other.at(mark))
+            last = mark;
+    return last;
+}
+
+}  // namespace pdr
