@@ -13,7 +13,9 @@
 ///   error, bound        share of the tissue's channels within 1.96 times error.* and bound.* of an OpenEXR file
 /// and beside them: unknown, the tissue for which map and file state nothing; unmet, the tissue that no sample has met,
 /// and unmet_stated, the mean of what is stated for that; ratio, the root mean square error over the stated
-/// relativeError; seconds, of all seeds.
+/// relativeError; slack, the upper end of what is stated of the denoised image over the error that 95 % of its tissue
+/// does not exceed, the median of all images; seconds, of all seeds. At the end a table of all lines in RESULTS.csv is
+/// printed.
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -26,6 +28,7 @@
 #include "app/bench/options.h"
 #include "app/cli/scene_input.h"
 #include "app/looks/looks.h"
+#include "tools/measure/coverage_table.h"
 #include "tools/measure/stated_figures.h"
 
 namespace pdr::test {
@@ -91,6 +94,10 @@ Figures figuresOf(const std::vector<Series>& all, std::size_t step, double expos
     for (const Series& one : all)
         truth.add(one.images.back());
     Figures figures;
+    std::vector<const StatedImage*> best;
+    for (const Series& one : all)
+        best.push_back(&one.images.back());
+    figures.setTruthNoise(best, truth, exposure);
     for (const Series& one : all) {
         figures.add(one.images[step], truth.without(one.images.back()), exposure);
         if (kSamples[step] == kSamples[1] && one.foretold)
@@ -155,5 +162,6 @@ int main(int count, char** words) {
             const std::size_t equal = word.find('=');
             test::measure(plan, word.substr(0, equal), word.substr(equal + 1), look);
         }
+    test::printCoverage(plan.results, test::kSamples);
     return 0;
 }

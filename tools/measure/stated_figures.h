@@ -17,6 +17,7 @@
 #include "render/film/error/local_error.h"
 #include "render/film/error/noisy_film.h"
 #include "render/film/tone_curve.h"
+#include "tools/measure/slack.h"
 
 namespace pdr::test {
 
@@ -141,15 +142,32 @@ struct Share {
 };
 
 constexpr const char* kFigureNames =
-    "sentence,denoised,at_most,strip,map,denoised_map,error,bound,unknown,unmet,unmet_stated,ratio,images_denoised";
+    "sentence,denoised,at_most,strip,map,denoised_map,error,bound,unknown,unmet,unmet_stated,ratio,images_denoised,"
+    "slack";
 
 /// The figures over the images of one scene and number of samples.
 struct Figures {
     Share sentence, denoised, atMost, strip, map, denoisedMap, error, bound, unknown, unmet, unmetStated, judged;
     double squares = 0, statedSquares = 0;
+    double truthNoise = 0;  ///< mean square of the truth's noise [levels²]
+    Slack slack;
 
+    /// Sets truthNoise from the images that the truths are made of, all but one each.
+    void setTruthNoise(const std::vector<const StatedImage*>& best, const Truth& all, double exposure) {
+        double sum = 0, pixels = 0;
+        for (const StatedImage* image : best) {
+            const Truth::Known others = all.without(*image);
+            for (std::size_t i = 0; i < image->light.size(); ++i)
+                if (image->tissue[i]) {
+                    const double off = double(levelsOff(image->light[i], others.light[i], exposure));
+                    sum += off * off, ++pixels;
+                }
+        }
+        truthNoise = pixels > 0 ? sum / pixels / double(best.size()) : 0;
+    }
     void add(const StatedImage& image, const Truth::Known& truth, double exposure) {
         std::vector<float> levels;
+        std::vector<double> denoisedLevels;
         double square = 0, light = 0;
         for (std::size_t i = 0; i < image.light.size(); ++i) {
             if (truth.tissue[i])
@@ -160,8 +178,11 @@ struct Figures {
             const double off = luminance(image.light[i] - truth.light[i]);
             square += off * off, light += luminance(truth.light[i]);
             addPixel(image, truth, i, levels.back());
-            addDenoised(image, i, levelsOff(image.denoised[i], truth.light[i], exposure));
+            denoisedLevels.push_back(double(levelsOff(image.denoised[i], truth.light[i], exposure)));
+            addDenoised(image, i, float(denoisedLevels.back()));
         }
+        if (image.denoisedError)
+            slack.add(image.denoisedError->levelsAtMost, denoisedLevels, truthNoise);
         unmetStated.held += image.status.unseenTissue, ++unmetStated.all;
         judged.add(image.denoisedError.has_value());
         addSentence(image.status, levels);
@@ -179,7 +200,9 @@ struct Figures {
         out.precision(3);
         if (statedSquares > 0)
             out << std::sqrt(squares / statedSquares);
-        out << "," << judged.text();
+        out << "," << judged.text() << ",";
+        if (const std::optional<double> times = slack.median())
+            out << *times;
         return out.str();
     }
 
