@@ -203,6 +203,9 @@ void TestImageOnScreen::aSavedImageSaysWhatItShowsUnlessItIsToldNotTo() {
 
 void TestImageOnScreen::whatTheLastImageTookIsToldUntilThisOneKnows() {
     Trial trial(test::failing(slow(0.2)));
+    StopRule few;
+    few.samples = 2;  // which forecast nothing
+    trial.desktop.bridge().setStop(few);
     trial.openAndWait(series_);
     QVERIFY(trial.frames.back()->steps.empty());
     QVERIFY(!trial.said().contains("the last time"));
