@@ -10,6 +10,7 @@
 
 #include "render/base/text.h"
 #include "render/slice/grey_window.h"
+#include "render/volume/value_unit.h"
 #include "render/volume/volume.h"
 
 namespace pdr::dicom {
@@ -138,6 +139,8 @@ struct Series {
     StatedWindow window{};
     /// The slices of the volume where they were resampled, from `slices`; empty: it has those.
     std::vector<SliceBlend> blends{};
+    /// The unit of the voxels. The windows that files ask for are in values.
+    ValueUnit unit{};
 };
 
 /// A file that looks like DICOM but cannot be used at all, with the reason.

@@ -49,18 +49,20 @@ Json placesOf(const MarkRow& row) {
     return places;
 }
 
+/// Returns the figures of a region; their names end in "Hu" only where they are.
 Json regionOf(const MarkRow& row) {
     if (!row.value || !row.value->region)
         return {};
     const measure::RegionStatistics& region = *row.value->region;
-    return {{"sdHu", region.sdHu},
-            {"lowestHu", region.lowestHu},
-            {"highestHu", region.highestHu},
+    const std::string unit = isInHu(*row.value) ? "Hu" : "";
+    return {{"sd" + unit, region.sdHu},
+            {"lowest" + unit, region.lowestHu},
+            {"highest" + unit, region.highestHu},
             {"voxels", region.count},
             {"millilitres", region.millilitres},
-            {"meanHu", region.meanHu},
+            {"mean" + unit, region.meanHu},
             {"meanPlusMinus95", number(region.meanPlusMinus)},
-            {"medianHu", region.medianHu}};
+            {"median" + unit, region.medianHu}};
 }
 
 Json areaOf(const MarkRow& row) {
@@ -78,7 +80,7 @@ Json markOf(const MarkRow& row) {
             {"value", number(row.value ? std::optional(value.value) : std::nullopt)},
             {"plusMinus95", number(value.plusMinus)},
             {"bound", boundWord(value.bound)},
-            {"unit", row.value ? unitWord(value.unit) : ""},
+            {"unit", row.value ? unitWord(value) : ""},
             {"text", readable(row)},
             {"details", std::string(value.details)},
             {"region", regionOf(row)},

@@ -15,6 +15,7 @@
 #include "render/prepare/layers_text.h"
 #include "render/scene/fit_view.h"
 #include "render/scene/visible_mask.h"
+#include "render/volume/value_unit.h"
 
 namespace pdr::app {
 namespace {
@@ -50,16 +51,23 @@ void take(LoadedScene& work, const SceneInput& input, const FetchedVolume& volum
 }
 
 /// Returns the requested look. Without one, a folder gets the first look that suits the scan, as in the window; null
-/// for a scene file, which has its own.
-Result<std::optional<NamedLook>> chosenLook(const SceneInput& input, const segment::Findings& findings,
+/// for a scene file, which has its own. Error: one is requested, and the scan is not in HU.
+Result<std::optional<NamedLook>> chosenLook(const SceneInput& input, const Volume& volume, const VolumeGeometry& body,
                                             std::vector<std::string>& notes) {
     if (!input.look && isSceneFile(input.path))
         return std::optional<NamedLook>();
+    const bool isInHu = unitOf(volume).isHu;
+    if (input.look && !isInHu)
+        return Error{"looks are drawn in HU, and the values of this scan are none", "--look",
+                     "Leave it out: the curve then follows the values of the scan.", ErrorKind::refused};
     auto bundled = input.look ? Result(std::vector{*input.look}) : bundledLooks();
     if (!bundled)
         return bundled.error();
     FittedLooks looks(*std::move(bundled));
-    looks.fitTo(findings);
+    if (isInHu)
+        looks.fitTo(segment::findingsOn(volume, body));
+    else
+        looks.fitToValues(spreadOf(volume));
     const int chosen = looks.suitedOr(0);
     if (const std::string why = looks.whyUnsuited(chosen); !why.empty())
         notes.push_back("The look \"" + looks[chosen].name + "\" is not meant for this scan: " + why + ".");
@@ -163,7 +171,7 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
     take(work, input, *volume);
     const VolumeGeometry body = volume->wanted.framed.box;
     volume->wanted = {};  // frees voxels that are not shown
-    const auto look = chosenLook(input, segment::findingsOn(*work.scene.volume, body), work.notes);
+    const auto look = chosenLook(input, *work.scene.volume, body, work.notes);
     if (!look)
         return look.error();
     if (auto ok = dress(work, input, *look, body); !ok)

@@ -57,7 +57,13 @@ void addGrid(Json& report, const VolumeGeometry& geometry) {
     report["columnDirection"] = vectorOf(dvec3(geometry.patientFromIndex[1]) / spacing.y);
 }
 
-/// Returns the lowest, highest and mean value of the voxels for which counts(index) is true; null if there are none.
+/// Returns a number of voxels' unit, as it is shown: HU are whole.
+Json valueOf(const ValueUnit& unit, int voxel) {
+    return unit.isPlain() ? Json(voxel) : Json(unit.valueOf(voxel));
+}
+
+/// Returns the lowest, highest and mean value of the voxels for which counts(index) is true, in the volume's unit; null
+/// if there are none.
 template <class Counts>
 Json statisticsOf(const Volume& volume, Counts counts) {
     std::int64_t sum = 0, count = 0;
@@ -73,7 +79,11 @@ Json statisticsOf(const Volume& volume, Counts counts) {
     }
     if (count == 0)
         return nullptr;
-    return {{"voxels", count}, {"lowest", lowest}, {"highest", highest}, {"mean", double(sum) / double(count)}};
+    const ValueUnit unit = unitOf(volume);
+    return {{"voxels", count},
+            {"lowest", valueOf(unit, lowest)},
+            {"highest", valueOf(unit, highest)},
+            {"mean", unit.valueOf(double(sum) / double(count))}};
 }
 
 std::string checksumOf(const Volume& volume) {
@@ -112,8 +122,9 @@ void addPixels(Json& report, const dicom::Series& series, bool withTimes, const 
     addSeconds("read");
     for (const dicom::Note& note : notes)
         report["notes"].push_back(note.text);
-    report["hu"] = statisticsOf(*volume, [](std::size_t) { return true; });
-    report["huWithoutPadding"] = statisticsOf(*volume, [&](std::size_t i) { return !volume->isPadding(i); });
+    const std::string values = series.unit.isHu ? "hu" : "values";
+    report[values] = statisticsOf(*volume, [](std::size_t) { return true; });
+    report[values + "WithoutPadding"] = statisticsOf(*volume, [&](std::size_t i) { return !volume->isPadding(i); });
     report["paddingVoxels"] = volume->paddingCount();
     addSeconds("statistics");
     report["sha256"] = checksumOf(*volume);
@@ -150,8 +161,17 @@ std::string statisticsLine(const char* label, const Json& statistics) {
     if (!statistics.is_object())
         return {};
     char line[128];
-    std::snprintf(line, sizeof line, "  %-16s %d .. %d, mean %.9f\n", label, statistics["lowest"].get<int>(),
-                  statistics["highest"].get<int>(), statistics["mean"].get<double>());
+    std::snprintf(line, sizeof line, "  %-16s %.9g .. %.9g, mean %.9f\n", label, statistics["lowest"].get<double>(),
+                  statistics["highest"].get<double>(), statistics["mean"].get<double>());
+    return line;
+}
+
+/// Returns "no HU, Bq/ml, in steps of 0.25" for values that are no HU.
+std::string unitLine(const Json& report) {
+    const auto name = report["unit"].get<std::string>();
+    std::string line = "no HU, " + (name.empty() ? "none stated" : name);
+    if (const double step = report["valueStep"].get<double>(); step != 1)
+        line += ", in steps of " + numberOf(step);
     return line;
 }
 
@@ -185,6 +205,9 @@ Json reportOf(const dicom::Series& series, const WantedFacts& wanted, const Prog
                    {"date", series.series.date},
                    {"coding", std::string(series.series.coding)},
                    {"slices", series.slices.size()},
+                   {"unit", series.unit.isHu ? Json("HU") : Json(series.unit.name)},
+                   {"valueStep", series.unit.step},
+                   {"valueZero", series.unit.zero},
                    {"verdict", nameOf(series.verdict.stack)},
                    {"loadable", series.verdict.loadable()},
                    {"resampled", series.series.resampled},
@@ -218,6 +241,8 @@ std::string textOf(const Json& report) {
         text += "  note             " + note.get<std::string>() + "\n";
     if (report.contains("size"))
         text += "  size             " + joined(report["size"], " x ") + "\n";
+    if (report.contains("values"))
+        text += "  unit             " + unitLine(report) + "\n";
     if (const auto coding = report["coding"].get<std::string>(); !coding.empty())
         text += "  coding           " + coding + "\n";
     if (report.contains("spacingMm")) {
@@ -229,8 +254,9 @@ std::string textOf(const Json& report) {
         text += "  column direction " + joined(report["columnDirection"], ", ") + "\n";
     }
     if (report.contains("sha256")) {
-        text += statisticsLine("HU", report["hu"]);
-        text += statisticsLine("without padding", report["huWithoutPadding"]);
+        const std::string values = report.contains("hu") ? "hu" : "values";
+        text += statisticsLine(report.contains("hu") ? "HU" : "values", report[values]);
+        text += statisticsLine("without padding", report[values + "WithoutPadding"]);
         text += "  padding          " + std::to_string(report["paddingVoxels"].get<std::int64_t>()) + " voxels\n";
         text += "  sha256           " + report["sha256"].get<std::string>() + "\n";
     }

@@ -14,6 +14,7 @@
 #include "app/output/image_files.h"
 #include "app/output/slice_file.h"
 #include "render/slice/reslice.h"
+#include "render/slice/unit_window.h"
 #include "ui/annotation/slice_camera.h"
 #include "ui/text/series_text.h"
 
@@ -56,22 +57,26 @@ Result<ChosenSlice> chosenSlice(const SliceOptions& options, const VolumeGeometr
     return placed(stack.slice(int(index)), " slice " + std::to_string(index));
 }
 
-/// Returns the window to look through. Error: the file's own is asked for, and there is none.
+/// Returns the window of voxels to look through. Errors: the file's own is asked for, and there is none; a preset is
+/// asked for, and the values are no HU.
 Result<GreyWindow> chosenWindow(const SliceOptions& options, const ScannedVolume& scanned) {
+    if (options.hasPreset && !unitOf(*scanned.volume).isHu)
+        return Error{"this window is one in HU, and the values of the scan are none", "--window",
+                     "Give a centre and a width in values, or \"whole\".", ErrorKind::refused};
     if (const auto* window = std::get_if<GreyWindow>(&options.window))
-        return *window;
+        return inVoxels(*window, unitOf(*scanned.volume));
     const auto wanted = std::get<ScanWindow>(options.window);
     if (wanted == ScanWindow::whole)
         return wholeRange(*scanned.volume);
     const dicom::StatedWindow stated = scanned.series ? scanned.series->window : dicom::StatedWindow();
     if (stated.window)
-        return *stated.window;
+        return inVoxels(*stated.window, unitOf(*scanned.volume));
     if (wanted == ScanWindow::file)
         return Error{stated.ignored.empty() ? Text("the files state no grey window") : stated.ignored, "--window",
                      "Give a centre and a width, such as 40/400.", ErrorKind::refused};
     if (!stated.ignored.empty())
         std::fprintf(stderr, "note: %s\n", stated.ignored.c_str());
-    return GreyWindow();
+    return firstWindow(*scanned.volume, {});
 }
 
 /// Returns what is painted over PNG files. Error: the patient's data is asked for, and there is none.
@@ -85,19 +90,21 @@ Result<PaintOver> painterOf(const SliceOptions& options, const ScannedVolume& sc
         options.annotate == ui::Annotate::patient ? ui::patientLines(*scanned.series) : QStringList();
     QString place = QString::fromStdString(slice.place);
     place[0] = place[0].toUpper();
-    const QString seen = QString::fromStdString("Window " + windowText(window) + " HU");
+    const ValueUnit unit = unitOf(*scanned.volume);
+    const QString seen = QString::fromStdString("Window " + windowText(inValues(window, unit)) + " " + unitText(unit));
     const ui::Annotations annotations{ui::cameraFacing(slice.plane), patient, {place, seen}, false};
     return PaintOver([annotations](ivec2 size, std::vector<std::uint8_t>& rgba) { annotate(annotations, size, rgba); });
 }
 
-void report(const SliceImage& image, const std::string& place, const Paths& files) {
+void report(const SliceImage& image, const ValueUnit& unit, const std::string& place, const Paths& files) {
     float lowest = INFINITY, highest = -INFINITY;
     for (const float hu : image.hu) {
         lowest = std::fmin(lowest, hu);  // leaves out what is not a number
         highest = std::fmax(highest, hu);
     }
-    std::printf("%s: %d x %d pixels of %s mm, %.4g to %.4g HU\n", place.c_str(), image.plane.size.x, image.plane.size.y,
-                numberOf(image.plane.mmPerPixel, 4).c_str(), double(lowest), double(highest));
+    std::printf("%s: %d x %d pixels of %s mm, %.4g to %.4g %s\n", place.c_str(), image.plane.size.x, image.plane.size.y,
+                numberOf(image.plane.mmPerPixel, 4).c_str(), unit.valueOf(double(lowest)),
+                unit.valueOf(double(highest)), unitText(unit).c_str());
     for (const auto& file : files)
         std::printf("%s\n", file.c_str());
 }
@@ -130,7 +137,7 @@ Result<bool> sliceAll(const SliceOptions& options) {
     });
     for (const Error& trouble : written.troubles)
         failed(trouble);
-    report(image, slice->place, written.files);
+    report(image, unitOf(*scanned->volume), slice->place, written.files);
     return written.troubles.empty();
 }
 

@@ -50,7 +50,7 @@ AnatomicalPlane readPlane(const Reader& reader) {
     usageError("--plane", "must be axial, coronal or sagittal, not \"" + text->toStdString() + "\"");
 }
 
-std::variant<ScanWindow, GreyWindow> readWindow(const Reader& reader) {
+std::variant<ScanWindow, GreyWindow> readWindow(const Reader& reader, bool& isPreset) {
     const QString text = reader.text("window").value_or("");
     if (text.isEmpty() && !reader.text("window"))
         return ScanWindow::usual;
@@ -60,8 +60,10 @@ std::variant<ScanWindow, GreyWindow> readWindow(const Reader& reader) {
     if (is("whole"))
         return ScanWindow::whole;
     for (const WindowPreset& preset : windowPresets())
-        if (is(preset.name))
+        if (is(preset.name)) {
+            isPreset = true;
             return preset.window;
+        }
     bool centreIs = false, widthIs = false;
     const GreyWindow window{text.section('/', 0, 0).toDouble(&centreIs), text.section('/', 1).toDouble(&widthIs)};
     if (centreIs && widthIs && window.valid())
@@ -83,7 +85,7 @@ void readSlice(const QCommandLineParser& parser, SliceOptions& options) {
     options.atMm = reader.number("at", {-1e6, 1e6});
     if (options.index && options.atMm)
         usageError("--at", "and --index both say where the slice lies", "Leave one of them out.");
-    options.window = readWindow(reader);
+    options.window = readWindow(reader, options.hasPreset);
     options.outputs = readOutputs(parser);
     options.annotate = readAnnotate(parser);
 }

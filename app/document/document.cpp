@@ -4,6 +4,7 @@
 
 #include "render/base/image_size.h"
 #include "render/scene/edit/camera_edits.h"
+#include "render/volume/value_unit.h"
 
 namespace pdr::app {
 
@@ -36,13 +37,19 @@ void Document::setLooks(std::vector<NamedLook> looks) {
     report(plan_, Changes::looks);
 }
 
-/// Fits the looks to the volume. A look that the user has changed stays as it is.
+/// Fits the looks to the volume. A look that the user has changed stays as it is, from one scan in HU to another:
+/// values that are no HU mean something else in each scan.
 void Document::fitLooksTo(const std::optional<segment::Findings>& findings) {
     const int shown = look();
-    looks_.fitTo(findings);
-    if (shown < 0)
+    const bool wereInHu = looks_.areInHu();
+    if (unitOf(*volume_).isHu)
+        looks_.fitTo(findings);
+    else
+        looks_.fitToValues(spreadOf(*volume_));
+    const bool stayInHu = wereInHu && looks_.areInHu();
+    if (stayInHu && shown < 0)
         return;
-    plan_.image = withNamedLook(setup(), looks_[looks_.suitedOr(shown)], table_.bodyBox);
+    plan_.image = withNamedLook(setup(), looks_[looks_.suitedOr(stayInHu ? shown : 0)], table_.bodyBox);
     plan_.image.stops = 0;
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/scan/scan_place.h"
 #include "render/slice/grey_window.h"
+#include "render/slice/unit_window.h"
 
 namespace pdr::app {
 namespace {
@@ -27,6 +28,16 @@ bool leadsBack(dvec3 direction) {
     return seen[axis] < 0;
 }
 
+/// Returns the window that the files ask for; without one, of values that are no HU, from the darkest to the brightest.
+GreyWindow windowFor(const dicom::Series& series, const dicom::DecodedSlice& slice) {
+    if (series.window.window)
+        return inVoxels(*series.window.window, series.unit);
+    if (series.unit.isHu || slice.hu.empty())
+        return kWindow;
+    const auto [low, high] = std::ranges::minmax(slice.hu);
+    return {(low + high) / 2.0, std::max(high - low, 1) + 0.0, VoiFunction::linearExact};
+}
+
 }  // namespace
 
 QImage seriesImage(const dicom::Series& series, const std::stop_token& stop) {
@@ -36,7 +47,7 @@ QImage seriesImage(const dicom::Series& series, const std::stop_token& stop) {
     const auto slice = decodeSliceOf(series, middle, stop);
     if (!slice)
         return {};
-    const GreyWindow window = series.window.window.value_or(kWindow);
+    const GreyWindow window = windowFor(series, *slice);
     QImage image(slice->size.x, slice->size.y, QImage::Format_Grayscale8);
     for (int y = 0; y < slice->size.y; ++y)
         std::transform(slice->hu.begin() + std::ptrdiff_t(y) * slice->size.x,

@@ -18,11 +18,18 @@ void FittedLooks::replace(std::vector<NamedLook> drawn) {
 
 void FittedLooks::fitTo(const std::optional<segment::Findings>& findings) {
     findings_ = findings;
+    spread_.reset();
+    fit();
+}
+
+void FittedLooks::fitToValues(const ValueSpread& spread) {
+    findings_.reset();
+    spread_ = spread;
     fit();
 }
 
 void FittedLooks::fit() {
-    fitted_ = drawn_;
+    fitted_ = spread_ ? valueLooks(*spread_, drawn_.front()) : drawn_;
     stops_.assign(fitted_.size(), std::nullopt);
     if (findings_ && findings_->blood)
         for (NamedLook& look : fitted_)

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/looks/value_looks.h"
 #include "render/scene/image_setup.h"
 #include "render/scene/named_look.h"
 #include "render/segment/findings.h"
@@ -24,8 +25,12 @@ class FittedLooks {
 
     /// Replaces the looks, for the same scan. `drawn` holds at least one look.
     void replace(std::vector<NamedLook> drawn);
-    /// Fits the looks to another scan, as far as it is known, and forgets all brightnesses.
+    /// Fits the looks to another scan in HU, as far as it is known, and forgets all brightnesses.
     void fitTo(const std::optional<segment::Findings>& findings);
+    /// Offers looks for a scan whose values are no HU instead, and forgets all brightnesses. `spread`: its voxels.
+    void fitToValues(const ValueSpread& spread);
+    /// Returns whether the scan is in HU, as far as is known, so that the looks that were drawn are offered.
+    bool areInHu() const { return !spread_; }
 
     /// Returns why a look does not suit the scan; empty if it does, or if nothing is known of the scan.
     std::string whyUnsuited(int look) const;
@@ -55,6 +60,7 @@ class FittedLooks {
     std::vector<NamedLook> fitted_;
     std::vector<std::optional<double>> stops_;
     std::optional<segment::Findings> findings_;
+    std::optional<ValueSpread> spread_;  ///< none: the scan is in HU
 };
 
 }  // namespace pdr::app

@@ -6,6 +6,7 @@
 #include "render/base/version.h"
 #include "render/film/file/image_format.h"
 #include "render/film/file/pixel_file.h"
+#include "render/slice/unit_window.h"
 
 namespace pdr::app {
 namespace {
@@ -32,6 +33,14 @@ std::vector<Fact> factsOf(const SliceImage& slice, const SliceFacts& facts) {
     return all;
 }
 
+std::vector<float> valuesOf(const SliceImage& slice, const ValueUnit& unit) {
+    std::vector<float> values;
+    values.reserve(slice.hu.size());
+    for (const float voxel : slice.hu)
+        values.push_back(float(unit.valueOf(double(voxel))));
+    return values;
+}
+
 }  // namespace
 
 std::string windowText(const GreyWindow& window) {
@@ -45,14 +54,23 @@ Result<void> writeSlice(const SliceImage& slice, const SliceFacts& about, const 
                         const PaintOver& paintOver, const std::filesystem::path& file) {
     std::vector<Fact> facts = factsOf(slice, about);
     const ivec2 size = slice.plane.size;
-    if (imageFormat(file) == ImageFormat::exr)
+    const ValueUnit unit = unitIn(about.remarks);
+    if (imageFormat(file) == ImageFormat::exr && unit.isHu)
         return writeExr(size,
                         {"HU", "Hounsfield units, trilinear, not filtered; not a number outside the scan.", slice.hu},
                         facts, file);
+    if (imageFormat(file) == ImageFormat::exr)
+        return writeExr(
+            size,
+            {"value",
+             "Values of the scan, no Hounsfield units (unit: " + (unit.name.empty() ? "none stated" : unit.name) +
+                 "), trilinear, not filtered; not a number outside the scan.",
+             valuesOf(slice, unit)},
+            facts, file);
     std::vector<std::uint8_t> rgba = greyPixels(window, slice.hu, kGround);
     if (paintOver)
         paintOver(size, rgba);
-    facts.push_back({"pdrender/window", windowText(window)});
+    facts.push_back({"pdrender/window", windowText(inValues(window, unit))});
     return writePng(size, rgba, facts, file);
 }
 

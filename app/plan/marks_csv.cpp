@@ -56,7 +56,7 @@ void addValue(std::string& line, const MarkRow& row) {
     add(line, row.value ? cell(value.value) : "");
     add(line, cell(value.plusMinus));
     add(line, cell(boundWord(value.bound)));
-    add(line, row.value ? cell(unitWord(value.unit)) : "");
+    add(line, row.value ? cell(withoutFormula(unitWord(value))) : "");
     add(line, cell(withoutFormula(readable(row))));
     add(line, cell(value.details));
 }
@@ -68,18 +68,19 @@ void addRegion(std::string& line, const MarkRow& row) {
     }
     const measure::RegionStatistics& region = *row.value->region;
     for (const double hu : {region.sdHu, region.lowestHu, region.highestHu})
-        add(line, cell(hu));
+        add(line, isInHu(*row.value) ? cell(hu) : "");
     add(line, std::to_string(region.count));
     add(line, cell(region.millilitres));
 }
 
-/// Adds what came after the places: what else is known of a region, and its area.
+/// Adds what came after the places: what else is known of a region, and its area. Columns in HU stay empty of values
+/// that are none.
 void addMeanAndArea(std::string& line, const MarkRow& row) {
     const Measured value = row.value ? *row.value : Measured();
-    const auto region = value.region.value_or(measure::RegionStatistics());
-    add(line, value.region ? cell(region.meanHu) : "");
-    add(line, cell(region.meanPlusMinus));
-    add(line, value.region ? cell(region.medianHu) : "");
+    const auto region = isInHu(value) ? value.region : std::nullopt;
+    add(line, region ? cell(region->meanHu) : "");
+    add(line, region ? cell(region->meanPlusMinus) : "");
+    add(line, region ? cell(region->medianHu) : "");
     add(line, value.area ? cell(value.area->value) : "");
     add(line, value.area ? cell(plusMinusOf(*value.area)) : "");
     add(line, value.area ? cell(boundWord(value.area->bound)) : "");

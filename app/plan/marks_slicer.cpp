@@ -95,7 +95,7 @@ Json measurement(const std::string& name, double number, const Measured& value, 
     return {{"name", name},
             {"enabled", true},
             {"value", std::round(number * 1e4) / 1e4},
-            {"units", unitWord(value.unit)},
+            {"units", unitWord(value)},
             {"description", description}};
 }
 
@@ -110,7 +110,10 @@ Json measurements(const MarkRow& row) {
                               : value.bound == measure::Bound::atLeast ? ", at least"
                                                                        : "";
     const std::string hole = value.acrossHole ? ", across a hole" : "";
-    const std::string name = std::string("PD-Render ") + markupOf(row.kind).quantity + bound + hole;
+    std::string quantity = markupOf(row.kind).quantity;
+    if (const std::size_t hu = quantity.find("HU"); hu != std::string::npos && !isInHu(value))
+        quantity.replace(hu, 2, "value");
+    const std::string name = "PD-Render " + quantity + bound + hole;
     all.push_back(measurement(name, value.value, value, value.text));
     if (value.plusMinus)
         all.push_back(measurement(name + ", plus or minus", *value.plusMinus, value,

@@ -84,9 +84,15 @@ std::string_view boundWord(measure::Bound bound) {
     return kWords[std::size_t(bound)];
 }
 
-std::string_view unitWord(measure::Unit unit) {
+std::string unitWord(const Measured& measured) {
     constexpr std::array<std::string_view, 4> kWords{"mm", "deg", "mm2", "HU"};
-    return kWords[std::size_t(unit)];
+    if (measured.unit == measure::Unit::hu && !isInHu(measured))
+        return measured.valueUnit.name;
+    return std::string(kWords[std::size_t(measured.unit)]);
+}
+
+bool isInHu(const Measured& measured) {
+    return measured.valueUnit.isHu;
 }
 
 }  // namespace pdr::app

@@ -39,7 +39,10 @@ std::string_view kindWord(MeasureKind kind);
 std::string_view foundWord(measure::Found found);
 /// Returns the bound as files name it: "atMost", "atLeast"; empty: the value is no bound.
 std::string_view boundWord(measure::Bound bound);
-/// Returns the unit as files name it: "mm", "deg", "mm2", "HU".
-std::string_view unitWord(measure::Unit unit);
+/// Returns the unit of the value as files name it: "mm", "deg", "mm2", "HU"; of values that are no HU their own, and
+/// empty where the scan states none.
+std::string unitWord(const Measured& measured);
+/// Returns whether the figures of a region are in HU.
+bool isInHu(const Measured& measured);
 
 }  // namespace pdr::app

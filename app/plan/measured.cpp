@@ -63,10 +63,14 @@ Result<Measured> pointOf(const Place& place, const Volume& volume) {
     if (!sample.measured)
         return Error{phrase("the scanner measured nothing here"), "", phrase("Move it into the scan."),
                      ErrorKind::refused};
+    const ValueUnit unit = unitOf(volume);
+    const double value = unit.valueOf(sample.hu), last = std::pow(10.0, unit.decimals());
+    const Text digits = fixedNumber(std::round(value * last) / last + 0.0, unit.decimals());  // no "-0"
     return Measured{.unit = Unit::hu,
-                    .value = sample.hu,
-                    .text = phrase("%1 HU", fixedNumber(std::round(sample.hu) + 0.0, 0)),  // no "-0"
-                    .details = phrase("The HU that slices show at this place. One place has no ±: a ball has a mean "
+                    .valueUnit = unit,
+                    .value = value,
+                    .text = phrase("%1 %2", digits, unitText(unit)),
+                    .details = phrase("The value that slices show at this place. One place has no ±: a ball has a mean "
                                       "with a ±.")};
 }
 

@@ -11,11 +11,12 @@ namespace pdr::app {
 
 struct Measured {
     measure::Unit unit = measure::Unit::mm;
+    ValueUnit valueUnit;              ///< unit of the scan's values, that of Unit::hu and of a region's figures
     double value = 0;                 ///< in `unit`; of a bound, the bound
     std::optional<double> plusMinus;  ///< half of the 95 % interval, unrounded; none: a bound, typed places, the HU of
                                       ///< a single place, too few voxels
     measure::Bound bound = measure::Bound::none;
-    std::optional<measure::RegionStatistics> region;  ///< what is known of the voxels of a region
+    std::optional<measure::RegionStatistics> region;  ///< the voxels of a region, as values
     std::optional<measure::Stated> area;              ///< area of an ellipse or a polygon [mm^2]
     bool acrossHole = false;                          ///< depends on slices that were not measured (hole_mark.h)
     Text text;                                        ///< the value as lists and views show it: "42.3 ± 0.5 mm"

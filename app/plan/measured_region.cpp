@@ -30,13 +30,17 @@ Result<measure::RegionStatistics> statisticsOf(const Volume& volume, const measu
     return statisticsOf(volume, shape, area.value * measure::layerMm(volume.geometry(), normal));
 }
 
-Measured meanOf(const measure::RegionStatistics& region) {
+/// `region`: the statistics of the voxels of `volume`.
+Measured meanOf(const measure::RegionStatistics& region, const Volume& volume) {
+    const ValueUnit unit = unitOf(volume);
+    const measure::RegionStatistics values = measure::inValues(region, unit);
     return {.unit = Unit::hu,
-            .value = region.meanHu,
-            .plusMinus = region.meanPlusMinus,
-            .region = region,
-            .text = measure::meanText(region),
-            .details = measure::regionText(region)};
+            .valueUnit = unit,
+            .value = values.meanHu,
+            .plusMinus = values.meanPlusMinus,
+            .region = values,
+            .text = measure::meanText(values, unit),
+            .details = measure::regionText(values, unit)};
 }
 
 /// The farthest that a corner lies off the plane of its polygon [mm].
@@ -62,7 +66,7 @@ Result<Measured> measuredBall(const std::vector<Place>& places, const Volume& vo
         statisticsOf(volume, measure::Ball{places[0].mm, radius}, 4 * std::numbers::pi / 3 * radius * radius * radius);
     if (!region)
         return region.error();
-    return meanOf(*region);
+    return meanOf(*region, volume);
 }
 
 Result<Measured> measuredEllipse(const std::vector<Place>& places, const Volume& volume) {
@@ -73,7 +77,7 @@ Result<Measured> measuredEllipse(const std::vector<Place>& places, const Volume&
     const auto region = statisticsOf(volume, ellipse, *area, *normalOf(places));
     if (!region)
         return region.error();
-    Measured measured = meanOf(*region);
+    Measured measured = meanOf(*region, volume);
     measured.area = *area;
     measured.details = joined(phrase("Area %1.", measure::valueText(*area, Unit::mm2)), measured.details);
     return measured;
@@ -108,9 +112,10 @@ Result<Measured> measuredPolygon(const std::vector<Place>& corners, const Volume
         measured->details = joined(Text::sentence(region.error().what), measured->details);
         return measured;
     }
-    measured->region = *region;
-    const Text mean = joined(phrase("Mean %1.", measure::meanText(*region)), measure::regionText(*region));
-    measured->details = joined(measured->details, mean);
+    const Measured mean = meanOf(*region, volume);
+    measured->valueUnit = mean.valueUnit;
+    measured->region = mean.region;
+    measured->details = joined(measured->details, joined(phrase("Mean %1.", mean.text), mean.details));
     return measured;
 }
 

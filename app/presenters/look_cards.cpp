@@ -41,7 +41,9 @@ QList<ui::LookCard> lookCards(const Document& document) {
     QList<ui::LookCard> cards;
     for (int i = 0; document.looks().holds(i); ++i) {
         const NamedLook& look = document.looks()[i];
-        cards << ui::LookCard{nameText(look), groupText(look.group), doesNotShowText(look),
+        const QString group =
+            document.looks().areInHu() ? groupText(look.group) : ui::LookGallery::tr("Values that are no HU");
+        cards << ui::LookCard{nameText(look), group, doesNotShowText(look),
                               unsuitedText(document.looks().whyUnsuited(i)), look.group == LookGroup::own};
     }
     return cards;

@@ -46,6 +46,12 @@ std::vector<NamedLook> bundledLooksOf(const Document& document) {
     return looks;
 }
 
+/// Returns the error where a look is to be kept or taken: looks are drawn in HU.
+Error notInHu() {
+    return {phrase("the values of this scan are no HU, in which looks are kept"), "",
+            phrase("Open a CT scan for that."), ErrorKind::refused};
+}
+
 Result<void> checkFree(const Document& document, const std::string& name) {
     for (const NamedLook& look : bundledLooksOf(document))
         if (look.name == name || nameText(look).toStdString() == name)
@@ -144,12 +150,12 @@ void LooksPresenter::showChange(const Result<void>& changed, const std::string& 
 }
 
 void LooksPresenter::keep(const NamedLook& look) {
-    const Result<void> free = checkFree(document(), look.name);
+    const Result<void> free = document().looks().areInHu() ? checkFree(document(), look.name) : notInHu();
     showChange(free ? own_.save(look) : free, look.name);
 }
 
 void LooksPresenter::save(const QString& name) {
-    const bool sky = document().setup().look.environment.image != nullptr;
+    const bool sky = document().setup().look.environment.image && document().looks().areInHu();
     keep(shownLook(document(), name.toStdString()));
     if (sky)
         window().message().showNotice(
@@ -169,6 +175,8 @@ void LooksPresenter::importFrom(const QString& file) {
 }
 
 void LooksPresenter::exportTo(const QString& file) {
+    if (!document().looks().areInHu())
+        return showError(notInHu());
     if (auto written = writeLookFile(shownLook(document(), lookTitle(document().setup())), file); !written)
         return showError(written.error());
     window().status().showForAWhile(ui::MainWindow::tr("Saved as %1").arg(file));

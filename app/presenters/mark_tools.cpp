@@ -26,12 +26,12 @@ std::vector<Tool> tools() {
         {MeasureKind::lines, "lines", Qt::SHIFT | Qt::Key_A, Texts::tr("Angle of two lines"), Texts::tr("Two lines"),
          Texts::tr("Click both ends of a line, then of another: the angle between their directions.")},
         {MeasureKind::point, "label", Qt::Key_I, Texts::tr("Label"), Texts::tr("Label"),
-         Texts::tr("Click a place, and type what it is. The list shows its HU.")},
+         Texts::tr("Click a place, and type what it is. The list shows its value.")},
         {MeasureKind::ball, "ball", Qt::Key_O, Texts::tr("Mean in a ball"), Texts::tr("Ball"),
-         Texts::tr("Click the middle of a ball, then a place on its surface: the mean of the HU inside.")},
+         Texts::tr("Click the middle of a ball, then a place on its surface: the mean of the values inside.")},
         {MeasureKind::ellipse, "ellipse", Qt::SHIFT | Qt::Key_O, Texts::tr("Mean in an ellipse"), Texts::tr("Ellipse"),
          Texts::tr("Click the middle of an ellipse on a slice, the end of one half axis, then how far the other "
-                   "reaches: the mean of the HU inside, and the area.")},
+                   "reaches: the mean of the values inside, and the area.")},
         {MeasureKind::polygon, "polygon", Qt::SHIFT | Qt::Key_M, Texts::tr("Area of a polygon"), Texts::tr("Polygon"),
          Texts::tr("Click the corners of a polygon on a slice. Enter, a double click or a click on the first corner "
                    "closes it, Backspace takes the last corner back.")},

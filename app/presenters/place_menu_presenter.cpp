@@ -9,6 +9,7 @@
 #include "render/prepare/layers_text.h"
 #include "ui/text/language.h"
 #include "ui/text/room_text.h"
+#include "ui/text/value_text.h"
 
 namespace pdr::app {
 namespace {
@@ -61,8 +62,10 @@ QString PlaceMenuPresenter::textOf(const LayersUnder& under) const {
     if (under.seen != SeenAt::place || !document().hasVolume())
         return ui::sentence(layersText(under));
     const dvec3 place = under.layers.front().placeMm;
-    const double hu = huAt(*document().seen(), place);
-    return std::isnan(hu) ? placeText(place) : Texts::tr("%1 HU at %2").arg(ui::number(hu, 0), placeText(place));
+    const Volume& volume = *document().seen();
+    const double voxel = huAt(volume, place);
+    return std::isnan(voxel) ? placeText(place)
+                             : Texts::tr("%1 at %2").arg(ui::valueText(unitOf(volume), voxel), placeText(place));
 }
 
 }  // namespace pdr::app

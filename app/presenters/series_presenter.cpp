@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/scan/series_choice.h"
+#include "render/slice/unit_window.h"
 #include "ui/text/room_text.h"
 #include "ui/text/series_text.h"
 
@@ -130,7 +131,8 @@ void SeriesPresenter::showVolume(std::shared_ptr<const Volume> volume, int index
     window().setPatient(ui::patientLines(series), {panel_->numberedPatient()});
     window().start().hide();
     window().viewport().setMessage(ui::MainWindow::tr("Preparing %1...").arg(ui::seriesNumber(series)));
-    document().open(std::move(volume), table, findings, std::move(hidden), series.window.window.value_or(GreyWindow()));
+    const GreyWindow seen = firstWindow(*volume, series.window.window);
+    document().open(std::move(volume), table, findings, std::move(hidden), seen);
 }
 
 void SeriesPresenter::showProgress(double, const QString& step) {

@@ -12,8 +12,10 @@
 #include "app/presenters/place_text.h"
 #include "app/presenters/slice_framing.h"
 #include "app/presenters/window_menu.h"
+#include "render/slice/unit_window.h"
 #include "render/slice/window_presets.h"
 #include "ui/text/language.h"
+#include "ui/text/value_text.h"
 
 namespace pdr::app {
 namespace {
@@ -211,6 +213,7 @@ void SlicesPresenter::focusOne() {
 void SlicesPresenter::showDocument(Changes changes) {
     if (has(changes, Changes::series)) {
         offerWindows_->setEnabled(document().hasVolume());
+        offerPresets(*windows_, !document().hasVolume() || unitOf(*document().seen()).isHu);
         statedWindow_ = document().plan().navigation.window;
         for (Slice& slice : slices_)
             slice.view->clear();
@@ -286,24 +289,31 @@ void SlicesPresenter::show(Slice& slice, const QImage& grey, const SlicePlane& p
 
 QStringList SlicesPresenter::textsOf(const Slice& slice, const SlicePlane& plane, const GreyWindow& window) const {
     const int index = nearestSlice(*slice.stack, plane.middleMm());
+    const ValueUnit unit = volume_ ? unitOf(*volume_) : ValueUnit();
+    const GreyWindow values = inValues(window, unit);
+    const int decimals = unit.decimals();
     return {nameOf(slice.view->plane(), index + 1, slice.stack->count()),
-            Texts::tr("Window %1 / %2 HU").arg(ui::number(window.centre, 0), ui::number(window.width, 0))};
+            Texts::tr("Window %1 / %2 %3")
+                .arg(ui::number(values.centre, decimals), ui::number(values.width, decimals), ui::unitName(unit))};
 }
 
-/// Shows the HU and the place under the pointer. The HU is that of the renderer there.
+/// Shows the value and the place under the pointer. The value is that of the renderer there.
 void SlicesPresenter::showPointed(Slice& slice, const std::optional<dvec3>& placeMm) {
     const auto plane = planeOf(slice);
     if (!placeMm || !plane || !volume_)
         return slice.view->setPointed({});
-    const double hu = huAt(*volume_, *placeMm);
-    slice.view->setPointed(std::isnan(hu) ? Texts::tr("outside the scan")
-                                          : Texts::tr("%1 HU at %2").arg(ui::number(hu, 0), placeText(*placeMm)));
+    const double voxel = huAt(*volume_, *placeMm);
+    slice.view->setPointed(
+        std::isnan(voxel) ? Texts::tr("outside the scan")
+                          : Texts::tr("%1 at %2").arg(ui::valueText(unitOf(*volume_), voxel), placeText(*placeMm)));
 }
 
 /// Chooses the window of a digit: a preset, the window of the files (9), or the whole range (0).
 void SlicesPresenter::chooseWindow(char key) {
     if (!volume_)
         return;
+    if (key >= '1' && key <= '8' && !unitOf(*volume_).isHu)
+        return window().status().showForAWhile(whyNoPresets());
     const GreyWindow& current = document().plan().navigation.window;
     setWindow(key == '9'   ? statedWindow_
               : key == '0' ? wholeRange(*volume_)
@@ -313,8 +323,8 @@ void SlicesPresenter::chooseWindow(char key) {
 /// Makes the window wider or narrower, and darker or brighter, by parts of the view's height.
 void SlicesPresenter::dragWindow(double wider, double brighter) {
     constexpr double kPerHeight = 4;   // a drag over the view's height changes the width by a factor of exp(4)
-    constexpr double kNarrowest = 1;   // [HU]
-    constexpr double kWidest = 65536;  // [HU]
+    constexpr double kNarrowest = 1;   // voxels differ by no less
+    constexpr double kWidest = 65536;  // and by no more
     Navigation navigation = document().plan().navigation;
     GreyWindow& window = navigation.window;
     window.centre -= 2 * brighter * window.width;

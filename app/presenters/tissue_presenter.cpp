@@ -35,13 +35,18 @@ void TissuePresenter::pick(QPointF place) {
 
 void TissuePresenter::showDocument(Changes changes) {
     if (has(changes, Changes::series) && document().hasVolume())
-        afterImage_.call([this] { study_.setVolume(document().seen()); });
+        showVolume();
     if (has(changes, Changes::tissue | Changes::looks))
         panel_->setTransferFunction(document().setup().look.transferFunction);
 }
 
 void TissuePresenter::showFrame(const std::shared_ptr<const Frame>&) {
     afterImage_.imageStands();
+}
+
+void TissuePresenter::showVolume() {
+    panel_->setValues(unitOf(*document().seen()));
+    afterImage_.call([this] { study_.setVolume(document().seen()); });
 }
 
 void TissuePresenter::releaseVolume() {

@@ -28,6 +28,7 @@ class TissuePresenter : public Presenter {
 
   private:
     void connectTools();
+    void showVolume();
 
     ui::TissuePanel* panel_;
     ui::DragTool drag_{ui::kTremble};  ///< with Ctrl: a drag edits the curves, a click picks a tissue

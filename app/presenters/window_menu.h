@@ -14,4 +14,10 @@ namespace pdr::app {
 void fillWindowMenu(QMenu& menu, const std::function<void(const GreyWindow&)>& choose,
                     const std::function<void(char)>& chooseKey);
 
+/// Offers the presets in `menu`, or says there why they are not.
+void offerPresets(const QMenu& menu, bool offered);
+
+/// Returns the sentence why presets, which are in HU, are not offered for a scan.
+QString whyNoPresets();
+
 }  // namespace pdr::app

@@ -7,6 +7,7 @@
 #include <new>
 #include <utility>
 
+#include "dicom/stack/series_unit.h"
 #include "dicom/stack/stack_geometry.h"
 #include "render/base/errors.h"
 #include "render/base/file_ending.h"
@@ -52,18 +53,12 @@ Result<ValueRange> rangeOf(const GridFile& file, const Progress& progress) {
     const auto widen = [&](std::size_t, std::span<const double> values) {
         for (const double value : values)
             if (!std::isnan(value))
-                range = {std::min(range.lowest, value), std::max(range.highest, value)};
+                range = {std::min(range.lowest, value), std::max(range.highest, value),
+                         range.areWhole && value == std::floor(value)};
     };
     if (auto ok = forEachValue(file, progress, "reading values", widen); !ok)
         return ok.error();
     return range;
-}
-
-/// Returns whether the samples can stand for negative values: labels are found without reading them.
-bool canBeBelowZero(const GridFile& grid) {
-    const bool isUnsigned = grid.type == SampleType::uint8 || grid.type == SampleType::uint16 ||
-                            grid.type == SampleType::uint32 || grid.type == SampleType::uint64;
-    return !isUnsigned || grid.slope < 0 || grid.intercept < 0;
 }
 
 const char* formatName(const std::filesystem::path& file) {
@@ -80,26 +75,31 @@ void judgeGrid(dicom::Series& series, const GridFile& grid) {
     series.geometry = analysis.geometry;
     for (const int k : analysis.order)
         series.slices.push_back({grid.file, k, {}});
-    if (series.verdict.loadable() && !canBeBelowZero(grid)) {
-        series.verdict.stack = dicom::Stack::notCt;
-        series.verdict.reason =
-            phrase("its values are of a type without a sign: these are labels or grey levels, no HU");
-    }
 }
 
-/// Judges the values, of which `series` says that they can be HU.
-void judgeValues(dicom::Series& series, const ValueRange& range) {
+/// Judges the values, and gives them their unit.
+void judgeValues(dicom::Series& series, const GridFile& grid, const ValueRange& range) {
+    if (!std::isfinite(range.lowest) || !std::isfinite(range.highest)) {
+        series.verdict.stack = dicom::Stack::unreadable;
+        series.verdict.reason = phrase("its values are no finite numbers");
+        return;
+    }
     const Text lowest = numberOf(range.lowest), highest = numberOf(range.highest);
-    if (!mayBeHu(range)) {
-        series.verdict.stack = dicom::Stack::notCt;
-        series.verdict.reason = phrase(
-            "its values run from %1 to %2: these are no HU, which begin at -100 or below, and end at 100 or above",
-            lowest, highest);
-    } else
-        series.verdict.notes.push_back(
+    std::vector<dicom::Note>& notes = series.verdict.notes;
+    series.unit = gridUnit(grid, range);
+    if (series.unit.isHu)
+        return notes.push_back(
             {"no-unit:" + lowest + ".." + highest,
              phrase("the file does not say that its values are HU; they run from %1 to %2, and are taken as HU", lowest,
                     highest)});
+    notes.push_back({std::string(dicom::kNoHu),
+                     phrase("the values run from %1 to %2 and are no HU, which begin at -100 or below, and end at 100 "
+                            "or above: looks, windows and parts of the body that need HU are not offered",
+                            lowest, highest)});
+    if (!isExact(grid, series.unit, range))
+        notes.push_back(
+            {"rounded", phrase("the values are rounded to steps of %1, 65,536 from the lowest to the highest",
+                               numberOf(series.unit.step, 3))});
 }
 
 /// The voxels while they are read, and flags of those that are no numbers.
@@ -107,6 +107,7 @@ struct Filling {
     explicit Filling(const dicom::Series& series)
         : sliceVoxels(std::size_t(series.geometry.size.x) * std::size_t(series.geometry.size.y)),
           place(series.slices.size()),
+          unit(series.unit),
           hu(series.geometry.voxelCount()) {
         for (std::size_t k = 0; k < series.slices.size(); ++k)
             place[std::size_t(series.slices[k].frame)] = k;
@@ -122,24 +123,40 @@ struct Filling {
                 padding[at] = true;
                 hu[at] = Volume::kAirHu;
             } else {
-                isBeyond = isBeyond || !(values[i] >= INT16_MIN && values[i] <= INT16_MAX);
-                hu[at] = isBeyond ? std::int16_t(0) : std::int16_t(std::nearbyint(values[i]));
+                const double voxel = std::nearbyint(unit.voxelOf(values[i]));
+                isBeyond = isBeyond || !(voxel >= INT16_MIN && voxel <= INT16_MAX);
+                hu[at] = isBeyond ? std::int16_t(0) : std::int16_t(voxel);
+                lowest = std::min(lowest, hu[at]);
             }
         }
     }
 
+    /// Gives padding the lowest value where air has none that is known.
+    void lowerPadding() {
+        for (std::size_t i = 0; !unit.isHu && i < padding.size(); ++i)
+            if (padding[i])
+                hu[i] = lowest;
+    }
+
     std::size_t sliceVoxels;
     std::vector<std::size_t> place;  ///< where slice k of the file lies in the volume
+    ValueUnit unit;
+    std::int16_t lowest = INT16_MAX;
     Voxels hu;
     std::vector<bool> padding;
     bool isBeyond = false;  ///< whether a value lies outside int16, which the list has excluded
 };
 
-std::string codesOf(const std::vector<dicom::Note>& notes) {
+std::string codesOf(const dicom::Series& series) {
     std::string joined;
-    for (const dicom::Note& note : notes)
-        joined += (joined.empty() ? "" : " ") + note.code;
+    for (const dicom::Note& note : series.verdict.notes)
+        joined += (joined.empty() ? "" : " ") + (note.code == dicom::kNoHu ? unitWord(series.unit) : note.code);
     return joined;
+}
+
+/// Returns the voxel of a slice that is read alone where nothing was measured.
+std::int16_t nothingMeasured(const ValueUnit& unit) {
+    return unit.isHu ? Volume::kAirHu : std::int16_t(std::clamp<double>(unit.voxelOf(0), INT16_MIN, INT16_MAX));
 }
 
 bool isSame(const GridFile& a, const GridFile& b) {
@@ -148,11 +165,6 @@ bool isSame(const GridFile& a, const GridFile& b) {
 }
 
 }  // namespace
-
-bool mayBeHu(const ValueRange& range) {
-    constexpr double kFat = -100, kBone = 100;
-    return range.lowest >= INT16_MIN && range.lowest <= kFat && range.highest >= kBone && range.highest <= INT16_MAX;
-}
 
 Result<dicom::Series> gridSeries(const std::filesystem::path& file, const Progress& progress) {
     Result<GridFile> grid = readGridFile(file);
@@ -168,7 +180,7 @@ Result<dicom::Series> gridSeries(const std::filesystem::path& file, const Progre
         const Result<ValueRange> range = rangeOf(*grid, progress);
         if (!range)
             return range.error();
-        judgeValues(series, *range);
+        judgeValues(series, *grid, *range);
     }
     series.source = std::make_shared<GridSource>(*std::move(grid));
     return series;
@@ -195,8 +207,8 @@ Result<Volume> loadGridSeries(const dicom::Series& series, const Progress& progr
             return ok.error();
         if (filling.isBeyond)
             return dicom::changedFile(listed.file);
-        return Volume(series.geometry, std::move(filling.hu), std::move(filling.padding),
-                      codesOf(series.verdict.notes));
+        filling.lowerPadding();
+        return Volume(series.geometry, std::move(filling.hu), std::move(filling.padding), codesOf(series));
     } catch (const std::bad_alloc&) {
         return tooLarge;
     }
@@ -217,9 +229,9 @@ Result<dicom::DecodedSlice> decodeGridSlice(const dicom::Series& series, const d
     }
     decoded.hu.reserve(values.size());
     for (const double sample : values) {
-        const double value = std::nearbyint(sample * grid.slope + grid.intercept);
-        decoded.hu.push_back(std::isnan(value) ? Volume::kAirHu
-                                               : std::int16_t(std::clamp<double>(value, INT16_MIN, INT16_MAX)));
+        const double voxel = std::nearbyint(series.unit.voxelOf(sample * grid.slope + grid.intercept));
+        decoded.hu.push_back(std::isnan(voxel) ? nothingMeasured(series.unit)
+                                               : std::int16_t(std::clamp<double>(voxel, INT16_MIN, INT16_MAX)));
     }
     return decoded;
 }

@@ -7,6 +7,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "app/scan/grid_unit.h"
 #include "dicom/read/pixels.h"
 #include "dicom/series.h"
 #include "dicom/series_source.h"
@@ -31,17 +32,7 @@ class GridSource : public dicom::SeriesSource {
     GridFile grid_;
 };
 
-/// Values from the lowest to the highest; what is not a number is left out.
-struct ValueRange {
-    double lowest = 0, highest = 0;
-};
-
-/// Returns whether values may be HU: the lowest in [-32768, -100], which fat and air have, and the highest in [100,
-/// 32767], which bone and contrast have. Images of 0 to 255, stored values from 0 on, MR and labels are none.
-bool mayBeHu(const ValueRange& range);
-
-/// Reads the header of `file` and, for the range of its values where they may be HU, all samples; memory is taken for
-/// none. The series says
+/// Reads the header of `file` and, for the range of its values, all samples; memory is taken for none. The series says
 /// that the file states no unit, with the range, or why it is refused. Errors: those of readGridFile() and GridSamples;
 /// cancelled().
 Result<dicom::Series> gridSeries(const std::filesystem::path& file, const Progress& progress);

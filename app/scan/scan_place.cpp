@@ -54,8 +54,8 @@ Result<void> addGrids(dicom::ScanResult& scan, const fs::path& folder, const std
         series->series.number = int(i + 1);
         scan.series.push_back(*std::move(series));
     }
-    std::stable_partition(scan.series.begin(), scan.series.end(),
-                          [](const dicom::Series& each) { return each.verdict.loadable(); });
+    const auto rank = [](const dicom::Series& each) { return std::pair(!each.verdict.loadable(), !each.unit.isHu); };
+    std::ranges::stable_sort(scan.series, {}, rank);
     return {};
 }
 
@@ -110,7 +110,7 @@ Result<dicom::DecodedSlice> decodeSliceOf(const dicom::Series& series, const dic
                                           const std::stop_token& stop) {
     if (dynamic_cast<const GridSource*>(series.source.get()))
         return decodeGridSlice(series, slice, stop);
-    return dicom::decodeSlice(*series.source, slice, dicom::Padding::maskAsAir);
+    return dicom::decodeSlice(series, slice, dicom::Padding::maskAsAir);
 }
 
 }  // namespace pdr::app

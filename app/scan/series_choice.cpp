@@ -5,12 +5,24 @@
 
 namespace pdr::app {
 
+namespace {
+
+/// Returns whether a series is one of those that are shown unasked. Those in HU come before all others.
+auto preferredOf(const dicom::ScanResult& scan) {
+    const auto isInHu = [](const dicom::Series& series) { return isShownUnasked(series) && series.unit.isHu; };
+    return [anyInHu = std::ranges::any_of(scan.series, isInHu)](const dicom::Series& series) {
+        return isShownUnasked(series) && (series.unit.isHu || !anyInHu);
+    };
+}
+
+}  // namespace
+
 bool isShownUnasked(const dicom::Series& series) {
     return series.verdict.loadable() && !series.series.resampled;
 }
 
 int firstLoadable(const dicom::ScanResult& scan) {
-    const auto first = std::ranges::find_if(scan.series, isShownUnasked);
+    const auto first = std::ranges::find_if(scan.series, preferredOf(scan));
     return first == scan.series.end() ? -1 : int(first - scan.series.begin());
 }
 
@@ -18,7 +30,7 @@ int onlyLoadable(const dicom::ScanResult& scan) {
     const auto another = [&](const dicom::Series& series) {
         return !dicom::samePatient(series.patient, scan.series.front().patient);
     };
-    if (std::ranges::count_if(scan.series, isShownUnasked) != 1 || std::ranges::any_of(scan.series, another))
+    if (std::ranges::count_if(scan.series, preferredOf(scan)) != 1 || std::ranges::any_of(scan.series, another))
         return -1;
     return firstLoadable(scan);
 }

@@ -46,6 +46,10 @@ struct Groups {
     DcmItem& own;
     DcmItem* shared;  ///< null: none are shared
 
+    /// Returns what has the group; null: neither the frame nor all of them have it.
+    DcmItem* holderOf(const DcmTagKey& group) const {
+        return firstItem(own, group) ? &own : shared && firstItem(*shared, group) ? shared : nullptr;
+    }
     /// Returns the first item of a group; null: neither the frame nor all of them have it.
     DcmItem* find(const DcmTagKey& group) const {
         DcmItem* item = firstItem(own, group);
@@ -110,6 +114,8 @@ SliceHeader frameOf(const Groups& groups, const SliceHeader& object, int index) 
             readPlane(*group, frame);
     if (DcmItem* group = groups.find(DCM_PixelValueTransformationSequence))
         readRescale(*group, frame.meaning);
+    if (DcmItem* group = groups.holderOf(DCM_RealWorldValueMappingSequence))
+        readUnitName(*group, frame.meaning);
     if (DcmItem* group = groups.find(DCM_FrameVOILUTSequence))
         frame.window = readWindow(*group);
     for (const PhaseTag& place : kPhaseTags)

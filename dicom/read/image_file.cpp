@@ -33,6 +33,15 @@ bool isPlain(const SliceHeader& header) {
     return !isCompressed(coding) && !isDeflated(coding) && isOrdered && !header.hasFloatPixels;
 }
 
+/// Returns the rescale to voxels of `unit`. Steps of a voxel and of a stored number may be the same: then no rounding
+/// may come between them.
+ValueMeaning inVoxels(ValueMeaning meaning, const ValueUnit& unit) {
+    const double shift = unit.voxelOf(meaning.intercept.value_or(0));
+    meaning.slope = meaning.slope.value_or(1) / unit.step;
+    meaning.intercept = std::abs(*meaning.slope) == 1 ? std::round(shift) : shift;
+    return meaning;
+}
+
 }  // namespace
 
 Result<void> ImageFile::readChecked(const GoOn& goOn) {
@@ -95,11 +104,13 @@ Result<DecodedSlice> ImageFile::decodeFrame(const SliceHeader& frame, Padding pa
     return decodePlainFrame(object_, frame, padding);
 }
 
-Result<DecodedSlice> ImageFile::decode(int frame, Padding padding) const {
+Result<DecodedSlice> ImageFile::decode(int frame, Padding padding, const ValueUnit& unit) const {
     const auto count = frames_.empty() ? 1 : int(frames_.size());
     if (frame < 0 || frame >= count)
         return changedFile(object_.name);
-    const SliceHeader& header = frames_.empty() ? header_ : frames_[std::size_t(frame)];
+    SliceHeader header = frames_.empty() ? header_ : frames_[std::size_t(frame)];
+    if (!unit.isHu)
+        header.meaning = inVoxels(header.meaning, unit);
     Result<DecodedSlice> decoded = withinMemory(object_, [&] { return decodeFrame(header, padding); });
     if (decoded)
         decoded->identity = identityOf(header);

@@ -22,9 +22,9 @@ class ImageFile {
 
     int frames() const { return header_.frames; }
 
-    /// Decodes the frame of that index. Errors: no such frame, damaged, or written anew since it was opened.
-    /// Thread-safe.
-    Result<DecodedSlice> decode(int frame, Padding padding) const;
+    /// Decodes the frame of that index into voxels of `unit`. Errors: no such frame, damaged, or written anew since it
+    /// was opened. Thread-safe.
+    Result<DecodedSlice> decode(int frame, Padding padding, const ValueUnit& unit = {}) const;
 
   private:
     Result<void> readChecked(const GoOn& goOn);

@@ -4,6 +4,9 @@
 
 #include <dcmtk/dcmdata/dctk.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "dicom/read/item_values.h"
 
 namespace pdr::dicom {
@@ -48,6 +51,24 @@ void readRescale(DcmItem& item, ValueMeaning& meaning) {
     meaning.isByTable = item.tagExists(DCM_ModalityLUTSequence);
 }
 
+void readUnitName(DcmItem& item, ValueMeaning& meaning) {
+    DcmItem *map = nullptr, *code = nullptr;
+    if (item.findAndGetSequenceItem(DCM_RealWorldValueMappingSequence, map, 0).bad() ||
+        map->findAndGetSequenceItem(DCM_MeasurementUnitsCodeSequence, code, 0).bad())
+        return;
+    Float64 slope = 0, intercept = 0;
+    const bool isLinear = map->findAndGetFloat64(DCM_RealWorldValueSlope, slope).good() &&
+                          map->findAndGetFloat64(DCM_RealWorldValueIntercept, intercept).good();
+    const auto isClose = [](double a, double b) {
+        return std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b));
+    };
+    const std::string unit = text(*code, DCM_CodeValue);
+    constexpr const char* kNone = "1";  // of a number without a unit, in UCUM
+    if (isLinear && isClose(slope, meaning.slope.value_or(1)) && isClose(intercept, meaning.intercept.value_or(0)) &&
+        unit != kNone)
+        meaning.name = unit;
+}
+
 StatedWindow readWindow(DcmItem& item) {
     if (!item.tagExistsWithValue(DCM_WindowCenter) && !item.tagExistsWithValue(DCM_WindowWidth))
         return {};
@@ -60,8 +81,7 @@ StatedWindow readWindow(DcmItem& item) {
         return {{}, phrase("the grey window in the files is left out: its function \"%1\" is not known", name)};
     const GreyWindow window{(*centre)[0], (*width)[0], *function};
     if (!window.valid())
-        return {{},
-                phrase("the grey window in the files is left out: no window is %1 HU wide", numberOf(window.width))};
+        return {{}, phrase("the grey window in the files is left out: no window is %1 wide", numberOf(window.width))};
     return {window, {}};
 }
 

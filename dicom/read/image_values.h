@@ -14,6 +14,10 @@ void readPlane(DcmItem& item, SliceHeader& header);
 /// Fills slope, intercept and unit, and whether a table gives the values.
 void readRescale(DcmItem& item, ValueMeaning& meaning);
 
+/// Fills the name of the unit of values that are no HU: that of a real-world value mapping in `item` (PS3.3,
+/// C.7.6.16.2.11) if it leads to the same values as the rescale, which must have been read.
+void readUnitName(DcmItem& item, ValueMeaning& meaning);
+
 /// Returns the first window that `item` states.
 StatedWindow readWindow(DcmItem& item);
 

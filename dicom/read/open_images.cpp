@@ -26,12 +26,12 @@ Result<DecodedSlice> OpenImages::decode(const std::filesystem::path& name, int f
     });
     const Result<ImageFile>& image = *slot->image;
     if (image && image->frames() > 1)
-        return image->decode(frame, padding);
+        return image->decode(frame, padding, unit_);
     {
         const std::lock_guard lock(mutex_);
         slots_.erase(name);
     }
-    return image ? image->decode(frame, padding) : image.error();
+    return image ? image->decode(frame, padding, unit_) : image.error();
 }
 
 }  // namespace pdr::dicom

@@ -12,8 +12,8 @@ namespace pdr::dicom {
 /// The images of a source, each opened once if it holds several frames.
 class OpenImages {
   public:
-    /// Opens nothing yet. `source` must outlive this.
-    explicit OpenImages(const SeriesSource& source) : source_(source) {}
+    /// Opens nothing yet. `source` must outlive this. `unit`: that of the voxels.
+    explicit OpenImages(const SeriesSource& source, ValueUnit unit = {}) : source_(source), unit_(std::move(unit)) {}
 
     /// Decodes a frame of the object `name`. Errors: those of SeriesSource::open() and ImageFile. Thread-safe; threads
     /// that ask for the same object wait until it is open. `goOn`: see readSliceHeader().
@@ -25,6 +25,7 @@ class OpenImages {
     std::shared_ptr<Slot> slotOf(const std::filesystem::path& name);
 
     const SeriesSource& source_;
+    const ValueUnit unit_;
     std::mutex mutex_;
     std::map<std::filesystem::path, std::shared_ptr<Slot>> slots_;  ///< guarded by mutex_
 };

@@ -14,6 +14,7 @@
 #include "dicom/read/codecs.h"
 #include "dicom/read/compressed_image.h"
 #include "dicom/read/image_file.h"
+#include "dicom/read/open_images.h"
 #include "dicom/read/parsed_object.h"
 
 namespace pdr::dicom {
@@ -273,9 +274,8 @@ Result<DecodedSlice> decodeSlice(const NamedBytes& object, Padding padding, int 
     return image ? image->decode(frame, padding) : image.error();
 }
 
-Result<DecodedSlice> decodeSlice(const SeriesSource& source, const SliceRef& slice, Padding padding) {
-    const Result<NamedBytes> object = source.open(slice.file);
-    return object ? decodeSlice(*object, padding, slice.frame) : object.error();
+Result<DecodedSlice> decodeSlice(const Series& series, const SliceRef& slice, Padding padding) {
+    return OpenImages(*series.source, series.unit).decode(slice.file, slice.frame, padding);
 }
 
 }  // namespace pdr::dicom

@@ -36,7 +36,8 @@ Result<DecodedSlice> decodePlainFrame(const NamedBytes& object, const SliceHeade
 /// Decodes a frame of `object`; the errors are those of ImageFile. Thread-safe.
 Result<DecodedSlice> decodeSlice(const NamedBytes& object, Padding padding, int frame = 0);
 
-/// Decodes `slice` of `source`. Errors: those of SeriesSource::open() and of the decoding.
-Result<DecodedSlice> decodeSlice(const SeriesSource& source, const SliceRef& slice, Padding padding);
+/// Decodes `slice` of `series`, which comes from a scan, into voxels of its unit. Errors: those of SeriesSource::open()
+/// and of the decoding.
+Result<DecodedSlice> decodeSlice(const Series& series, const SliceRef& slice, Padding padding);
 
 }  // namespace pdr::dicom

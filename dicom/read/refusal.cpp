@@ -1,5 +1,11 @@
 #include "dicom/read/refusal.h"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+#include <string_view>
+
 #include "dicom/read/codecs.h"
 #include "dicom/read/file_structure.h"
 
@@ -23,14 +29,40 @@ bool soundFormat(const SliceHeader& header) {
            format.highBit < bits;
 }
 
-/// Returns whether images of another modality say that their values are HU: exports of cone-beam scanners (OT), and 3D
-/// angiography (XA).
-bool isStatedInHu(const SliceHeader& header) {
-    const std::string& modality = header.series.modality;
-    return (modality == "OT" || modality == "XA") && header.meaning.unit == "HU" && header.meaning.quantity.empty();
+/// Returns whether images of another modality than CT can be slices of a volume, and say where they lie: exports of
+/// cone-beam scanners (OT), 3D angiography (XA), MR, PET and SPECT. Labels and doses are none.
+bool isOtherVolume(const SliceHeader& header) {
+    constexpr std::array<std::string_view, 5> kModalities{"OT", "XA", "MR", "PT", "NM"};
+    return std::ranges::find(kModalities, header.series.modality) != kModalities.end() && header.position &&
+           header.rowDirection && header.columnDirection && header.spacingMm;
+}
+
+/// Returns whether a Rescale Type stands for Hounsfield units. "Houndsfield Unit" is how some writers spell them.
+bool namesHu(std::string unit) {
+    std::ranges::transform(unit, unit.begin(), [](unsigned char letter) { return char(std::tolower(letter)); });
+    return unit == "hu" || unit.starts_with("hounsfield") || unit.starts_with("houndsfield");
+}
+
+/// Returns whether pixels that are no HU have a range that is known before they are read; see seriesUnit().
+bool hasKnownRange(const SliceHeader& header) {
+    return !header.hasFloatPixels && header.format.bitsAllocated <= 16;
 }
 
 }  // namespace
+
+bool isInHu(const SliceHeader& header) {
+    const ValueMeaning& meaning = header.meaning;
+    const std::string& modality = header.series.modality;
+    if (!meaning.quantity.empty())
+        return false;
+    if (modality == "OT" || modality == "XA")
+        return namesHu(meaning.unit);
+    if (modality != "CT")
+        return false;
+    if (meaning.unit.empty() && !meaning.slope && !meaning.intercept)
+        return header.format.isSigned || header.hasFloatPixels;
+    return meaning.unit.empty() || namesHu(meaning.unit);
+}
 
 std::optional<Refusal> refusePixels(const SliceHeader& header) {
     if (header.hasFloatPixels && (header.pixelBytes != 0 || header.frames != 1 || header.hasFrameGroups))
@@ -72,7 +104,7 @@ std::optional<Refusal> refusePixels(const SliceHeader& header) {
 
 std::optional<Refusal> refuseSlice(const SliceHeader& header) {
     const std::string& modality = header.series.modality;
-    if ((header.pixelBytes != 0 || header.hasFloatPixels) && modality != "CT" && !isStatedInHu(header))
+    if ((header.pixelBytes != 0 || header.hasFloatPixels) && modality != "CT" && !isOtherVolume(header))
         return Refusal{Stack::notCt,
                        modality.empty() ? phrase("it does not say its modality") : phrase("%1, not CT", modality)};
     if (header.imageType.find("LOCALIZER") != std::string::npos)
@@ -81,6 +113,8 @@ std::optional<Refusal> refuseSlice(const SliceHeader& header) {
         return refusal;
     if (header.meaning.rescaleIsBroken)
         return unreadable(phrase("its rescale slope or intercept is no usable number"));
+    if (!isInHu(header) && !hasKnownRange(header))
+        return unreadable(phrase("its values are no HU, and of more than 16 bits, which this version cannot read"));
     return {};
 }
 

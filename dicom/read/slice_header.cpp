@@ -83,6 +83,8 @@ std::optional<double> realPadding(DcmItem& item) {
 
 void readMeaning(DcmItem& item, ValueMeaning& meaning) {
     readRescale(item, meaning);
+    meaning.name = text(item, DCM_Units);  // of PET (PS3.3, C.8.9.1)
+    readUnitName(item, meaning);
     meaning.realPadding = realPadding(item);
     meaning.paddingValue = sixteenBits(item, DCM_PixelPaddingValue);
     meaning.paddingLimit = sixteenBits(item, DCM_PixelPaddingRangeLimit);

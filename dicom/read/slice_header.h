@@ -23,13 +23,14 @@ struct PixelFormat {
     std::string photometric;
 };
 
-/// The meaning of a stored number: Hounsfield units, or "nothing was measured here".
+/// The meaning of a stored number: a value, in Hounsfield units or not, or "nothing was measured here".
 struct ValueMeaning {
-    std::optional<double> slope, intercept;         ///< HU = stored * slope + intercept
+    std::optional<double> slope, intercept;         ///< value = stored * slope + intercept
     std::string unit;                               ///< RescaleType: "HU", or empty if nothing is stated
     bool isByTable = false;                         ///< a table (Modality LUT Sequence) gives the values
     bool rescaleIsBroken = false;                   ///< stated, but not a finite number, or a slope of 0
     std::string quantity;                           ///< what they are instead ("RCBF, ml/100ml/s"); empty: not said
+    std::string name;                               ///< unit of values that are no HU ("BQML"); empty: not said
     std::optional<double> realPadding;              ///< the padding value of floating-point pixels
     std::optional<int> paddingValue, paddingLimit;  ///< the 16 bits as written, read as unsigned [0, 65535]
 };

@@ -12,6 +12,7 @@
 #include "dicom/stack/concatenation.h"
 #include "dicom/stack/damaged_files.h"
 #include "dicom/stack/phases.h"
+#include "dicom/stack/series_unit.h"
 #include "dicom/stack/stack_geometry.h"
 #include "dicom/stack/stack_notes.h"
 
@@ -137,6 +138,7 @@ Series seriesOf(const Headers& headers, const StackAnalysis& analysis) {
     for (const SliceHeader* slice : sorted)
         series.slices.push_back({slice->file, slice->frame, identityOf(*slice)});
     series.window = windowOf(sorted);
+    series.unit = seriesUnit(sorted);
     series.series.coding = codingOf(headers);
     return series;
 }
@@ -323,8 +325,8 @@ std::vector<Series> groupIntoSeries(const std::vector<SliceHeader>& headers, con
     noteDamaged(damaged, root, all);
     const auto rank = [](const Series& series) {
         const auto slices = std::ptrdiff_t(series.slices.size());
-        return std::tuple(!series.verdict.loadable(), series.series.resampled, series.verdict.stack == Stack::notCt,
-                          -slices, series.series.number);
+        return std::tuple(!series.verdict.loadable(), series.series.resampled, !series.unit.isHu,
+                          series.verdict.stack == Stack::notCt, -slices, series.series.number);
     };
     std::stable_sort(all.begin(), all.end(), [&](const Series& a, const Series& b) { return rank(a) < rank(b); });
     numberParts(all);

@@ -9,6 +9,7 @@
 #include "dicom/parallel.h"
 #include "dicom/read/open_images.h"
 #include "dicom/stack/blend.h"
+#include "dicom/stack/series_unit.h"
 #include "render/base/errors.h"
 #include "render/base/free_memory.h"
 
@@ -38,8 +39,9 @@ class Filling {
   public:
     Filling(const Series& series, Padding padding)
         : series_(series),
-          padding_(padding),
-          images_(*series.source),
+          padding_(series.unit.isHu ? padding : Padding::keep),
+          lowersPadding_(padding != padding_),
+          images_(*series.source, series.unit),
           sliceVoxels_(std::size_t(series.geometry.size.x) * std::size_t(series.geometry.size.y)),
           hu_(sliceVoxels_ * series.slices.size()) {}
 
@@ -74,9 +76,9 @@ class Filling {
                                                count)});
         if (const std::size_t count = lossy_; count > 0)
             notes.push_back({"lossy", phrase(count == 1 ? "1 slice was compressed with loss, which its file does not "
-                                                          "say: the HU are not those that were measured"
+                                                          "say: the values are not those that were measured"
                                                         : "%1 slices were compressed with loss, which their files do "
-                                                          "not say: the HU are not those that were measured",
+                                                          "not say: the values are not those that were measured",
                                              count)});
         if (const std::size_t count = mended_; count > 0)
             notes.push_back({"mended", phrase(count == 1 ? "1 slice states a wrong length in its coding; it is "
@@ -89,9 +91,15 @@ class Filling {
 
     /// Slices that were blended have other voxels than those that were read, and other ranges.
     Volume finish() {
-        if (series_.blends.empty())
+        if (series_.blends.empty() && !(lowersPadding_ && ranges_.padding > 0))
             return Volume(series_.geometry, std::move(hu_), std::move(flags_), codes(), ranges_);
-        FlaggedVoxels voxels = blended({std::move(hu_), std::move(flags_)}, sliceVoxels_, series_.blends);
+        FlaggedVoxels voxels{std::move(hu_), std::move(flags_)};
+        if (!series_.blends.empty())
+            voxels = blended(voxels, sliceVoxels_, series_.blends);
+        if (lowersPadding_ && !ranges_.measured.empty())
+            for (std::size_t i = 0; i < voxels.padding.size(); ++i)
+                if (voxels.padding[i])
+                    voxels.hu[i] = ranges_.measured.lowest;
         return Volume(series_.geometry, std::move(voxels.hu), std::move(voxels.padding), codes());
     }
 
@@ -106,13 +114,17 @@ class Filling {
         copyRuns(slice.padding, flags_.begin() + std::ptrdiff_t(k * sliceVoxels_));
     }
 
-    /// Returns one word for each kind of note.
+    /// Returns one word for each kind of note, and the unit of values that are no HU, noted or not.
     std::string codes() const {
         std::set<std::string> all;
         for (const Note& note : series_.verdict.notes)
             all.insert(note.code);
         for (const Note& note : notes())
             all.insert(note.code);
+        if (!series_.unit.isHu) {
+            all.erase(std::string(kNoHu));
+            all.insert(unitWord(series_.unit));
+        }
         std::string joined;
         for (const std::string& code : all)
             joined += (joined.empty() ? "" : " ") + code;
@@ -127,6 +139,7 @@ class Filling {
 
     const Series& series_;
     const Padding padding_;
+    const bool lowersPadding_;  ///< whether padding gets the lowest value in the end, since air has none that is known
     OpenImages images_;
     const std::size_t sliceVoxels_;
     Voxels hu_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dicom/read/codecs.h"
+#include "dicom/stack/series_unit.h"
 
 namespace pdr::dicom {
 
@@ -15,32 +16,21 @@ using Slices = std::vector<const SliceHeader*>;
 
 void noteMeaning(const Slices& slices, std::vector<Note>& notes) {
     std::size_t withoutRescale = 0;
-    std::set<std::string> frames, units, studies, quantities;
+    std::set<std::string> frames, studies;
     for (const SliceHeader* slice : slices) {
         studies.insert(slice->study.uid);
         withoutRescale += !slice->meaning.slope || !slice->meaning.intercept;
         frames.insert(slice->frameOfReferenceUid);
-        if (slice->meaning.quantity.empty())
-            units.insert(slice->meaning.unit);
-        else
-            quantities.insert(slice->meaning.quantity);
     }
-    if (withoutRescale > 0)
+    const ValueUnit unit = seriesUnit(slices);
+    noteUnit(slices, unit, notes);
+    if (unit.isHu && withoutRescale > 0)
         notes.push_back(
             {"rescale", phrase(withoutRescale == 1 ? "1 slice states no rescale; stored values are taken as HU"
                                                    : "%1 slices state no rescale; stored values are taken as HU",
                                withoutRescale)});
-    for (const std::string& unit : units) {
-        if (!unit.empty() && unit != "HU")
-            notes.push_back(
-                {"unit", phrase("the files say that their values are in \"%1\"; they are taken as HU", unit)});
-    }
-    if (const std::string& modality = slices.front()->series.modality; modality != "CT" && !modality.empty())
+    if (const std::string& modality = slices.front()->series.modality; unit.isHu && modality != "CT")
         notes.push_back({"modality", phrase("the files call the series %1, not CT, and its values HU", modality)});
-    for (const std::string& quantity : quantities)
-        notes.push_back(
-            {"no-hu", phrase("the values are no HU but another quantity (%1): no look or figure in HU is true of them",
-                             quantity)});
     if (studies.size() > 1)
         notes.push_back(
             {"studies", phrase("the files name %1 studies; their slices are taken as one series", studies.size())});
@@ -68,9 +58,9 @@ void noteLoss(const Slices& slices, std::vector<Note>& notes) {
     if (first.lossyRatio)
         how = phrase("%1, %2:1", how, numberOf(*first.lossyRatio, 3));
     notes.push_back(
-        {"lossy", phrase(lossy == 1 ? "1 slice was compressed with loss (%2): the HU are not those that were "
+        {"lossy", phrase(lossy == 1 ? "1 slice was compressed with loss (%2): the values are not those that were "
                                       "measured"
-                                    : "%1 slices were compressed with loss (%2): the HU are not those that "
+                                    : "%1 slices were compressed with loss (%2): the values are not those that "
                                       "were measured",
                          lossy, how)});
 }

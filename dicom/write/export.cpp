@@ -16,6 +16,7 @@
 #include "render/base/errors.h"
 #include "render/base/version.h"
 #include "render/volume/sheared.h"
+#include "render/volume/value_unit.h"
 
 namespace pdr::dicom {
 
@@ -105,7 +106,7 @@ void putWho(DcmItem& item, const ExportFacts& facts, const SeriesIdentity& ident
     put(item, DCM_PositionReferenceIndicator, "");
 }
 
-void putImage(DcmItem& item, const ExportFacts& facts, const SeriesIdentity& identity, int k) {
+void putImage(DcmItem& item, const ExportFacts& facts, const SeriesIdentity& identity, const ValueUnit& unit, int k) {
     put(item, DCM_SOPClassUID, UID_CTImageStorage);
     put(item, DCM_SOPInstanceUID, newUid());
     put(item, DCM_ImageType, "DERIVED\\SECONDARY\\AXIAL");
@@ -115,9 +116,9 @@ void putImage(DcmItem& item, const ExportFacts& facts, const SeriesIdentity& ide
     put(item, DCM_ContentDate, identity.date);
     put(item, DCM_ContentTime, identity.time);
     put(item, DCM_KVP, "");
-    put(item, DCM_RescaleIntercept, "0");
-    put(item, DCM_RescaleSlope, "1");
-    put(item, DCM_RescaleType, "HU");
+    put(item, DCM_RescaleIntercept, decimal(unit.zero));
+    put(item, DCM_RescaleSlope, decimal(unit.step));
+    put(item, DCM_RescaleType, unit.isHu ? "HU" : "US");
 }
 
 void putPlane(DcmItem& item, const VolumeGeometry& geometry, int k) {
@@ -154,7 +155,7 @@ std::optional<Error> writeSlice(const Volume& volume, const ExportFacts& facts, 
     DcmFileFormat content;
     DcmDataset& data = *content.getDataset();
     putWho(data, facts, identity);
-    putImage(data, facts, identity, k);
+    putImage(data, facts, identity, unitOf(volume), k);
     putPlane(data, volume.geometry(), k);
     bool written = putPixels(data, volume, k) && content.saveFile(file.c_str(), EXS_LittleEndianExplicit).good();
     // The toolkit ignores errors when it closes the file: a full disk shows in the size.

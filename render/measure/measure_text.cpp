@@ -6,8 +6,6 @@
 namespace pdr::measure {
 namespace {
 
-constexpr double kSmallestPlusMinus = 0.1;
-
 Text withUnit(const Text& number, Unit unit) {
     switch (unit) {
         case Unit::mm:
@@ -60,14 +58,14 @@ Text boundText(const Stated& stated, Unit unit) {
 
 }  // namespace
 
-RoundedPlusMinus roundedPlusMinus(double plusMinus) {
-    const double least = std::max(plusMinus, kSmallestPlusMinus);
+RoundedPlusMinus roundedPlusMinus(double plusMinus, double least) {
+    const double wanted = std::max(plusMinus, least);
     // The tolerance keeps what is a round number already.
-    const int exponent = int(std::floor(std::log10(least) + 1e-9));
-    const double leading = least / std::pow(10.0, exponent);
+    const int exponent = int(std::floor(std::log10(wanted) + 1e-9));
+    const double leading = wanted / std::pow(10.0, exponent);
     const int decimals = (leading < 2 - 1e-9 && exponent >= 0 ? 1 : 0) - exponent;
     const double unit = std::pow(10.0, -decimals);
-    return {std::ceil(least / unit - 1e-9) * unit, decimals};
+    return {std::ceil(wanted / unit - 1e-9) * unit, decimals};
 }
 
 Text valueText(const Stated& stated, Unit unit) {
@@ -99,18 +97,30 @@ Text causesText(const Stated& stated) {
     return joined(Text::sentence(list), phrase("Not in it: the scanner's own scale, movement, what was meant."));
 }
 
-Text meanText(const RegionStatistics& statistics) {
-    if (!statistics.meanPlusMinus)
-        return phrase("%1 HU, too few voxels for a ±", number(statistics.meanHu, 0));
-    const RoundedPlusMinus spread = roundedPlusMinus(*statistics.meanPlusMinus);
-    return phrase("%1 ± %2 HU", number(rounded(statistics.meanHu, spread.decimals), spread.decimals),
-                  number(spread.plusMinus, spread.decimals));
+RegionStatistics inValues(RegionStatistics statistics, const ValueUnit& unit) {
+    for (double* voxel : {&statistics.meanHu, &statistics.medianHu, &statistics.lowestHu, &statistics.highestHu,
+                          &statistics.percentile5, &statistics.percentile95})
+        *voxel = unit.valueOf(*voxel);
+    statistics.sdHu *= unit.step;
+    if (statistics.meanPlusMinus)
+        *statistics.meanPlusMinus *= unit.step;
+    return statistics;
 }
 
-Text regionText(const RegionStatistics& statistics) {
-    Text text = phrase("SD %1 HU, median %2 HU, %3 to %4 HU, %5 voxels, %6 ml.", number(statistics.sdHu, 0),
-                       number(statistics.medianHu, 0), number(statistics.lowestHu, 0), number(statistics.highestHu, 0),
-                       statistics.count, fixedNumber(statistics.millilitres, 2));
+Text meanText(const RegionStatistics& statistics, const ValueUnit& unit) {
+    const Text name = unitText(unit);
+    if (!statistics.meanPlusMinus)
+        return phrase("%1 %2, too few voxels for a ±", number(statistics.meanHu, unit.decimals()), name);
+    const RoundedPlusMinus spread = roundedPlusMinus(*statistics.meanPlusMinus, 0.1 * unit.step);
+    return phrase("%1 ± %2 %3", number(rounded(statistics.meanHu, spread.decimals), spread.decimals),
+                  number(spread.plusMinus, spread.decimals), name);
+}
+
+Text regionText(const RegionStatistics& statistics, const ValueUnit& unit) {
+    const auto value = [&](double each) { return number(each, unit.decimals()); };
+    Text text = phrase("SD %1 %7, median %2 %7, %3 to %4 %7, %5 voxels, %6 ml.", value(statistics.sdHu),
+                       value(statistics.medianHu), value(statistics.lowestHu), value(statistics.highestHu),
+                       statistics.count, fixedNumber(statistics.millilitres, 2), unitText(unit));
     if (statistics.padding > 0)
         text = joined(text, phrase("The scanner measured nothing in %1 more.", statistics.padding));
     if (statistics.interpolated > 0)

@@ -82,7 +82,7 @@ struct Subject {
 /// counts, since paths collect it from event to event.
 Text whyNothingScatters(const Subject& subject, bool fromWithin = true) {
     if (!subject.tissue.any())
-        return phrase("no tissue is opaque at the HU that the volume holds");
+        return phrase("no tissue is opaque at the values that the volume holds");
     if (!subject.tissue.anywhere([](const Material& m) { return m.albedo + m.specular; }))
         return phrase("no tissue scatters light");
     if (!subject.lit && !(fromWithin && subject.glows && subject.scattersOften()))
@@ -162,7 +162,7 @@ Effect highlights(const Subject& subject) {
         return off(phrase("highlights"), phrase("there are no surfaces"));
     const bool shiny = subject.tissue.anywhere([](const Material& m) { return m.specular; });
     return effect(phrase("highlights"), shiny, phrase("a point of the curve is specular"),
-                  speaksOfHighlights(subject.scene) ? phrase("the volume holds no HU that are specular")
+                  speaksOfHighlights(subject.scene) ? phrase("the volume holds no values that are specular")
                                                     : phrase("no point of the curve is specular"),
                   0, [](Scene& s) {
                       for (TransferNode& node : s.transferFunction.nodes)
@@ -253,7 +253,7 @@ Effect alongScatter(const Subject& subject) {
 
 Effect background(const Scene& scene) {
     if (scene.model == Model::maximumIntensity)
-        return off(phrase("visible background"), phrase("the model shows HU, not light"));
+        return off(phrase("visible background"), phrase("the model shows values, not light"));
     const auto hideIt = [](Scene& s) { s.environment.visible = false; };
     if (scene.model == Model::absorption && showsEnvironment(scene) && !scene.environment.isBlack())
         return effect(phrase("visible background"), true,

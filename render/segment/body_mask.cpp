@@ -11,6 +11,7 @@
 #include "render/segment/distance.h"
 #include "render/segment/pieces.h"
 #include "render/segment/rule.h"
+#include "render/volume/value_unit.h"
 
 namespace pdr::segment {
 namespace {
@@ -100,6 +101,8 @@ Result<BodyMask> findBody(const Volume& volume, const Progress& progress) {
 }  // namespace
 
 Result<BodyMask> bodyMask(const Volume& volume, const Progress& progress) {
+    if (!unitOf(volume).isHu)
+        return undecided(phrase("the values of this scan are no HU"));
     return orCancelled([&] { return findBody(volume, progress); });
 }
 

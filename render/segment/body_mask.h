@@ -28,7 +28,8 @@ struct BodyMask {
 };
 
 /// Finds the body in `volume`. Errors: of kind refused, with a reason that follows "because", where the table cannot be
-/// identified: nothing is as thick as a body, more than half is not, voxels lie too far apart; else cancelled().
+/// identified: the values are no HU, nothing is as thick as a body, more than half is not, voxels lie too far apart;
+/// else cancelled().
 Result<BodyMask> bodyMask(const Volume& volume, const Progress& progress);
 
 }  // namespace pdr::segment

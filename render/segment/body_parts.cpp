@@ -12,6 +12,7 @@
 #include "render/segment/for_each_slice.h"
 #include "render/segment/labels.h"
 #include "render/segment/lung_cells.h"
+#include "render/volume/value_unit.h"
 
 namespace pdr::segment {
 namespace {
@@ -137,6 +138,8 @@ BodyParts::Distance BodyParts::inLungs(const Progress& progress) const {
 
 BodyParts::FoundCells BodyParts::cellsOfBones(const CellGrid& grid, const Progress& progress) const {
     return knownOr(bones_, [&]() -> Result<Cells> {
+        if (!unitOf(*volume_).isHu)
+            return refused(phrase("bones cannot be told from the rest"), phrase("the values of this scan are no HU"));
         Cells bone = boneCells(*volume_, grid, checkpointOf(progress, 0, kStep));
         if (none(bone))
             return refused(phrase("bones cannot be told from the rest"),

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "render/volume/sheared.h"
+#include "render/volume/value_unit.h"
 
 namespace pdr::segment {
 namespace {
@@ -155,6 +156,8 @@ std::optional<float> bloodPeak(const CellCounts& counts, double cellMl) {
 }  // namespace
 
 Findings findingsOn(const Volume& scan, const VolumeGeometry& bodyBox) {
+    if (!unitOf(scan).isHu)
+        return {};
     const VolumeGeometry& geometry = scan.geometry();
     const ivec3 block = blockOf(geometry);
     const CellCounts counts = countCells(scan, block);

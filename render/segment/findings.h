@@ -18,7 +18,7 @@ struct Findings {
 };
 
 /// Returns the findings of `scan`, without its table where that is known; `bodyBox`: the part of its grid that
-/// holds the body. The same for any number of threads.
+/// holds the body. The same for any number of threads. None of a scan whose values are no HU.
 Findings findingsOn(const Volume& scan, const VolumeGeometry& bodyBox);
 
 }  // namespace pdr::segment

@@ -8,10 +8,6 @@
         <translation> /mm</translation>
     </message>
     <message>
-        <source> HU</source>
-        <translation> HU</translation>
-    </message>
-    <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
@@ -80,6 +76,10 @@
         <translation>%1 %2</translation>
     </message>
     <message>
+        <source>%1 %2, too few voxels for a ±</source>
+        <translation>%1 %2, zu wenige Voxel für ein ±</translation>
+    </message>
+    <message>
         <source>%1 (%2 to %3)</source>
         <translation>%1 (%2 bis %3)</translation>
     </message>
@@ -104,28 +104,6 @@
         <translation>%1 HU</translation>
     </message>
     <message>
-        <source>%1 HU at %2</source>
-        <translation>%1 HU bei %2</translation>
-    </message>
-    <message>
-        <source>%1 HU, too few voxels for a ±</source>
-        <translation>%1 HU, zu wenige Voxel für ein ±</translation>
-    </message>
-    <message>
-        <source>%1 HU: %2</source>
-        <translation>%1 HU: %2</translation>
-    </message>
-    <message>
-        <source>%1 HU: %2
-Drag stops; Ctrl and click adds one; double click chooses a colour</source>
-        <translation>%1 HU: %2
-Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farbe</translation>
-    </message>
-    <message>
-        <source>%1 HU: %2 %3</source>
-        <translation>%1 HU: %2 %3</translation>
-    </message>
-    <message>
         <source>%1 MB</source>
         <translation>%1 MB</translation>
     </message>
@@ -148,6 +126,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1 and %2 look in different directions</source>
         <translation>%1 und %2 sind verschieden ausgerichtet</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
     </message>
     <message>
         <source>%1 belongs to "%2". Give that another key first.</source>
@@ -282,12 +264,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 mm daneben</translation>
     </message>
     <message>
-        <source>%1 mm: %2 HU</source>
-        <translation>%1 mm: %2 HU</translation>
+        <source>%1 mm: %2 %3</source>
+        <translation>%1 mm: %2 %3</translation>
     </message>
     <message>
-        <source>%1 mm: %2 HU, interpolated across a hole</source>
-        <translation>%1 mm: %2 HU, über eine Lücke interpoliert</translation>
+        <source>%1 mm: %2 %3, interpolated across a hole</source>
+        <translation>%1 mm: %2 %3, über eine Lücke interpoliert</translation>
     </message>
     <message>
         <source>%1 mm: nothing measured</source>
@@ -328,6 +310,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1 over Hounsfield units</source>
         <translation>%1 über Hounsfield-Einheiten</translation>
+    </message>
+    <message>
+        <source>%1 over the values of the scan</source>
+        <translation>%1 über den Werten der Aufnahme</translation>
     </message>
     <message>
         <source>%1 pixels stretched to %2</source>
@@ -378,12 +364,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 Schichten nennen keine HU-Umrechnung; gespeicherte Werte werden als HU genommen</translation>
     </message>
     <message>
-        <source>%1 slices were compressed with loss (%2): the HU are not those that were measured</source>
-        <translation>%1 Schichten wurden mit Verlust komprimiert (%2): Die HU sind nicht die gemessenen</translation>
+        <source>%1 slices were compressed with loss (%2): the values are not those that were measured</source>
+        <translation>%1 Schichten wurden mit Verlust komprimiert (%2): Die Werte sind nicht die gemessenen</translation>
     </message>
     <message>
-        <source>%1 slices were compressed with loss, which their files do not say: the HU are not those that were measured</source>
-        <translation>%1 Schichten wurden mit Verlust komprimiert, ohne dass ihre Dateien es angeben: Die HU sind nicht die gemessenen</translation>
+        <source>%1 slices were compressed with loss, which their files do not say: the values are not those that were measured</source>
+        <translation>%1 Schichten wurden mit Verlust komprimiert, ohne dass ihre Dateien es angeben: Die Werte sind nicht die gemessenen</translation>
     </message>
     <message>
         <source>%1 slices, %2 apart, were resampled to %3 every %4 mm; a slice lies up to %5 mm from where anything was measured</source>
@@ -458,8 +444,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>%1 ± %2</translation>
     </message>
     <message>
-        <source>%1 ± %2 HU</source>
-        <translation>%1 ± %2 HU</translation>
+        <source>%1 ± %2 %3</source>
+        <translation>%1 ± %2 %3</translation>
     </message>
     <message>
         <source>%1 · all active effects are needed</source>
@@ -532,6 +518,16 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2
+Drag stops; Ctrl and click adds one; double click chooses a colour</source>
+        <translation>%1: %2
+Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farbe</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1: %2 %3</translation>
     </message>
     <message>
         <source>%1: %2 cut off</source>
@@ -774,6 +770,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Fenster...</translation>
     </message>
     <message>
+        <source>(no unit)</source>
+        <translation>(ohne Einheit)</translation>
+    </message>
+    <message>
         <source>, %1 left</source>
         <translation>, noch %1</translation>
     </message>
@@ -842,12 +842,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>1 Schicht nennt keine HU-Umrechnung; gespeicherte Werte werden als HU genommen</translation>
     </message>
     <message>
-        <source>1 slice was compressed with loss (%2): the HU are not those that were measured</source>
-        <translation>1 Schicht wurde mit Verlust komprimiert (%2): Die HU sind nicht die gemessenen</translation>
+        <source>1 slice was compressed with loss (%2): the values are not those that were measured</source>
+        <translation>1 Schicht wurde mit Verlust komprimiert (%2): Die Werte sind nicht die gemessenen</translation>
     </message>
     <message>
-        <source>1 slice was compressed with loss, which its file does not say: the HU are not those that were measured</source>
-        <translation>1 Schicht wurde mit Verlust komprimiert, ohne dass ihre Datei es angibt: Die HU sind nicht die gemessenen</translation>
+        <source>1 slice was compressed with loss, which its file does not say: the values are not those that were measured</source>
+        <translation>1 Schicht wurde mit Verlust komprimiert, ohne dass ihre Datei es angibt: Die Werte sind nicht die gemessenen</translation>
     </message>
     <message>
         <source>1 voxel lies beyond what 16 bits hold and was put at their end (-32768 or 32767 HU)</source>
@@ -1030,8 +1030,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Eine IPv6-Adresse steht in Klammern: [%1] oder [%1]:%2.</translation>
     </message>
     <message>
-        <source>An end at an edge, at %1 HU.</source>
-        <translation>Ein Ende an einer Kante, bei %1 HU.</translation>
+        <source>An end at an edge, at %1 %2.</source>
+        <translation>Ein Ende an einer Kante, bei %1 %2.</translation>
     </message>
     <message>
         <source>An image is still rendering. Quit and discard it?</source>
@@ -1202,12 +1202,20 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Gehirn</translation>
     </message>
     <message>
+        <source>Bright values, solid</source>
+        <translation>Helle Werte als Körper</translation>
+    </message>
+    <message>
         <source>Brightens shadows; none at the left end</source>
         <translation>Hellt auf, was im Schatten liegt; ganz links gibt es keines</translation>
     </message>
     <message>
         <source>Brighter to the right. It changes what is shown, not what is computed.</source>
         <translation>Nach rechts heller. Das ändert, was gezeigt wird, nicht, was berechnet wird.</translation>
+    </message>
+    <message>
+        <source>Brightest values</source>
+        <translation>Hellste Werte</translation>
     </message>
     <message>
         <source>Brightness</source>
@@ -1402,8 +1410,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Den Ablauf von PD-Render wählen.</translation>
     </message>
     <message>
-        <source>Click a place, and type what it is. The list shows its HU.</source>
-        <translation>Einen Punkt anklicken und eintippen, was er ist. Die Liste zeigt seinen HU-Wert.</translation>
+        <source>Click a place, and type what it is. The list shows its value.</source>
+        <translation>Einen Punkt anklicken und eintippen, was er ist. Die Liste zeigt seinen Wert.</translation>
     </message>
     <message>
         <source>Click both ends of a line, then of another: the angle between their directions.</source>
@@ -1414,12 +1422,12 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Auf einer Schicht die Ecken eines Vielecks anklicken. Die Eingabetaste, ein Doppelklick oder ein Klick auf die erste Ecke schließt es, die Rücktaste nimmt die letzte Ecke zurück.</translation>
     </message>
     <message>
-        <source>Click the middle of a ball, then a place on its surface: the mean of the HU inside.</source>
-        <translation>Die Mitte einer Kugel anklicken, dann einen Punkt auf ihrer Oberfläche: der Mittelwert der HU darin.</translation>
+        <source>Click the middle of a ball, then a place on its surface: the mean of the values inside.</source>
+        <translation>Die Mitte einer Kugel anklicken, dann einen Punkt auf ihrer Oberfläche: der Mittelwert der Werte darin.</translation>
     </message>
     <message>
-        <source>Click the middle of an ellipse on a slice, the end of one half axis, then how far the other reaches: the mean of the HU inside, and the area.</source>
-        <translation>Auf einer Schicht die Mitte einer Ellipse anklicken, das Ende einer Halbachse, dann wie weit die andere reicht: der Mittelwert der HU darin und die Fläche.</translation>
+        <source>Click the middle of an ellipse on a slice, the end of one half axis, then how far the other reaches: the mean of the values inside, and the area.</source>
+        <translation>Auf einer Schicht die Mitte einer Ellipse anklicken, das Ende einer Halbachse, dann wie weit die andere reicht: der Mittelwert der Werte darin und die Fläche.</translation>
     </message>
     <message>
         <source>Click there, or press Esc to give it up.</source>
@@ -1494,8 +1502,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Grobe Vorschau; das volle Bild folgt</translation>
     </message>
     <message>
-        <source>Colour at %1 HU</source>
-        <translation>Farbe bei %1 HU</translation>
+        <source>Colour at %1</source>
+        <translation>Farbe bei %1</translation>
     </message>
     <message>
         <source>Colour of its light: double click it</source>
@@ -1734,6 +1742,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Messungen e&amp;xportieren...</translation>
     </message>
     <message>
+        <source>Each pixel shows the highest value along its ray; nothing says how deep it lies.</source>
+        <translation>Jedes Pixel zeigt den höchsten Wert entlang seines Strahls; nichts sagt, wie tief er liegt.</translation>
+    </message>
+    <message>
         <source>Edge</source>
         <translation>Kante</translation>
     </message>
@@ -1938,8 +1950,8 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Freihandschnitte: %1</translation>
     </message>
     <message>
-        <source>From %1 to %2 HU over %3 mm.</source>
-        <translation>Von %1 bis %2 HU auf %3 mm.</translation>
+        <source>From %1 to %2 %3 over %4 mm.</source>
+        <translation>Von %1 bis %2 %3 auf %4 mm.</translation>
     </message>
     <message>
         <source>From a question to its answer [milliseconds]</source>
@@ -2044,10 +2056,6 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>HU</source>
         <translation>HU</translation>
-    </message>
-    <message>
-        <source>HU along the distance</source>
-        <translation>HU entlang der Strecke</translation>
     </message>
     <message>
         <source>Hard bone</source>
@@ -2732,6 +2740,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
+        <source>Open a CT scan for that.</source>
+        <translation>Öffnen Sie dafür eine CT-Aufnahme.</translation>
+    </message>
+    <message>
         <source>Open a folder</source>
         <translation>Einen Ordner öffnen</translation>
     </message>
@@ -3326,8 +3338,8 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Rauheit</translation>
     </message>
     <message>
-        <source>SD %1 HU, median %2 HU, %3 to %4 HU, %5 voxels, %6 ml.</source>
-        <translation>SD %1 HU, Median %2 HU, %3 bis %4 HU, %5 Voxel, %6 ml.</translation>
+        <source>SD %1 %7, median %2 %7, %3 to %4 %7, %5 voxels, %6 ml.</source>
+        <translation>SD %1 %7, Median %2 %7, %3 bis %4 %7, %5 Voxel, %6 ml.</translation>
     </message>
     <message>
         <source>Sa&amp;ve plan...</source>
@@ -3722,16 +3734,12 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Die GPU %1 rechnet, da das zuletzt gewählte Gerät nicht verwendet werden kann: %2</translation>
     </message>
     <message>
-        <source>The HU along the chosen distance, and beyond it. Dashed: its ends; dots: the half levels at which they lie. The pointer and the arrow keys read off values.</source>
-        <translation>Die HU entlang der gewählten Strecke und darüber hinaus. Gestrichelt: ihre Enden; Punkte: die halben Höhen, auf denen sie liegen. Mauszeiger und Pfeiltasten lesen Werte ab.</translation>
-    </message>
-    <message>
-        <source>The HU that slices show at this place. One place has no ±: a ball has a mean with a ±.</source>
-        <translation>Der HU-Wert, den Schichten an diesem Ort zeigen. Ein einzelner Ort hat kein ±: Eine Kugel hat einen Mittelwert mit ±.</translation>
-    </message>
-    <message>
         <source>The chosen lamp</source>
         <translation>Die gewählte Lampe</translation>
+    </message>
+    <message>
+        <source>The curve follows the values of this scan, which are no HU: what is dark in it is not shown.</source>
+        <translation>Die Kurve folgt den Werten dieser Aufnahme, die keine HU sind: Was in ihr dunkel ist, ist nicht zu sehen.</translation>
     </message>
     <message>
         <source>The densest contrast looks like bone, and marrow looks like blood.</source>
@@ -3826,6 +3834,18 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>In %1 weiteren hat der Scanner nichts gemessen.</translation>
     </message>
     <message>
+        <source>The value that slices show at this place. One place has no ±: a ball has a mean with a ±.</source>
+        <translation>Der Wert, den Schichten an diesem Ort zeigen. Ein einzelner Ort hat kein ±: Eine Kugel hat einen Mittelwert mit ±.</translation>
+    </message>
+    <message>
+        <source>The values along the chosen distance, and beyond it. Dashed: its ends; dots: the half levels at which they lie. The pointer and the arrow keys read off values.</source>
+        <translation>Die Werte entlang der gewählten Strecke und darüber hinaus. Gestrichelt: ihre Enden; Punkte: die halben Höhen, auf denen sie liegen. Mauszeiger und Pfeiltasten lesen Werte ab.</translation>
+    </message>
+    <message>
+        <source>The values of this scan are no HU: windows for tissues are not offered.</source>
+        <translation>Die Werte dieser Aufnahme sind keine HU: Fenster für Gewebe werden nicht angeboten.</translation>
+    </message>
+    <message>
         <source>The view: each side is lit alike
 The patient: the lamps stay where they are when the patient is turned</source>
         <translation>Die Ansicht: Jede Seite ist gleich beleuchtet
@@ -3840,8 +3860,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Dann auf die Anatomie klicken, die scharf sein soll</translation>
     </message>
     <message>
-        <source>Then click the anatomy: a bell at its Hounsfield units is added (Ctrl and click does the same)</source>
-        <translation>Dann auf die Anatomie klicken: Eine Glocke bei ihren Hounsfield-Einheiten wird hinzugefügt (Strg und Klick tut dasselbe)</translation>
+        <source>Then click the anatomy: a bell at its value is added (Ctrl and click does the same)</source>
+        <translation>Dann auf die Anatomie klicken: Eine Glocke bei ihrem Wert wird hinzugefügt (Strg und Klick tut dasselbe)</translation>
     </message>
     <message>
         <source>Then save again.</source>
@@ -4136,6 +4156,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Wert des gewählten Punktes</translation>
     </message>
     <message>
+        <source>Values along the distance</source>
+        <translation>Werte entlang der Strecke</translation>
+    </message>
+    <message>
+        <source>Values that are no HU</source>
+        <translation>Werte, die keine HU sind</translation>
+    </message>
+    <message>
         <source>Vessels</source>
         <translation>Gefäße</translation>
     </message>
@@ -4272,8 +4300,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Fenster</translation>
     </message>
     <message>
-        <source>Window %1 / %2 HU</source>
-        <translation>Fenster %1 / %2 HU</translation>
+        <source>Window %1 / %2 %3</source>
+        <translation>Fenster %1 / %2 %3</translation>
     </message>
     <message>
         <source>Without certificates</source>
@@ -5352,12 +5380,12 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>sein Text ist kein UTF-8</translation>
     </message>
     <message>
-        <source>its values are of a type without a sign: these are labels or grey levels, no HU</source>
-        <translation>ihre Werte haben kein Vorzeichen: das sind Kennzahlen oder Graustufen, keine HU</translation>
+        <source>its values are no HU, and of more than 16 bits, which this version cannot read</source>
+        <translation>ihre Werte sind keine HU und haben mehr als 16 Bit, was diese Version nicht lesen kann</translation>
     </message>
     <message>
-        <source>its values run from %1 to %2: these are no HU, which begin at -100 or below, and end at 100 or above</source>
-        <translation>ihre Werte reichen von %1 bis %2: das sind keine HU, die bei -100 oder darunter beginnen und bei 100 oder darüber enden</translation>
+        <source>its values are no finite numbers</source>
+        <translation>ihre Werte sind keine endlichen Zahlen</translation>
     </message>
     <message>
         <source>its volume is of another size</source>
@@ -5720,8 +5748,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>kein Gewebe im Bereich</translation>
     </message>
     <message>
-        <source>no tissue is opaque at the HU that the volume holds</source>
-        <translation>bei den HU im Volumen ist kein Gewebe deckend</translation>
+        <source>no tissue is opaque at the values that the volume holds</source>
+        <translation>bei den Werten im Volumen ist kein Gewebe deckend</translation>
     </message>
     <message>
         <source>no tissue scatters light</source>
@@ -5908,6 +5936,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>rechts</translation>
     </message>
     <message>
+        <source>rounded</source>
+        <translation>gerundet</translation>
+    </message>
+    <message>
         <source>samples are shared out in blocks of 64, and fewer than two are ordered</source>
         <translation>Samples werden in Blöcken zu 64 verteilt, und weniger als zwei sind bestellt</translation>
     </message>
@@ -5944,8 +5976,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>ausgewählt, %1</translation>
     </message>
     <message>
-        <source>selected, %1 HU: %2</source>
-        <translation>ausgewählt, %1 HU: %2</translation>
+        <source>selected, %1: %2</source>
+        <translation>ausgewählt, %1: %2</translation>
     </message>
     <message>
         <source>separating the body parts</source>
@@ -6252,16 +6284,16 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die Dateien nennen die Serie %1, nicht CT, und ihre Werte HU</translation>
     </message>
     <message>
+        <source>the files do not say that the values are HU: looks, windows and parts of the body that need HU are not offered</source>
+        <translation>die Dateien sagen nicht, dass die Werte HU sind: Looks, Fenster und Körperteile, die HU brauchen, werden nicht angeboten</translation>
+    </message>
+    <message>
         <source>the files name %1 frames of reference; their positions are taken as one</source>
         <translation>die Dateien nennen %1 Bezugssysteme; ihre Lagen werden als die eines einzigen genommen</translation>
     </message>
     <message>
         <source>the files name %1 studies; their slices are taken as one series</source>
         <translation>die Dateien nennen %1 Untersuchungen; ihre Schichten werden als eine Serie genommen</translation>
-    </message>
-    <message>
-        <source>the files say that their values are in "%1"; they are taken as HU</source>
-        <translation>die Dateien nennen als Einheit ihrer Werte „%1“; sie werden als HU genommen</translation>
     </message>
     <message>
         <source>the first place is known only to ± %1 mm</source>
@@ -6320,8 +6352,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>das Graufenster der Dateien bleibt außer Acht: seine Funktion „%1“ ist nicht bekannt</translation>
     </message>
     <message>
-        <source>the grey window in the files is left out: no window is %1 HU wide</source>
-        <translation>das Graufenster der Dateien bleibt außer Acht: kein Fenster ist %1 HU breit</translation>
+        <source>the grey window in the files is left out: no window is %1 wide</source>
+        <translation>das Graufenster in den Dateien wird ausgelassen: Kein Fenster ist %1 breit</translation>
     </message>
     <message>
         <source>the image cannot be read as OpenEXR (%1)</source>
@@ -6416,12 +6448,12 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>das Modell hat ein Ereignis je Weg</translation>
     </message>
     <message>
-        <source>the model shows HU, not light</source>
-        <translation>das Modell zeigt HU, kein Licht</translation>
-    </message>
-    <message>
         <source>the model shows no light from within</source>
         <translation>das Modell zeigt kein Licht von innen</translation>
+    </message>
+    <message>
+        <source>the model shows values, not light</source>
+        <translation>das Modell zeigt Werte, kein Licht</translation>
     </message>
     <message>
         <source>the name says no format that images are saved in</source>
@@ -6524,6 +6556,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die Schichten rücken um %1 mm je %2 mm Höhe zur Seite (Gantry um %3 Grad gekippt), von %4 bis %5</translation>
     </message>
     <message>
+        <source>the slices scale their values differently; all are rounded to steps of %1</source>
+        <translation>die Schichten skalieren ihre Werte verschieden; alle sind auf Schritte von %1 gerundet</translation>
+    </message>
+    <message>
         <source>the symbolic links here lead in a circle</source>
         <translation>die symbolischen Verweise hier führen im Kreis</translation>
     </message>
@@ -6552,8 +6588,24 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die Zeit kommt zuerst: in %2, innerhalb ±%1 und mit %3 Abtastungen</translation>
     </message>
     <message>
-        <source>the values are no HU but another quantity (%1): no look or figure in HU is true of them</source>
-        <translation>die Werte sind keine HU, sondern eine andere Größe (%1): Darstellungen und Zahlen in HU gelten für sie nicht</translation>
+        <source>the values are no HU but another quantity (%1): looks, windows and parts of the body that need HU are not offered</source>
+        <translation>die Werte sind keine HU, sondern eine andere Größe (%1): Looks, Fenster und Körperteile, die HU brauchen, werden nicht angeboten</translation>
+    </message>
+    <message>
+        <source>the values are rounded to steps of %1, 65,536 from the lowest to the highest</source>
+        <translation>die Werte sind auf Schritte von %1 gerundet, 65.536 vom niedrigsten bis zum höchsten</translation>
+    </message>
+    <message>
+        <source>the values of this scan are no HU</source>
+        <translation>die Werte dieser Aufnahme sind keine HU</translation>
+    </message>
+    <message>
+        <source>the values of this scan are no HU, in which looks are kept</source>
+        <translation>die Werte dieser Aufnahme sind keine HU, in denen Looks gespeichert werden</translation>
+    </message>
+    <message>
+        <source>the values run from %1 to %2 and are no HU, which begin at -100 or below, and end at 100 or above: looks, windows and parts of the body that need HU are not offered</source>
+        <translation>die Werte reichen von %1 bis %2 und sind keine HU, die bei -100 oder darunter beginnen und bei 100 oder darüber enden: Looks, Fenster und Körperteile, die HU brauchen, werden nicht angeboten</translation>
     </message>
     <message>
         <source>the view</source>
@@ -6564,8 +6616,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>das Volumen passt nicht in seinen Speicher: %1 werden gebraucht, %2 sind frei</translation>
     </message>
     <message>
-        <source>the volume holds no HU that are specular</source>
-        <translation>das Volumen enthält keine HU, die glänzen</translation>
+        <source>the volume holds no values that are specular</source>
+        <translation>das Volumen enthält keine Werte, die glänzen</translation>
     </message>
     <message>
         <source>the volume is too large for fast filtering: it has %1 voxels, textures may have %2</source>

@@ -8,10 +8,6 @@
         <translation> /mm</translation>
     </message>
     <message>
-        <source> HU</source>
-        <translation> UH</translation>
-    </message>
-    <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
@@ -80,6 +76,10 @@
         <translation>%1 %2</translation>
     </message>
     <message>
+        <source>%1 %2, too few voxels for a ±</source>
+        <translation>%1 %2, muy pocos vóxeles para un ±</translation>
+    </message>
+    <message>
         <source>%1 (%2 to %3)</source>
         <translation>%1 (%2 a %3)</translation>
     </message>
@@ -104,28 +104,6 @@
         <translation>%1 UH</translation>
     </message>
     <message>
-        <source>%1 HU at %2</source>
-        <translation>%1 UH en %2</translation>
-    </message>
-    <message>
-        <source>%1 HU, too few voxels for a ±</source>
-        <translation>%1 UH, muy pocos vóxeles para un ±</translation>
-    </message>
-    <message>
-        <source>%1 HU: %2</source>
-        <translation>%1 UH: %2</translation>
-    </message>
-    <message>
-        <source>%1 HU: %2
-Drag stops; Ctrl and click adds one; double click chooses a colour</source>
-        <translation>%1 UH: %2
-Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translation>
-    </message>
-    <message>
-        <source>%1 HU: %2 %3</source>
-        <translation>%1 UH: %2 %3</translation>
-    </message>
-    <message>
         <source>%1 MB</source>
         <translation>%1 MB</translation>
     </message>
@@ -148,6 +126,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1 and %2 look in different directions</source>
         <translation>%1 y %2 tienen orientaciones distintas</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 en %2</translation>
     </message>
     <message>
         <source>%1 belongs to "%2". Give that another key first.</source>
@@ -282,12 +264,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>a %1 mm</translation>
     </message>
     <message>
-        <source>%1 mm: %2 HU</source>
-        <translation>%1 mm: %2 UH</translation>
+        <source>%1 mm: %2 %3</source>
+        <translation>%1 mm: %2 %3</translation>
     </message>
     <message>
-        <source>%1 mm: %2 HU, interpolated across a hole</source>
-        <translation>%1 mm: %2 HU, interpolado a través de un hueco</translation>
+        <source>%1 mm: %2 %3, interpolated across a hole</source>
+        <translation>%1 mm: %2 %3, interpolado a través de un hueco</translation>
     </message>
     <message>
         <source>%1 mm: nothing measured</source>
@@ -328,6 +310,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1 over Hounsfield units</source>
         <translation>%1 sobre unidades Hounsfield</translation>
+    </message>
+    <message>
+        <source>%1 over the values of the scan</source>
+        <translation>%1 sobre los valores del estudio</translation>
     </message>
     <message>
         <source>%1 pixels stretched to %2</source>
@@ -378,12 +364,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 cortes no indican reescalado; los valores guardados se toman como HU</translation>
     </message>
     <message>
-        <source>%1 slices were compressed with loss (%2): the HU are not those that were measured</source>
-        <translation>%1 cortes se comprimieron con pérdida (%2): los HU no son los medidos</translation>
+        <source>%1 slices were compressed with loss (%2): the values are not those that were measured</source>
+        <translation>%1 cortes se comprimieron con pérdida (%2): los valores no son los medidos</translation>
     </message>
     <message>
-        <source>%1 slices were compressed with loss, which their files do not say: the HU are not those that were measured</source>
-        <translation>%1 cortes se comprimieron con pérdida, y sus archivos no lo indican: las HU no son las medidas</translation>
+        <source>%1 slices were compressed with loss, which their files do not say: the values are not those that were measured</source>
+        <translation>%1 cortes se comprimieron con pérdida, y sus archivos no lo indican: los valores no son los medidos</translation>
     </message>
     <message>
         <source>%1 slices, %2 apart, were resampled to %3 every %4 mm; a slice lies up to %5 mm from where anything was measured</source>
@@ -458,8 +444,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>%1 ± %2</translation>
     </message>
     <message>
-        <source>%1 ± %2 HU</source>
-        <translation>%1 ± %2 UH</translation>
+        <source>%1 ± %2 %3</source>
+        <translation>%1 ± %2 %3</translation>
     </message>
     <message>
         <source>%1 · all active effects are needed</source>
@@ -532,6 +518,16 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2
+Drag stops; Ctrl and click adds one; double click chooses a colour</source>
+        <translation>%1: %2
+Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1: %2 %3</translation>
     </message>
     <message>
         <source>%1: %2 cut off</source>
@@ -774,6 +770,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Ventana...</translation>
     </message>
     <message>
+        <source>(no unit)</source>
+        <translation>(sin unidad)</translation>
+    </message>
+    <message>
         <source>, %1 left</source>
         <translation>, quedan %1</translation>
     </message>
@@ -842,12 +842,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>1 corte no indica reescalado; los valores guardados se toman como HU</translation>
     </message>
     <message>
-        <source>1 slice was compressed with loss (%2): the HU are not those that were measured</source>
-        <translation>1 corte se comprimió con pérdida (%2): los HU no son los medidos</translation>
+        <source>1 slice was compressed with loss (%2): the values are not those that were measured</source>
+        <translation>1 corte se comprimió con pérdida (%2): los valores no son los medidos</translation>
     </message>
     <message>
-        <source>1 slice was compressed with loss, which its file does not say: the HU are not those that were measured</source>
-        <translation>1 corte se comprimió con pérdida, y su archivo no lo indica: las HU no son las medidas</translation>
+        <source>1 slice was compressed with loss, which its file does not say: the values are not those that were measured</source>
+        <translation>1 corte se comprimió con pérdida, y su archivo no lo indica: los valores no son los medidos</translation>
     </message>
     <message>
         <source>1 voxel lies beyond what 16 bits hold and was put at their end (-32768 or 32767 HU)</source>
@@ -1030,8 +1030,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Una dirección IPv6 va entre corchetes: [%1] o [%1]:%2.</translation>
     </message>
     <message>
-        <source>An end at an edge, at %1 HU.</source>
-        <translation>Un extremo en un borde, a %1 UH.</translation>
+        <source>An end at an edge, at %1 %2.</source>
+        <translation>Un extremo en un borde, a %1 %2.</translation>
     </message>
     <message>
         <source>An image is still rendering. Quit and discard it?</source>
@@ -1202,12 +1202,20 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Cerebro</translation>
     </message>
     <message>
+        <source>Bright values, solid</source>
+        <translation>Valores claros, sólidos</translation>
+    </message>
+    <message>
         <source>Brightens shadows; none at the left end</source>
         <translation>Aclara lo que está en sombra; en el extremo izquierdo no hay ninguna</translation>
     </message>
     <message>
         <source>Brighter to the right. It changes what is shown, not what is computed.</source>
         <translation>Más claro hacia la derecha. Cambia lo que se muestra, no lo que se calcula.</translation>
+    </message>
+    <message>
+        <source>Brightest values</source>
+        <translation>Valores más claros</translation>
     </message>
     <message>
         <source>Brightness</source>
@@ -1402,8 +1410,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Elija el orden de trabajo de PD-Render.</translation>
     </message>
     <message>
-        <source>Click a place, and type what it is. The list shows its HU.</source>
-        <translation>Haga clic en un punto y escriba qué es. La lista muestra su valor UH.</translation>
+        <source>Click a place, and type what it is. The list shows its value.</source>
+        <translation>Haga clic en un punto y escriba qué es. La lista muestra su valor.</translation>
     </message>
     <message>
         <source>Click both ends of a line, then of another: the angle between their directions.</source>
@@ -1414,12 +1422,12 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Haga clic en los vértices de un polígono en un corte. Intro, un doble clic o un clic en el primer vértice lo cierran; Retroceso quita el último vértice.</translation>
     </message>
     <message>
-        <source>Click the middle of a ball, then a place on its surface: the mean of the HU inside.</source>
-        <translation>Haga clic en el centro de una esfera y luego en un punto de su superficie: la media de las UH de dentro.</translation>
+        <source>Click the middle of a ball, then a place on its surface: the mean of the values inside.</source>
+        <translation>Haga clic en el centro de una esfera y luego en un punto de su superficie: la media de los valores de dentro.</translation>
     </message>
     <message>
-        <source>Click the middle of an ellipse on a slice, the end of one half axis, then how far the other reaches: the mean of the HU inside, and the area.</source>
-        <translation>Haga clic en un corte en el centro de una elipse, en el extremo de un semieje y luego hasta donde llega el otro: la media de las UH de dentro y el área.</translation>
+        <source>Click the middle of an ellipse on a slice, the end of one half axis, then how far the other reaches: the mean of the values inside, and the area.</source>
+        <translation>Haga clic en un corte en el centro de una elipse, en el extremo de un semieje y luego hasta donde llega el otro: la media de los valores de dentro y el área.</translation>
     </message>
     <message>
         <source>Click there, or press Esc to give it up.</source>
@@ -1494,8 +1502,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Vista previa; sigue la imagen completa</translation>
     </message>
     <message>
-        <source>Colour at %1 HU</source>
-        <translation>Color en %1 UH</translation>
+        <source>Colour at %1</source>
+        <translation>Color en %1</translation>
     </message>
     <message>
         <source>Colour of its light: double click it</source>
@@ -1734,6 +1742,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>E&amp;xportar mediciones...</translation>
     </message>
     <message>
+        <source>Each pixel shows the highest value along its ray; nothing says how deep it lies.</source>
+        <translation>Cada píxel muestra el valor más alto a lo largo de su rayo; nada dice a qué profundidad está.</translation>
+    </message>
+    <message>
         <source>Edge</source>
         <translation>Lado</translation>
     </message>
@@ -1938,8 +1950,8 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Cortes a mano alzada: %1</translation>
     </message>
     <message>
-        <source>From %1 to %2 HU over %3 mm.</source>
-        <translation>De %1 a %2 UH en %3 mm.</translation>
+        <source>From %1 to %2 %3 over %4 mm.</source>
+        <translation>De %1 a %2 %3 en %4 mm.</translation>
     </message>
     <message>
         <source>From a question to its answer [milliseconds]</source>
@@ -2044,10 +2056,6 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>HU</source>
         <translation>UH</translation>
-    </message>
-    <message>
-        <source>HU along the distance</source>
-        <translation>UH a lo largo de la distancia</translation>
     </message>
     <message>
         <source>Hard bone</source>
@@ -2732,6 +2740,10 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Abrir &amp;reciente</translation>
     </message>
     <message>
+        <source>Open a CT scan for that.</source>
+        <translation>Abra para ello un estudio de TC.</translation>
+    </message>
+    <message>
         <source>Open a folder</source>
         <translation>Abrir una carpeta</translation>
     </message>
@@ -3326,8 +3338,8 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Rugosidad</translation>
     </message>
     <message>
-        <source>SD %1 HU, median %2 HU, %3 to %4 HU, %5 voxels, %6 ml.</source>
-        <translation>DE %1 UH, mediana %2 UH, de %3 a %4 UH, %5 vóxeles, %6 ml.</translation>
+        <source>SD %1 %7, median %2 %7, %3 to %4 %7, %5 voxels, %6 ml.</source>
+        <translation>DE %1 %7, mediana %2 %7, de %3 a %4 %7, %5 vóxeles, %6 ml.</translation>
     </message>
     <message>
         <source>Sa&amp;ve plan...</source>
@@ -3722,16 +3734,12 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Calcula la GPU %1, pues el dispositivo elegido la última vez no se puede usar: %2</translation>
     </message>
     <message>
-        <source>The HU along the chosen distance, and beyond it. Dashed: its ends; dots: the half levels at which they lie. The pointer and the arrow keys read off values.</source>
-        <translation>Las UH a lo largo de la distancia elegida y más allá. Líneas discontinuas: sus extremos; puntos: los niveles medios en que están. El puntero y las teclas de flecha leen valores.</translation>
-    </message>
-    <message>
-        <source>The HU that slices show at this place. One place has no ±: a ball has a mean with a ±.</source>
-        <translation>El valor UH que muestran los cortes en este punto. Un solo punto no tiene ±: una esfera tiene una media con ±.</translation>
-    </message>
-    <message>
         <source>The chosen lamp</source>
         <translation>La lámpara elegida</translation>
+    </message>
+    <message>
+        <source>The curve follows the values of this scan, which are no HU: what is dark in it is not shown.</source>
+        <translation>La curva sigue los valores de este estudio, que no son UH: lo que es oscuro en él no se muestra.</translation>
     </message>
     <message>
         <source>The densest contrast looks like bone, and marrow looks like blood.</source>
@@ -3826,6 +3834,18 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>En %1 más el escáner no midió nada.</translation>
     </message>
     <message>
+        <source>The value that slices show at this place. One place has no ±: a ball has a mean with a ±.</source>
+        <translation>El valor que muestran los cortes en este punto. Un solo punto no tiene ±: una esfera tiene una media con ±.</translation>
+    </message>
+    <message>
+        <source>The values along the chosen distance, and beyond it. Dashed: its ends; dots: the half levels at which they lie. The pointer and the arrow keys read off values.</source>
+        <translation>Los valores a lo largo de la distancia elegida y más allá. Líneas discontinuas: sus extremos; puntos: los niveles medios en que están. El puntero y las teclas de flecha leen valores.</translation>
+    </message>
+    <message>
+        <source>The values of this scan are no HU: windows for tissues are not offered.</source>
+        <translation>Los valores de este estudio no son UH: no se ofrecen ventanas para tejidos.</translation>
+    </message>
+    <message>
         <source>The view: each side is lit alike
 The patient: the lamps stay where they are when the patient is turned</source>
         <translation>La vista: cada lado se ilumina igual
@@ -3840,8 +3860,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Después haga clic en la anatomía que debe verse nítida</translation>
     </message>
     <message>
-        <source>Then click the anatomy: a bell at its Hounsfield units is added (Ctrl and click does the same)</source>
-        <translation>Después haga clic en la anatomía: se añade una campana en sus unidades Hounsfield (Ctrl y clic hace lo mismo)</translation>
+        <source>Then click the anatomy: a bell at its value is added (Ctrl and click does the same)</source>
+        <translation>Después haga clic en la anatomía: se añade una campana en su valor (Ctrl y clic hace lo mismo)</translation>
     </message>
     <message>
         <source>Then save again.</source>
@@ -4136,6 +4156,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Valor del punto elegido</translation>
     </message>
     <message>
+        <source>Values along the distance</source>
+        <translation>Valores a lo largo de la distancia</translation>
+    </message>
+    <message>
+        <source>Values that are no HU</source>
+        <translation>Valores que no son UH</translation>
+    </message>
+    <message>
         <source>Vessels</source>
         <translation>Vasos</translation>
     </message>
@@ -4272,8 +4300,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Ventana</translation>
     </message>
     <message>
-        <source>Window %1 / %2 HU</source>
-        <translation>Ventana %1 / %2 UH</translation>
+        <source>Window %1 / %2 %3</source>
+        <translation>Ventana %1 / %2 %3</translation>
     </message>
     <message>
         <source>Without certificates</source>
@@ -5352,12 +5380,12 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>su texto no es UTF-8</translation>
     </message>
     <message>
-        <source>its values are of a type without a sign: these are labels or grey levels, no HU</source>
-        <translation>sus valores son de un tipo sin signo: son etiquetas o niveles de gris, no HU</translation>
+        <source>its values are no HU, and of more than 16 bits, which this version cannot read</source>
+        <translation>sus valores no son UH y tienen más de 16 bits, lo que esta versión no puede leer</translation>
     </message>
     <message>
-        <source>its values run from %1 to %2: these are no HU, which begin at -100 or below, and end at 100 or above</source>
-        <translation>sus valores van de %1 a %2: no son HU, que empiezan en -100 o menos y terminan en 100 o más</translation>
+        <source>its values are no finite numbers</source>
+        <translation>sus valores no son números finitos</translation>
     </message>
     <message>
         <source>its volume is of another size</source>
@@ -5720,8 +5748,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no hay tejido en la región</translation>
     </message>
     <message>
-        <source>no tissue is opaque at the HU that the volume holds</source>
-        <translation>ningún tejido es opaco en las HU del volumen</translation>
+        <source>no tissue is opaque at the values that the volume holds</source>
+        <translation>ningún tejido es opaco en los valores del volumen</translation>
     </message>
     <message>
         <source>no tissue scatters light</source>
@@ -5908,6 +5936,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>derecha</translation>
     </message>
     <message>
+        <source>rounded</source>
+        <translation>redondeados</translation>
+    </message>
+    <message>
         <source>samples are shared out in blocks of 64, and fewer than two are ordered</source>
         <translation>las muestras se reparten en bloques de 64, y se han pedido menos de dos</translation>
     </message>
@@ -5944,8 +5976,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>elegido, %1</translation>
     </message>
     <message>
-        <source>selected, %1 HU: %2</source>
-        <translation>elegido, %1 UH: %2</translation>
+        <source>selected, %1: %2</source>
+        <translation>elegido, %1: %2</translation>
     </message>
     <message>
         <source>separating the body parts</source>
@@ -6252,16 +6284,16 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>los archivos llaman a la serie %1, no CT, y a sus valores HU</translation>
     </message>
     <message>
+        <source>the files do not say that the values are HU: looks, windows and parts of the body that need HU are not offered</source>
+        <translation>los archivos no dicen que los valores sean UH: no se ofrecen aspectos, ventanas ni partes del cuerpo que necesitan UH</translation>
+    </message>
+    <message>
         <source>the files name %1 frames of reference; their positions are taken as one</source>
         <translation>los archivos nombran %1 sistemas de referencia; sus posiciones se toman como de uno solo</translation>
     </message>
     <message>
         <source>the files name %1 studies; their slices are taken as one series</source>
         <translation>los archivos nombran %1 estudios; sus cortes se toman como una sola serie</translation>
-    </message>
-    <message>
-        <source>the files say that their values are in "%1"; they are taken as HU</source>
-        <translation>los archivos dicen que sus valores están en «%1»; se toman como HU</translation>
     </message>
     <message>
         <source>the first place is known only to ± %1 mm</source>
@@ -6320,8 +6352,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>la ventana de grises de los archivos no se tiene en cuenta: su función «%1» es desconocida</translation>
     </message>
     <message>
-        <source>the grey window in the files is left out: no window is %1 HU wide</source>
-        <translation>la ventana de grises de los archivos no se tiene en cuenta: ninguna ventana tiene %1 HU de ancho</translation>
+        <source>the grey window in the files is left out: no window is %1 wide</source>
+        <translation>se omite la ventana de grises de los archivos: ninguna ventana tiene una anchura de %1</translation>
     </message>
     <message>
         <source>the image cannot be read as OpenEXR (%1)</source>
@@ -6416,12 +6448,12 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el modelo tiene un evento por camino</translation>
     </message>
     <message>
-        <source>the model shows HU, not light</source>
-        <translation>el modelo muestra HU, no luz</translation>
-    </message>
-    <message>
         <source>the model shows no light from within</source>
         <translation>el modelo no muestra luz del interior</translation>
+    </message>
+    <message>
+        <source>the model shows values, not light</source>
+        <translation>el modelo muestra valores, no luz</translation>
     </message>
     <message>
         <source>the name says no format that images are saved in</source>
@@ -6524,6 +6556,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>los cortes se desplazan lateralmente %1 mm por cada %2 mm de altura (inclinación del gantry de %3 grados), de %4 a %5</translation>
     </message>
     <message>
+        <source>the slices scale their values differently; all are rounded to steps of %1</source>
+        <translation>los cortes escalan sus valores de forma distinta; todos están redondeados a pasos de %1</translation>
+    </message>
+    <message>
         <source>the symbolic links here lead in a circle</source>
         <translation>los enlaces simbólicos forman aquí un círculo</translation>
     </message>
@@ -6552,8 +6588,24 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el tiempo llega primero: en %2, dentro de ±%1 y con %3 muestras</translation>
     </message>
     <message>
-        <source>the values are no HU but another quantity (%1): no look or figure in HU is true of them</source>
-        <translation>los valores no son HU sino otra magnitud (%1): ningún aspecto ni cifra en HU es válido para ellos</translation>
+        <source>the values are no HU but another quantity (%1): looks, windows and parts of the body that need HU are not offered</source>
+        <translation>los valores no son UH sino otra magnitud (%1): no se ofrecen aspectos, ventanas ni partes del cuerpo que necesitan UH</translation>
+    </message>
+    <message>
+        <source>the values are rounded to steps of %1, 65,536 from the lowest to the highest</source>
+        <translation>los valores están redondeados a pasos de %1, 65.536 del más bajo al más alto</translation>
+    </message>
+    <message>
+        <source>the values of this scan are no HU</source>
+        <translation>los valores de este estudio no son UH</translation>
+    </message>
+    <message>
+        <source>the values of this scan are no HU, in which looks are kept</source>
+        <translation>los valores de este estudio no son UH, en las que se guardan los aspectos</translation>
+    </message>
+    <message>
+        <source>the values run from %1 to %2 and are no HU, which begin at -100 or below, and end at 100 or above: looks, windows and parts of the body that need HU are not offered</source>
+        <translation>los valores van de %1 a %2 y no son UH, que empiezan en -100 o menos y terminan en 100 o más: no se ofrecen aspectos, ventanas ni partes del cuerpo que necesitan UH</translation>
     </message>
     <message>
         <source>the view</source>
@@ -6564,8 +6616,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el volumen no cabe en su memoria: se necesitan %1 y hay %2 libres</translation>
     </message>
     <message>
-        <source>the volume holds no HU that are specular</source>
-        <translation>el volumen no contiene HU especulares</translation>
+        <source>the volume holds no values that are specular</source>
+        <translation>el volumen no contiene valores especulares</translation>
     </message>
     <message>
         <source>the volume is too large for fast filtering: it has %1 voxels, textures may have %2</source>

@@ -182,7 +182,7 @@ class Jpeg2000Test : public QObject {
             says("2 slices may have been compressed with loss: their coding allows that, and their files do not "
                  "say"));
         QVERIFY(
-            says("1 slice was compressed with loss, which its file does not say: the HU are not those that were "
+            says("1 slice was compressed with loss, which its file does not say: the values are not those that were "
                  "measured"));
         QVERIFY(says("1 slice states a wrong length in its coding; it is complete, and was read to its end"));
         QCOMPARE(volume->remarks(), std::string("lossy maybe-lossy mended"));

@@ -300,7 +300,7 @@ class MultiFrameTest : public QObject {
         QCOMPARE(int(volume->voxels()[1000]), int(file.frames[3].raw[1000]) - 1000);
     }
 
-    /// A 3D angiography whose groups call its values HU is one in HU; one that does not is none.
+    /// A 3D angiography whose groups call its values HU is one in HU; one that does not is a volume of other values.
     void anotherModalityMayStateHu() {
         test::EnhancedFile file = thorax(3);
         file.change = [](DcmDataset& data) { data.putAndInsertString(DCM_Modality, "XA"); };
@@ -312,24 +312,48 @@ class MultiFrameTest : public QObject {
                 test::itemIn(own, DCM_PixelValueTransformationSequence).putAndInsertString(DCM_RescaleType, "US");
             };
         test::writeEnhancedFile(this->file(), file);
-        QCOMPARE(reasonOf(scanned()), std::string("thorax: XA, not CT"));
+        const Series other = scanned().series.at(0);
+        QVERIFY(other.verdict.loadable() && !other.unit.isHu);
+    }
+
+    /// Enhanced MR is a volume of other values, whatever its groups call them.
+    void enhancedMrIsNoHu() {
+        test::EnhancedFile file = thorax(3);
+        for (test::EnhancedFrame& frame : file.frames) {
+            frame.slope = 0.5;
+            frame.intercept = 3;
+        }
+        file.change = [](DcmDataset& data) { data.putAndInsertString(DCM_Modality, "MR"); };
+        test::writeEnhancedFile(this->file(), file);
+        const Series series = scanned().series.at(0);
+        QVERIFY(series.verdict.loadable());
+        QCOMPARE(series.unit, ValueUnit::other("", 0.5, 3));
+        const auto volume = loadSeries(series, Padding::maskAsAir, noProgress);
+        QVERIFY(volume);
+        const auto& lowest = file.frames[std::size_t(series.slices.front().frame)].raw;
+        for (std::size_t i = 0; i < lowest.size(); ++i)
+            QCOMPARE(unitOf(*volume).valueOf(volume->voxels()[i]), lowest[i] * 0.5 + 3);
     }
 
     void anotherQuantityIsNoHu() {
         test::EnhancedFile file = thorax(3);
-        for (test::EnhancedFrame& frame : file.frames)
+        for (test::EnhancedFrame& frame : file.frames) {
+            frame.slope = 1;
+            frame.intercept = -1000;
             frame.change = [](DcmItem& own) {
                 test::itemIn(own, DCM_CTImageFrameTypeSequence)
                     .putAndInsertString(DCM_FrameType, "DERIVED\\PRIMARY\\PERFUSION\\RCBF");
                 DcmItem& map = test::itemIn(own, DCM_RealWorldValueMappingSequence);
                 test::itemIn(map, DCM_MeasurementUnitsCodeSequence).putAndInsertString(DCM_CodeValue, "ml/100ml/s");
             };
+        }
         test::writeEnhancedFile(this->file(), file);
         const Series series = scanned().series.at(0);
         QVERIFY(series.verdict.loadable());
         QCOMPARE(series.verdict.notes.size(), std::size_t(1));
         QCOMPARE(series.verdict.notes[0].code, std::string("no-hu"));
         QVERIFY(series.verdict.notes[0].text.find("RCBF, ml/100ml/s") != std::string::npos);
+        QCOMPARE(series.unit, ValueUnit::other(""));  // the mapping states no slope, so the unit is not sure
     }
 
     /// A frame of one file is no copy of another, although both lie in files with the same bytes.
@@ -383,9 +407,6 @@ class MultiFrameTest : public QObject {
         test::writeEnhancedFile(this->file(), file);
         QCOMPARE(reasonOf(scanned()),
                  std::string("thorax: it holds 3 frames in one file, and does not say where they lie"));
-        file.change = [](DcmDataset& data) { data.putAndInsertString(DCM_Modality, "MR"); };
-        test::writeEnhancedFile(this->file(), file);
-        QCOMPARE(reasonOf(scanned()), std::string("thorax: MR, not CT"));
         file.change = {};
         file.frames[1].change = [](DcmItem& own) { own.findAndDeleteElement(DCM_PlanePositionSequence); };
         test::writeEnhancedFile(this->file(), file);

@@ -19,19 +19,30 @@ ScanResult scanned(const std::string& folder) {
     return result ? *std::move(result) : ScanResult{};
 }
 
+/// Returns the values of all voxels, in HU or not, rounded to 16 bits as the known ones are.
+std::vector<std::int16_t> valuesOf(const Volume& volume) {
+    const ValueUnit unit = unitOf(volume);
+    std::vector<std::int16_t> values;
+    values.reserve(volume.voxels().size());
+    for (const std::int16_t voxel : volume.voxels())
+        values.push_back(std::int16_t(std::clamp(std::round(unit.valueOf(voxel)), -32768.0, 32767.0)));
+    return values;
+}
+
 std::string checksumOf(const Volume& volume) {
+    const std::vector<std::int16_t> values = valuesOf(volume);
     QCryptographicHash hash(QCryptographicHash::Sha256);
-    hash.addData(
-        QByteArrayView(reinterpret_cast<const char*>(volume.voxels().data()), qsizetype(volume.voxels().size_bytes())));
+    hash.addData(QByteArrayView(reinterpret_cast<const char*>(values.data()), qsizetype(2 * values.size())));
     return hash.result().toHex().toStdString();
 }
 
 double meanOf(const Volume& volume, bool withPadding) {
+    const std::vector<std::int16_t> values = valuesOf(volume);
     std::int64_t sum = 0, count = 0;
-    for (std::size_t i = 0; i < volume.voxels().size(); ++i) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
         if (!withPadding && volume.isPadding(i))
             continue;
-        sum += volume.voxels()[i];
+        sum += values[i];
         ++count;
     }
     return double(sum) / double(count);
@@ -240,7 +251,7 @@ class RealSeriesTest : public QObject {
                                                       "IM-0001-0009-0001.dcm"};
         QTest::newRow("missing_tags") << "missing_tags" << int(Stack::noGeometry)
                                       << QStringList{"CT-MONO2-16-ankle", "position", "orientation", "pixel spacing"};
-        QTest::newRow("pet_not_ct") << "pet_not_ct" << int(Stack::notCt) << QStringList{"PT, not CT"};
+        QTest::newRow("pet_not_ct") << "pet_not_ct" << int(Stack::singleSlice) << QStringList{"at least two"};
         QTest::newRow("cr_monochrome1") << "cr_monochrome1" << int(Stack::notCt) << QStringList{"CR, not CT"};
         QTest::newRow("charsets") << "charsets" << int(Stack::notCt) << QStringList{"OT, not CT"};
         QTest::newRow("tiny_ct") << "tiny_ct" << int(Stack::singleSlice) << QStringList{"at least two"};

@@ -87,20 +87,6 @@ class ScanTest : public QObject {
         QVERIFY2(floats.contains("floating-point"), qPrintable(floats));
     }
 
-    /// Exports of cone-beam scanners are of modality OT; MR has no HU, whatever it states.
-    void anotherModalityLoadsIfItStatesHu() {
-        const auto loads = [](const char* modality, const char* unit) {
-            test::SliceFolder folder;
-            folder.addStack(3, {.change = [&](DcmDataset& data) {
-                                data.putAndInsertString(DCM_Modality, modality);
-                                data.putAndInsertString(DCM_RescaleType, unit);
-                            }});
-            return folder.scan().series.at(0).verdict.loadable();
-        };
-        QVERIFY(loads("OT", "HU") && loads("XA", "HU") && loads("CT", "US"));
-        QVERIFY(!loads("OT", "") && !loads("XA", "US") && !loads("MR", "HU") && !loads("PT", "HU"));
-    }
-
     void foreignFilesAreCountedAndForgotten() {
         test::SliceFolder folder;
         folder.addStack(3);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/text/language.h"
+#include "ui/text/value_text.h"
 
 namespace pdr::ui {
 namespace {
@@ -36,9 +37,9 @@ void eachTick(double low, double high, Visit&& visit) {
 ProfileChart::ProfileChart(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
-    setAccessibleName(tr("HU along the distance"));
+    setAccessibleName(tr("Values along the distance"));
     setToolTip(
-        tr("The HU along the chosen distance, and beyond it. Dashed: its ends; dots: the half levels at which "
+        tr("The values along the chosen distance, and beyond it. Dashed: its ends; dots: the half levels at which "
            "they lie. The pointer and the arrow keys read off values."));
     hide();
 }
@@ -51,7 +52,8 @@ void ProfileChart::setProfile(const std::optional<ShownProfile>& profile) {
     const auto& samples = profile_.samples;
     mm_ = {samples.front().mm, std::max(samples.back().mm, samples.front().mm + 1)};
     const auto [low, high] = std::ranges::minmax_element(samples, {}, &ShownProfile::Sample::hu);
-    const double middle = (low->hu + high->hu) / 2, half = std::max(0.55 * (high->hu - low->hu), kLeastHu / 2);
+    const double middle = (low->hu + high->hu) / 2, least = kLeastHu * profile_.unit.step;
+    const double half = std::max(0.55 * (high->hu - low->hu), least / 2);
     hu_ = {middle - half, middle + half};
     read_ = -1;
     describe();
@@ -62,10 +64,10 @@ void ProfileChart::setProfile(const std::optional<ShownProfile>& profile) {
 void ProfileChart::describe() {
     const auto [low, high] = std::ranges::minmax_element(profile_.samples, {}, &ShownProfile::Sample::hu);
     QString text =
-        tr("From %1 to %2 HU over %3 mm.").arg(number(low->hu, 0), number(high->hu, 0), number(profile_.lengthMm, 1));
+        tr("From %1 to %2 %3 over %4 mm.").arg(value(low->hu), value(high->hu), unit(), number(profile_.lengthMm, 1));
     for (const std::optional<double>& level : profile_.halfLevels)
         if (level)
-            text += ' ' + tr("An end at an edge, at %1 HU.").arg(number(*level, 0));
+            text += ' ' + tr("An end at an edge, at %1 %2.").arg(value(*level), unit());
     if (read_ >= 0)
         text = reading() + ". " + text;
     setAccessibleDescription(text);
@@ -77,8 +79,17 @@ QString ProfileChart::reading() const {
     const ShownProfile::Sample& sample = profile_.samples[std::size_t(read_)];
     if (!sample.measured)
         return tr("%1 mm: nothing measured").arg(number(sample.mm, 1));
-    return (sample.acrossHole ? tr("%1 mm: %2 HU, interpolated across a hole") : tr("%1 mm: %2 HU"))
-        .arg(number(sample.mm, 1), number(sample.hu, 0));
+    return (sample.acrossHole ? tr("%1 mm: %2 %3, interpolated across a hole") : tr("%1 mm: %2 %3"))
+        .arg(number(sample.mm, 1), value(sample.hu), unit());
+}
+
+/// Returns a value with as many decimals as tell neighbouring voxels apart.
+QString ProfileChart::value(double each) const {
+    return number(each, profile_.unit.decimals());
+}
+
+QString ProfileChart::unit() const {
+    return unitName(profile_.unit);
 }
 
 void ProfileChart::read(int index) {
@@ -112,7 +123,7 @@ void ProfileChart::mouseMoveEvent(QMouseEvent* event) {
 QRectF ProfileChart::ground() const {
     const QFontMetricsF font(this->font());
     double widest = 0;
-    eachTick(hu_.low, hu_.high, [&](double hu) { widest = std::max(widest, font.horizontalAdvance(number(hu, 0))); });
+    eachTick(hu_.low, hu_.high, [&](double hu) { widest = std::max(widest, font.horizontalAdvance(value(hu))); });
     return QRectF(rect()).adjusted(widest + kTickPx + 4, font.height() + 2, -6, -font.height() - kTickPx - 2);
 }
 
@@ -143,11 +154,11 @@ void ProfileChart::paintAxes(QPainter& painter) const {
         const double y = pointOf(mm_.low, hu).y();
         painter.drawLine(QPointF(at.left() - kTickPx, y), QPointF(at.left(), y));
         painter.drawText(QRectF(0, y - line / 2, at.left() - kTickPx - 2, line), Qt::AlignRight | Qt::AlignVCenter,
-                         number(hu, 0));
+                         value(hu));
     });
-    const QString unit = tr("mm");
-    const double room = QFontMetricsF(font()).horizontalAdvance(unit) + 4;
-    painter.drawText(QRectF(at.right() - room, at.bottom() + kTickPx, room, line), Qt::AlignRight, unit);
+    const QString mmUnit = tr("mm");
+    const double room = QFontMetricsF(font()).horizontalAdvance(mmUnit) + 4;
+    painter.drawText(QRectF(at.right() - room, at.bottom() + kTickPx, room, line), Qt::AlignRight, mmUnit);
     eachTick(mm_.low, mm_.high, [&](double mm) {
         const double x = pointOf(mm, hu_.low).x(), half = QFontMetricsF(font()).horizontalAdvance(number(mm, 0)) / 2;
         painter.drawLine(QPointF(x, at.bottom()), QPointF(x, at.bottom() + kTickPx));
@@ -155,7 +166,7 @@ void ProfileChart::paintAxes(QPainter& painter) const {
             painter.drawText(QRectF(x - 2 * half - 4, at.bottom() + kTickPx, 4 * half + 8, line), Qt::AlignHCenter,
                              number(mm, mm_.high - mm_.low < kTicks ? 1 : 0));
     });
-    painter.drawText(QRectF(0, 0, at.left() + 40, line), Qt::AlignLeft, tr("HU"));
+    painter.drawText(QRectF(0, 0, at.left() + 40, line), Qt::AlignLeft, unit());
 }
 
 /// Paints a dashed line at either end of the distance, and a dot on the half level of an edge there.

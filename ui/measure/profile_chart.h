@@ -1,25 +1,29 @@
 #pragma once
-/// A chart of the HU along a distance, with its ends and the half levels on which they lie. Setters emit no signals.
+/// A chart of the HU, or other values, along a distance, with its ends and the half levels on which they lie. Setters
+/// emit no signals.
 
 #include <QWidget>
 #include <array>
 #include <optional>
 #include <vector>
 
+#include "render/volume/value_unit.h"
+
 namespace pdr::ui {
 
-/// HU along the line of a distance, and some way beyond either end.
+/// Values along the line of a distance, and some way beyond either end.
 struct ShownProfile {
     struct Sample {
-        double mm;  ///< from the first end towards the second; negative before it
-        double hu;
+        double mm;                ///< from the first end towards the second; negative before it
+        double hu;                ///< the value, in `unit`
         bool measured;            ///< false outside the scan, and where the scanner measured nothing
         bool acrossHole = false;  ///< interpolated between slices that lie far apart
         bool operator==(const Sample&) const = default;
     };
     std::vector<Sample> samples;                      ///< in the order of their mm; at least two
     double lengthMm = 0;                              ///< where the second end lies
-    std::array<std::optional<double>, 2> halfLevels;  ///< HU at the ends that lie at an edge
+    std::array<std::optional<double>, 2> halfLevels;  ///< values at the ends that lie at an edge
+    ValueUnit unit{};
     bool operator==(const ShownProfile&) const = default;
 };
 
@@ -52,6 +56,8 @@ class ProfileChart : public QWidget {
 
     void read(int index);
     void describe();
+    QString value(double each) const;
+    QString unit() const;
     QRectF ground() const;
     void paintAxes(QPainter& painter) const;
     void paintEnds(QPainter& painter) const;

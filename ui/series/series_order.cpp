@@ -23,9 +23,7 @@ const std::string& dateOf(const dicom::Series& series) {
 
 /// Returns whether nothing speaks against HU: a perfusion map is CT, too, but shows a flow.
 bool isCt(const dicom::Series& series) {
-    const auto& notes = series.verdict.notes;
-    return (series.series.modality.empty() || series.series.modality == "CT") &&
-           std::ranges::find(notes, "no-hu", &dicom::Note::code) == notes.end();
+    return (series.series.modality.empty() || series.series.modality == "CT") && series.unit.isHu;
 }
 
 /// Returns the place of a series among those of its study; the lowest comes first.

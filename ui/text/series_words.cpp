@@ -28,8 +28,8 @@ constexpr NoteWord kNoteWords[] = {
     {"uneven", QT_TRANSLATE_NOOP("series", "uneven")},
     {"grid", QT_TRANSLATE_NOOP("series", "uneven")},
     {"modality", QT_TRANSLATE_NOOP("series", "modality")},
-    {"unit", QT_TRANSLATE_NOOP("series", "units")},
     {"rescale", QT_TRANSLATE_NOOP("series", "units")},
+    {"rounded", QT_TRANSLATE_NOOP("series", "rounded")},
     {"copies", QT_TRANSLATE_NOOP("series", "copies")},
     {"mended", QT_TRANSLATE_NOOP("series", "mended")},
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/text/value_text.h"
 #include "ui/tissue/curve_painter.h"
 #include "ui/widgets/screen_colour.h"
 
@@ -52,6 +53,15 @@ void ColourStrip::setMargins(int left, int right) {
     layOut();
 }
 
+void ColourStrip::setValues(const ValueUnit& values) {
+    values_ = values;
+    describe();
+}
+
+QString ColourStrip::placeText(double voxel) const {
+    return valueText(values_, std::round(voxel));
+}
+
 void ColourStrip::layOut() {
     setArea(QRectF(left_, 3, width() - left_ - right_, height() - 2 * kHandle - 4));
 }
@@ -64,8 +74,7 @@ void ColourStrip::describe() {
     QStringList lines{tr("%n stop(s)", nullptr, int(stops_.size()))};
     for (const std::size_t i : selection())
         if (i < stops_.size())
-            lines
-                << tr("selected, %1 HU: %2").arg(std::lround(stops_[i].hu)).arg(screenColour(stops_[i].albedo).name());
+            lines << tr("selected, %1: %2").arg(placeText(stops_[i].hu), screenColour(stops_[i].albedo).name());
     setAccessibleDescription(lines.join("; "));
 }
 
@@ -75,8 +84,8 @@ CurvePoint ColourStrip::step() const {
 
 QString ColourStrip::tipAt(QPointF place) const {
     const double hu = view().hu(place.x());
-    return tr("%1 HU: %2\nDrag stops; Ctrl and click adds one; double click chooses a colour")
-        .arg(QString::number(std::lround(hu)), screenColour(albedoAt(stops_, hu)).name());
+    return tr("%1: %2\nDrag stops; Ctrl and click adds one; double click chooses a colour")
+        .arg(placeText(hu), screenColour(albedoAt(stops_, hu)).name());
 }
 
 /// Adds a stop in the colour that the strip has there.
@@ -123,7 +132,7 @@ void ColourStrip::askForColour(std::size_t stop) {
     const QColor before = screenColour(stops_[stop].albedo);
     auto* dialog = new QColorDialog(before, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(tr("Colour at %1 HU").arg(std::lround(stops_[stop].hu)));
+    dialog->setWindowTitle(tr("Colour at %1").arg(placeText(stops_[stop].hu)));
     connect(dialog, &QColorDialog::currentColorChanged, this,
             [this, stop](const QColor& colour) { setColour(stop, colour, true); });
     connect(dialog, &QDialog::finished, this, [this, stop, dialog, before](int result) {

@@ -3,6 +3,7 @@
 /// Ins, adds a stop; Enter or a double click on one opens a colour dialog. Setters emit no signals.
 
 #include "render/scene/edit/tissue_channels.h"
+#include "render/volume/value_unit.h"
 #include "ui/tissue/points_plot.h"
 
 namespace pdr::ui {
@@ -17,6 +18,8 @@ class ColourStrip : public PointsPlot {
     void setStops(const std::vector<ColourStop>& stops);
     /// Changes the colour of a stop as the user does: emits edited(moving). Does nothing if there is no such stop.
     void setColour(std::size_t stop, const QColor& colour, bool moving);
+    /// Sets the unit of the values along the strip; HU at first.
+    void setValues(const ValueUnit& values);
     /// Sets the plot's distances from the widget's left and right edges [px], which align it with the plot above.
     void setMargins(int left, int right);
 
@@ -41,9 +44,11 @@ class ColourStrip : public PointsPlot {
   private:
     void layOut();
     void describe();
+    QString placeText(double voxel) const;
 
     std::vector<ColourStop> stops_{ColourStop{}};
     int left_ = 0, right_ = 0;
+    ValueUnit values_;
 };
 
 }  // namespace pdr::ui

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/text/value_text.h"
+
 namespace pdr::ui {
 namespace {
 
@@ -51,6 +53,12 @@ void CurveEditor::setBarScale(BarScale scale) {
     update();
 }
 
+void CurveEditor::setValues(const ValueUnit& values) {
+    values_ = values;
+    describe();
+    update();
+}
+
 QMargins CurveEditor::plotMargins() const {
     const int line = fontMetrics().height();
     return {kAround, line + 2, fontMetrics().horizontalAdvance("0.05") + kAround, line + 4};
@@ -66,8 +74,8 @@ void CurveEditor::resizeEvent(QResizeEvent*) {
 
 QString CurveEditor::pointText(const CurvePoint& point) const {
     const QString value = numberText(double(point.value) * unit_);
-    const QString hu = QString::number(std::lround(point.hu));
-    return unitText_.isEmpty() ? tr("%1 HU: %2").arg(hu, value) : tr("%1 HU: %2 %3").arg(hu, value, unitText_);
+    const QString place = valueText(values_, std::round(double(point.hu)));
+    return unitText_.isEmpty() ? tr("%1: %2").arg(place, value) : tr("%1: %2 %3").arg(place, value, unitText_);
 }
 
 /// Updates the description for screen readers: the selected points, then all points.
@@ -111,14 +119,15 @@ void CurveEditor::paintEvent(QPaintEvent*) {
     // Paint bands, histogram and axes
     const QRectF& area = view().area();
     painter.fillRect(area, palette().color(QPalette::Base));
-    paintTissueBands(painter, view(), palette());
+    if (values_.isHu)
+        paintTissueBands(painter, view(), palette());
     if (histogram_)
         paintHistogram(painter, view(), histogramBars(*histogram_, view(), barScale_), palette());
-    paintAxes(painter, view(), unit_, palette());
+    paintAxes(painter, view(), unit_, values_, palette());
     painter.setPen(palette().color(QPalette::WindowText));
     const QRectF besideArea(area.right() + kAround, 0, width() - area.right() - kAround, area.top() - 1);
     painter.drawText(besideArea, Qt::AlignLeft | Qt::AlignBottom, unitText_);
-    painter.drawText(besideArea.translated(0, area.bottom() + 3), Qt::AlignLeft | Qt::AlignTop, tr("HU"));
+    painter.drawText(besideArea.translated(0, area.bottom() + 3), Qt::AlignLeft | Qt::AlignTop, unitName(values_));
     // Paint the curve and its points
     painter.save();
     painter.setClipRect(area.adjusted(-kAround, -kAround, kAround, kAround));

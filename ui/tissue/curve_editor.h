@@ -24,6 +24,8 @@ class CurveEditor : public PointsPlot {
     /// Sets the histogram. Null: not known.
     void setHistogram(std::shared_ptr<const Histogram> histogram);
     void setBarScale(BarScale scale);
+    /// Sets the unit of the values along the axis; HU at first.
+    void setValues(const ValueUnit& values);
 
     double unit() const { return unit_; }
     /// Returns the plot's distances from the widget's edges, which align what stands below it.
@@ -49,6 +51,7 @@ class CurveEditor : public PointsPlot {
     BarScale barScale_ = BarScale::logarithmic;
     double unit_ = 1;
     QString unitText_;
+    ValueUnit values_;
 };
 
 }  // namespace pdr::ui

@@ -145,18 +145,20 @@ void paintPoints(QPainter& painter, const PlotView& view, const Curve& curve, co
             paint(curve[i], palette.color(QPalette::WindowText), palette.color(QPalette::Link), kPoint + 1.5);
 }
 
-void paintAxes(QPainter& painter, const PlotView& view, double unit, const QPalette& palette) {
+void paintAxes(QPainter& painter, const PlotView& view, double unit, const ValueUnit& values, const QPalette& palette) {
     const QRectF& area = view.area();
     const QFontMetrics metrics = painter.fontMetrics();
     const int line = metrics.height();
     const QLocale locale;
     painter.setPen(palette.color(QPalette::WindowText));
     const int widest = metrics.horizontalAdvance("-10000") + 2 * kGap;
-    for (const double hu : roundMarks(view.lowHu(), view.highHu(), std::max(int(area.width()) / widest, 2))) {
-        const double x = view.x(hu), half = widest / 2.0;
+    const int most = std::max(int(area.width()) / widest, 2);
+    for (const double value : roundMarks(values.valueOf(view.lowHu()), values.valueOf(view.highHu()), most)) {
+        const double x = view.x(values.voxelOf(value)), half = widest / 2.0;
         painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + 3));
         const double left = std::clamp(x - half, area.left() - kGap, area.right() + kGap - 2 * half);
-        painter.drawText(QRectF(left, area.bottom() + 3, 2 * half, line), Qt::AlignCenter, locale.toString(hu, 'g', 6));
+        painter.drawText(QRectF(left, area.bottom() + 3, 2 * half, line), Qt::AlignCenter,
+                         locale.toString(value, 'g', 6));
     }
     constexpr int kMostMarks = 6;
     for (const double mark :

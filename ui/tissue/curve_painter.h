@@ -9,6 +9,7 @@
 
 #include "render/scene/edit/curve.h"
 #include "render/scene/edit/tissue_channels.h"
+#include "render/volume/value_unit.h"
 #include "ui/tissue/plot_view.h"
 
 class QPainter;
@@ -32,7 +33,8 @@ void paintCurve(QPainter& painter, const PlotView& view, const Curve& curve, con
                 const QPalette& palette);
 void paintPoints(QPainter& painter, const PlotView& view, const Curve& curve, const CurveSelection& selection,
                  const QPalette& palette);
-/// Paints the axes: HU below the area, and values at its right, which are those of the view times `unit`.
-void paintAxes(QPainter& painter, const PlotView& view, double unit, const QPalette& palette);
+/// Paints the axes: below the area HU, or the values that `values` makes of voxels, and at its right the height of the
+/// view times `unit`.
+void paintAxes(QPainter& painter, const PlotView& view, double unit, const ValueUnit& values, const QPalette& palette);
 
 }  // namespace pdr::ui

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/scene/edit/curve_shapes.h"
+#include "ui/text/value_text.h"
 
 namespace pdr::ui {
 namespace {
@@ -19,20 +20,31 @@ double percentOf(const Histogram& histogram, double hu) {
 
 }  // namespace
 
-QList<ShapeNumber> numbersOf(CurveShape::Kind kind) {
-    const auto hu = [](const char* name, float lowest) {
-        return ShapeNumber{text(name), text(" HU"), double(lowest), double(kHighestHu)};
+QList<ShapeNumber> numbersOf(CurveShape::Kind kind, const ValueUnit& values) {
+    const QString unit = ' ' + unitName(values);
+    const auto place = [&](const char* name) {
+        return ShapeNumber{text(name),
+                           unit,
+                           values.valueOf(double(kLowestHu)),
+                           values.valueOf(double(kHighestHu)),
+                           values.decimals(),
+                           values.step,
+                           values.zero};
     };
-    const auto percent = [](const char* name) { return ShapeNumber{text(name), text(" %"), 0, 100}; };
+    const auto width = [&](double lowest) {
+        return ShapeNumber{text("Width"),     unit,       lowest * values.step, values.step * double(kHighestHu),
+                           values.decimals(), values.step};
+    };
+    const auto percent = [](const char* name) { return ShapeNumber{text(name), text(" %"), 0, 100, 1}; };
     switch (kind) {
         case CurveShape::Kind::threshold:
-            return {hu("From", kLowestHu)};
+            return {place("From")};
         case CurveShape::Kind::bell:
-            return {hu("Centre", kLowestHu), hu("Width", 1)};
+            return {place("Centre"), width(1)};
         case CurveShape::Kind::percentiles:
             return {percent("From"), percent("To")};
         default:
-            return {hu("Level", kLowestHu), hu("Width", 0)};
+            return {place("Level"), width(0)};
     }
 }
 

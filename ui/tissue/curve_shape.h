@@ -6,6 +6,7 @@
 
 #include "render/scene/edit/curve.h"
 #include "render/volume/histogram.h"
+#include "render/volume/value_unit.h"
 
 namespace pdr::ui {
 
@@ -18,14 +19,16 @@ struct CurveShape {
     bool operator==(const CurveShape&) const = default;
 };
 
-/// The description of one of the numbers.
+/// The description of one of the numbers, as it is shown: `step` times the number of the shape, plus `zero`.
 struct ShapeNumber {
     QString name, unit;
     double lowest, highest;
+    int decimals = 0;
+    double step = 1, zero = 0;
 };
 
-/// Returns the numbers of a kind: one or two.
-QList<ShapeNumber> numbersOf(CurveShape::Kind kind);
+/// Returns the numbers of a kind, one or two, in the unit of `values`.
+QList<ShapeNumber> numbersOf(CurveShape::Kind kind, const ValueUnit& values = {});
 
 /// Returns the curve, whose highest value is `top`. Percentiles need the histogram.
 Curve curveOf(const CurveShape& shape, float top, const Histogram& histogram);

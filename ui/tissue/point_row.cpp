@@ -5,12 +5,12 @@
 #include <QSignalBlocker>
 #include <cmath>
 
+#include "ui/text/value_text.h"
+
 namespace pdr::ui {
 
 PointRow::PointRow(QWidget* parent) : QWidget(parent) {
-    hu_.setRange(double(kLowestHu), double(kHighestHu));
-    hu_.setDecimals(0);
-    hu_.setSuffix(tr(" HU"));
+    setValues({});
     hu_.setAccessibleName(tr("Place of the selected point"));
     hu_.setToolTip(tr("Where the first selected point lies; the others move with it"));
     value_.setDecimals(4);
@@ -34,16 +34,25 @@ PointRow::PointRow(QWidget* parent) : QWidget(parent) {
     row->addWidget(&value_, 1);
     row->addWidget(&colour_);
     row->addWidget(&remove_);
-    connect(&hu_, &QDoubleSpinBox::valueChanged, this, &PointRow::huTyped);
+    connect(&hu_, &QDoubleSpinBox::valueChanged, this, [this](double value) { emit huTyped(values_.voxelOf(value)); });
     connect(&value_, &QDoubleSpinBox::valueChanged, this, &PointRow::valueTyped);
     connect(&colour_, &QToolButton::clicked, this, &PointRow::colourWanted);
     connect(&remove_, &QToolButton::clicked, this, &PointRow::removeWanted);
     setPoint(std::nullopt, 1, 1, {});
 }
 
+void PointRow::setValues(const ValueUnit& values) {
+    const QSignalBlocker silent(&hu_);
+    values_ = values;
+    hu_.setDecimals(values.decimals());
+    hu_.setRange(values.valueOf(double(kLowestHu)), values.valueOf(double(kHighestHu)));
+    hu_.setSingleStep(values.step);
+    hu_.setSuffix(' ' + unitName(values));
+}
+
 void PointRow::setPoint(const std::optional<CurvePoint>& point, double unit, double highest, const QString& unitText) {
     const QSignalBlocker silentHu(&hu_), silentValue(&value_);
-    hu_.setValue(point ? double(point->hu) : 0);
+    hu_.setValue(values_.valueOf(point ? double(point->hu) : 0));
     value_.setRange(0, highest);
     value_.setSingleStep(unit / 100);
     value_.setSuffix(unitText.isEmpty() ? QString() : " " + unitText);
@@ -57,7 +66,7 @@ void PointRow::setPoint(const std::optional<CurvePoint>& point, double unit, dou
 
 void PointRow::setStop(float hu, const QColor& colour) {
     const QSignalBlocker silent(&hu_);
-    hu_.setValue(double(hu));
+    hu_.setValue(values_.valueOf(double(hu)));
     QPixmap patch(16, 16);
     patch.fill(colour);
     colour_.setIcon(patch);

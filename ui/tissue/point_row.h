@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "render/scene/edit/curve.h"
+#include "render/volume/value_unit.h"
 
 namespace pdr::ui {
 
@@ -15,13 +16,16 @@ class PointRow : public QWidget {
   public:
     explicit PointRow(QWidget* parent = nullptr);
 
+    /// Sets the unit in which the place of a point is shown; HU at first.
+    void setValues(const ValueUnit& values);
     /// Shows a point, with its value times `unit`, up to `highest`. None: no point is selected.
     void setPoint(const std::optional<CurvePoint>& point, double unit, double highest, const QString& unitText);
     /// Shows a stop of a colour strip, which has a colour and no value.
     void setStop(float hu, const QColor& colour);
 
   signals:
-    /// Reports a typed place [HU], and a typed value in the unit given to setPoint().
+    /// Reports a typed place [voxels: HU, unless the values are none], and a typed value in the unit given to
+    /// setPoint().
     void huTyped(double hu);
     void valueTyped(double value);
     void colourWanted();
@@ -30,6 +34,7 @@ class PointRow : public QWidget {
   private:
     void show(bool value, bool colour, bool any);
 
+    ValueUnit values_;
     QDoubleSpinBox hu_, value_;
     QToolButton colour_, remove_;
 };

@@ -36,7 +36,19 @@ ShapeRow::ShapeRow(QWidget* parent) : QWidget(parent) {
 std::optional<CurveShape> ShapeRow::shape() const {
     if (kind_.currentIndex() == 0)
         return std::nullopt;
-    return CurveShape{CurveShape::Kind(kind_.currentIndex() - 1), numbers_[0].value(), numbers_[1].value()};
+    return CurveShape{CurveShape::Kind(kind_.currentIndex() - 1), number(0), number(1)};
+}
+
+/// Returns a number of the shape, which may be shown in another unit; 0 where it has none.
+double ShapeRow::number(qsizetype index) const {
+    if (index >= shown_.size())
+        return 0;
+    return (numbers_[std::size_t(index)].value() - shown_[index].zero) / shown_[index].step;
+}
+
+void ShapeRow::setValues(const ValueUnit& values) {
+    values_ = values;
+    setFree();
 }
 
 void ShapeRow::setFree() {
@@ -59,25 +71,25 @@ void ShapeRow::choose(int index) {
 }
 
 void ShapeRow::showNumbers(const std::optional<CurveShape>& shape) {
-    const QList<ShapeNumber> shown = shape ? numbersOf(shape->kind) : QList<ShapeNumber>();
-    setVisible(!shown.isEmpty());
+    shown_ = shape ? numbersOf(shape->kind, values_) : QList<ShapeNumber>();
+    setVisible(!shown_.isEmpty());
     const std::array values{shape ? shape->first : 0, shape ? shape->second : 0};
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
-        const bool visible = qsizetype(i) < shown.size();
+        const bool visible = qsizetype(i) < shown_.size();
         names_[i].setVisible(visible);
         numbers_[i].setVisible(visible);
         if (!visible)
             continue;
-        const ShapeNumber& number = shown[qsizetype(i)];
+        const ShapeNumber& number = shown_[qsizetype(i)];
         const QSignalBlocker silent(&numbers_[i]);
-        const bool ofHundred = number.highest == 100;
+        const bool ofHundred = number.decimals == 1 && number.highest == 100;
         names_[i].setText(number.name);
         numbers_[i].setAccessibleName(tr("%1 of the curve").arg(number.name));
         numbers_[i].setSuffix(number.unit);
-        numbers_[i].setDecimals(ofHundred ? 1 : 0);
-        numbers_[i].setSingleStep(ofHundred ? 0.5 : 10);
+        numbers_[i].setDecimals(number.decimals);
+        numbers_[i].setSingleStep(ofHundred ? 0.5 : 10 * number.step);
         numbers_[i].setRange(number.lowest, number.highest);
-        numbers_[i].setValue(values[i]);
+        numbers_[i].setValue(values[i] * number.step + number.zero);
     }
 }
 

@@ -24,6 +24,8 @@ class ShapeRow : public QWidget {
     /// Returns the chosen shape; none: free points.
     std::optional<CurveShape> shape() const;
     void setFree();
+    /// Sets the unit in which numbers are shown; HU at first.
+    void setValues(const ValueUnit& values);
     /// Sets the curve from which a chosen shape derives its first numbers, and the histogram. Null: percentiles cannot
     /// be chosen.
     void setBasis(const Curve& curve, std::shared_ptr<const Histogram> histogram);
@@ -34,11 +36,14 @@ class ShapeRow : public QWidget {
 
   private:
     void choose(int index);
+    double number(qsizetype index) const;
     void showNumbers(const std::optional<CurveShape>& shape);
 
     QComboBox kind_;
     std::array<QLabel, 2> names_;
     std::array<QDoubleSpinBox, 2> numbers_;
+    QList<ShapeNumber> shown_;  ///< what the numbers are
+    ValueUnit values_;
     Curve curve_{{0, 0}};
     std::shared_ptr<const Histogram> histogram_;
 };

@@ -45,8 +45,7 @@ TissuePanel::TissuePanel(QWidget* parent) : QWidget(parent) {
     pick_.setText(tr("Thi&s tissue..."));
     pick_.setCheckable(true);
     pick_.setAccessibleName(tr("Show the tissue that is clicked"));
-    pick_.setToolTip(
-        tr("Then click the anatomy: a bell at its Hounsfield units is added (Ctrl and click does the same)"));
+    pick_.setToolTip(tr("Then click the anatomy: a bell at its value is added (Ctrl and click does the same)"));
     for (QComboBox* box : {&channel_, &shape_.kinds()}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(7);
@@ -116,6 +115,15 @@ void TissuePanel::setTransferFunction(const TransferFunction& function) {
     showFunction();
 }
 
+void TissuePanel::setValues(const ValueUnit& values) {
+    values_ = values;
+    editor_.setValues(values);
+    strip_.setValues(values);
+    point_.setValues(values);
+    shape_.setValues(values);
+    showCurve();
+}
+
 void TissuePanel::setHistogram(std::shared_ptr<const Histogram> histogram) {
     histogram_ = std::move(histogram);
     editor_.setHistogram(histogram_);
@@ -137,7 +145,8 @@ void TissuePanel::showFunction() {
 void TissuePanel::showCurve() {
     const Curve curve = curveOf(function_, channel());
     const bool opacity = channel() == TissueChannel::opacity;
-    editor_.setAccessibleName(tr("%1 over Hounsfield units").arg(channel_.currentText()));
+    const QString over = values_.isHu ? tr("%1 over Hounsfield units") : tr("%1 over the values of the scan");
+    editor_.setAccessibleName(over.arg(channel_.currentText()));
     editor_.setColours(strip_.stops());
     editor_.setCurve(curve, topOf(curve, channel()), opacity ? double(function_.extinctionPerMm) : 1,
                      opacity ? tr("/mm") : QString());

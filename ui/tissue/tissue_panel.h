@@ -22,6 +22,8 @@ class TissuePanel : public QWidget {
     /// Sets the transfer function. One that differs from the user's last edit ends that edit, and is shown as free
     /// points.
     void setTransferFunction(const TransferFunction& function);
+    /// Sets the unit of the open volume's values; HU at first.
+    void setValues(const ValueUnit& values);
     /// Sets the histogram of the open volume and fits the visible range to it. Null: not known.
     void setHistogram(std::shared_ptr<const Histogram> histogram);
     /// Sets whether the next click on the image picks a tissue.
@@ -66,6 +68,7 @@ class TissuePanel : public QWidget {
     PointRow point_;
     QDoubleSpinBox density_;
     QPushButton pick_;
+    ValueUnit values_;
     PointsPlot* edited_ = &editor_;  ///< the plot whose points the row shows
 };
 

@@ -180,7 +180,7 @@ class SliceCommandTest : public QObject {
         const QString path = QString::fromStdString(wrong.path().string());
         const ProgramRun usual = slice({path, "--plane", "axial", "-o", at("u.png")});
         QCOMPARE(usual.code, 0);
-        QVERIFY2(usual.err.contains("no window is 0 HU wide"), usual.err.constData());
+        QVERIFY2(usual.err.contains("no window is 0 wide"), usual.err.constData());
         QCOMPARE(QImage(at("u.png")).text("pdrender/window"), QString("50/350"));
         QCOMPARE(slice({path, "--plane", "axial", "-o", at("u.png"), "--window", "file"}).code, 1);
     }

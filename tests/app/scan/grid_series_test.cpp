@@ -66,7 +66,7 @@ class GridSeriesTest : public QObject {
         QCOMPARE(volume->remarks(), std::string("no-unit:-1000..1390"));
     }
 
-    void valuesThatAreNoHuAreRefused() {
+    void valuesFromFatToBoneMayBeHu() {
         QVERIFY(mayBeHu({-1024, 3071}));
         QVERIFY(mayBeHu({-100, 100}));
         for (const ValueRange& range : {ValueRange{0, 255},
@@ -78,6 +78,75 @@ class GridSeriesTest : public QObject {
                                         {-1000, 40'000},
                                         {-1000, std::numeric_limits<double>::infinity()}})
             QVERIFY2(!mayBeHu(range), std::to_string(range.lowest).c_str());
+    }
+
+    void otherValuesLoadExactlyAndNotAsHu_data() {
+        QTest::addColumn<int>("type");
+        QTest::addColumn<double>("slope");
+        QTest::addColumn<double>("intercept");
+        QTest::addColumn<double>("lowest");   // sample
+        QTest::addColumn<double>("highest");  // sample
+        QTest::addColumn<bool>("areWhole");
+        QTest::addColumn<bool>("isPlain");
+        QTest::newRow("MR") << int(SampleType::int16) << 1.0 << 0.0 << 0.0 << 4095.0 << true << true;
+        QTest::newRow("grey levels") << int(SampleType::uint8) << 1.0 << 0.0 << 0.0 << 255.0 << true << true;
+        QTest::newRow("wide") << int(SampleType::uint16) << 1.0 << 0.0 << 0.0 << 65535.0 << true << false;
+        QTest::newRow("far") << int(SampleType::int32) << 1.0 << 0.0 << 1e6 << 1e6 + 65535 << true << false;
+        QTest::newRow("scaled") << int(SampleType::int16) << 0.3 << 20000.0 << -32768.0 << 32767.0 << false << false;
+        QTest::newRow("negative") << int(SampleType::uint16) << -0.3 << 7.0 << 0.0 << 65535.0 << false << false;
+        QTest::newRow("whole floats") << int(SampleType::float32) << 1.0 << 0.0 << -5.0 << 800.0 << true << true;
+    }
+    void otherValuesLoadExactlyAndNotAsHu() {
+        QFETCH(int, type);
+        QFETCH(double, slope);
+        QFETCH(double, intercept);
+        QFETCH(double, lowest);
+        QFETCH(double, highest);
+        QFETCH(bool, areWhole);
+        QFETCH(bool, isPlain);
+        GridFile grid;
+        grid.type = SampleType(type);
+        grid.slope = slope;
+        grid.intercept = intercept;
+        const double a = lowest * slope + intercept, b = highest * slope + intercept;
+        const ValueRange range{std::min(a, b), std::max(a, b), areWhole};
+        const ValueUnit unit = gridUnit(grid, range);
+        QVERIFY(!unit.isHu && isExact(grid, unit, range));
+        QCOMPARE(unit.isPlain(), isPlain);
+        for (const double sample : {lowest, lowest + 1, std::floor((lowest + highest) / 2), highest}) {
+            const double value = sample * slope + intercept, voxel = std::nearbyint(unit.voxelOf(value));
+            QVERIFY(voxel >= INT16_MIN && voxel <= INT16_MAX);
+            QVERIFY2(std::abs(unit.valueOf(voxel) - value) < 1e-9, std::to_string(value).c_str());
+        }
+    }
+
+    void fractionsAreRoundedToStepsAndItIsSaid() {
+        std::vector<float> values(6 * 5 * 8, 0.25f);
+        values[0] = 0;
+        values[1] = 1;
+        values[7] = std::numeric_limits<float>::quiet_NaN();
+        std::string bytes = test::nrrdBytes({{"type", "float"}});
+        bytes.resize(bytes.size() - 480);
+        bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
+        const auto series = seriesOf(bytes);
+        QVERIFY(bool(series) && series->verdict.loadable());
+        QVERIFY(std::ranges::count(series->verdict.notes, "rounded", &dicom::Note::code) == 1);
+        const auto volume = loadVoxels(*series, dicom::Padding::maskAsAir, noProgress);
+        QVERIFY(bool(volume));
+        const ValueUnit unit = unitOf(*volume);
+        QCOMPARE(unit, series->unit);
+        QVERIFY(volume->isPadding(7));
+        QCOMPARE(volume->voxels()[7], volume->voxels()[0]);
+        for (const auto& [i, value] : {std::pair(0, 0.0), {1, 1.0}, {2, 0.25}})
+            QVERIFY(std::abs(unit.valueOf(volume->voxels()[std::size_t(i)]) - value) <= 1.0 / 65535 / 2 * 1.001);
+    }
+
+    void infiniteValuesAreRefused() {
+        std::vector<float> values(6 * 5 * 8, std::numeric_limits<float>::infinity());
+        std::string bytes = test::nrrdBytes({{"type", "float"}});
+        bytes.resize(bytes.size() - 480);
+        bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
+        QCOMPARE(seriesOf(bytes)->verdict.stack, dicom::Stack::unreadable);
     }
 
     /// A grid that is mirrored is turned by the order of its slices: no voxel changes its place in the patient.
@@ -135,9 +204,7 @@ class GridSeriesTest : public QObject {
         QCOMPARE(scan->series.size(), std::size_t(2));
         QVERIFY(scan->series[0].verdict.loadable());
         QCOMPARE(scan->series[0].series.description, std::string("scan.nii"));
-        QCOMPARE(scan->series[1].verdict.reason,
-                 std::string("its values are of a type without a sign: these are labels "
-                             "or grey levels, no HU"));
+        QVERIFY(scan->series[0].unit.isHu && !scan->series[1].unit.isHu);
         QCOMPARE(scan->problems.size(), std::size_t(1));
         QCOMPARE(scan->problems[0].file, folder / "damaged.mha");
     }

@@ -56,7 +56,7 @@ void TestSeriesOrder::theThinnestEvenAxialCtIsFirst() {
     dicom::Series magnetic = axial(0.2);
     magnetic.series.modality = "MR";
     dicom::Series flow = axial(0.3);
-    flow.verdict.notes = {{"no-hu", "a perfusion map"}};
+    flow.unit = ValueUnit::other("ml/100ml/s");
     const dicom::ScanResult scan{{refused(dicom::Stack::notCt), refused(dicom::Stack::gap), magnetic, coronal(0.5),
                                   axial(5), axial(0.625), axial(1.25), flow},
                                  {}};

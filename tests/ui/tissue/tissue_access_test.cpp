@@ -83,7 +83,7 @@ void TestTissueAccess::everyControlIsReachedAndNamed() {
             reached.contains(hand.named<QComboBox>("Shape of the curve")));
     QVERIFY(hand.panel.editor().accessibleDescription().contains("400 HU: 0.96 /mm"));
     QTest::keyClick(&hand.panel.editor(), Qt::Key_PageDown);
-    QVERIFY(hand.panel.editor().accessibleDescription().startsWith("selected, -1000 HU"));
+    QVERIFY(hand.panel.editor().accessibleDescription().startsWith("selected, -1,000 HU"));
 }
 
 void TestTissueAccess::textAndPointsStandOut() {
