@@ -6,13 +6,15 @@
 #include <cmath>
 
 #include "render/base/significance.h"
+#include "render/film/error/judged_levels.h"
 #include "render/film/tone_curve.h"
 
 namespace pdr {
 namespace {
 
 constexpr int kTile = 16;  ///< edge [pixels] of tiles whose errors count as one draw: wider than most blotches
-constexpr int kFewestTiles = 16, kMapRadius = 10;
+constexpr int kFewestTiles = 2 * ErrorClasses::kBrightness, kMapRadius = 10;
+constexpr float kMostApart = 10;  ///< most that errors around a pixel differ from those of its class [variance]
 /// Share of the pixels that may be dark: as many are left out of a statement about 95 %.
 constexpr double kMostDark = 0.05;
 constexpr double kSureEnough = 3;  ///< -ln(1 - 0.95): what did not occur in n draws has a probability of at most 3 / n
@@ -23,9 +25,9 @@ double sureEnough(std::uint64_t samples) {
     return studentT(0.1, int(std::min<std::uint64_t>(samples - 2, 1000)));
 }
 
-/// Factors on the root mean square that 95 % of the pixels stay below: for normal errors, and for errors with the
-/// widest tails that were seen (many bounces, 64 samples).
-constexpr double kLevels = 2, kMostLevels = 2.1;
+/// Factor on the upper bound: errors have wider tails than normal ones, and in the darkest and the brightest class,
+/// which chance has a part in filling, the halves differ by less than elsewhere.
+constexpr double kWideTails = 1.1;
 
 /// The factor of hiddenContrast, in standard deviations of the noise: measured with lines drawn into images of bone
 /// and of smooth shading, 4 to 256 samples per pixel.
@@ -61,20 +63,36 @@ denoise::Plane meanLuminance(const denoise::Colours& a, const denoise::Colours& 
                              denoise::luminance(b));
 }
 
-/// Returns the slope of the tone curve [levels per radiance in units of the exposure] for an error of about `error`:
-/// the secant to `radiance` from twice the error below. The curve bends most in the dark, where its tangent would be
-/// too flat.
-float levelSlope(float radiance, float error) {
-    const float* curve = displayCurve();
-    const float step = std::max(2 * error, radiance / 16 + 0x1p-14f);
-    const float low = std::max(radiance - step, 0.0f), high = std::max(radiance, low + 0x1p-14f);
-    return (exactLevelOf(curve, high) - exactLevelOf(curve, low)) / (high - low);
+/// Returns the bin of a pixel among its eight neighbours.
+LookBin lookAt(const denoise::Plane& luminance, int x, int y) {
+    float low = luminance.row(y)[x], high = low;
+    for (int row = y - 1; row <= y + 1; ++row)
+        for (int column = x - 1; column <= x + 1; ++column) {
+            low = std::min(low, luminance.row(row)[column]);
+            high = std::max(high, luminance.row(row)[column]);
+        }
+    return LookBin::of(luminance.row(y)[x], low, high);
 }
 
 Tile intersection(const Tile& a, const Tile& b) {
     const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
     const int right = std::min(a.x + a.width, b.x + b.width), below = std::min(a.y + a.height, b.y + b.height);
     return {x, y, std::max(right - x, 0), std::max(below - y, 0)};
+}
+
+/// Returns the sum of what addTile(sums, tile) adds for each tile of kTile x kTile pixels of a region, in an order that
+/// does not depend on the number of threads. `none`: a sum of nothing.
+template <class Sums, class AddTile>
+Sums overTiles(const Tile& region, const Sums& none, const AddTile& addTile) {
+    std::vector<Sums> rows(std::size_t((region.height + kTile - 1) / kTile), none);
+    tbb::parallel_for(0, int(rows.size()), [&](int row) {
+        for (int x = region.x; x < region.x + region.width; x += kTile)
+            addTile(rows[std::size_t(row)], intersection({x, region.y + row * kTile, kTile, kTile}, region));
+    });
+    Sums sums = none;
+    for (const Sums& row : rows)
+        sums.add(row);
+    return sums;
 }
 
 }  // namespace
@@ -86,8 +104,8 @@ struct SmoothingJudgement::Sums {
     double power = 0;  ///< sum of the samples' mean squared luminance
     /// Pixels without light; those of tiles that have no others; the number of such tiles.
     double unlit = 0, dark = 0, darkTiles = 0;
-    dvec4 errors{0.0};   ///< squared errors: of the luminance, and of each channel in levels
-    dvec4 squares{0.0};  ///< squares of the tiles' sums of errors
+    double errors = 0;   ///< squared errors of the luminance
+    double squares = 0;  ///< squares of the tiles' sums of errors
 
     void add(const Sums& tile) {
         tiles += tile.pixels > 0;
@@ -109,11 +127,11 @@ struct SmoothingJudgement::Sums {
     double inTheDark(double samplesPerPixel) const {
         return dark > kMostDark * pixels ? kSureEnough * darkTiles / (dark * samplesPerPixel) * (power / luminance) : 0;
     }
-    /// Returns the root mean squares of `errors`, raised by `sigmas` standard deviations of the tiles. Sums that chance
-    /// has made negative count as 0.
-    dvec4 rootMeans(double sigmas) const {
-        const dvec4 spread = glm::sqrt(glm::max(squares - errors * errors / tiles, dvec4(0.0)));
-        return glm::sqrt(glm::max(errors + sigmas * spread, dvec4(0.0)) / pixels);
+    /// Returns the root mean square of `errors`, raised by `sigmas` standard deviations of the tiles. A sum that chance
+    /// has made negative counts as 0.
+    double rootMean(double sigmas) const {
+        const double spread = std::sqrt(std::max(squares - errors * errors / tiles, 0.0));
+        return std::sqrt(std::max(errors + sigmas * spread, 0.0) / pixels);
     }
 };
 
@@ -146,6 +164,7 @@ SmoothingJudgement::SmoothingJudgement(const Film& film, const NoisyFilm& noisy,
       samples_(double(film.samplesPerPixel())),
       sigmas_(sureEnough(film.samplesPerPixel())) {
     const denoise::Plane variance = denoise::realVariance(noisy.all.variance, noisy.ratio);
+    const denoise::Plane smooth = meanLuminance(even, odd);
     evidence_.resize(std::size_t(area_.width) * std::size_t(area_.height));
     denoise::eachBand(area_.height, stop, [&](int begin, int end) {
         Evidence* next = &evidence_[std::size_t(begin) * std::size_t(area_.width)];
@@ -163,6 +182,7 @@ SmoothingJudgement::SmoothingJudgement(const Film& film, const NoisyFilm& noisy,
                 pixel.luminance = luminance.raw();
                 pixel.squaredError = luminance.squaredError();
                 pixel.variance = variance.row(y)[x];
+                pixel.look = lookAt(smooth, x, y);
                 const PixelEstimate raw = film.pixel(x, y);
                 const double error = pdr::luminance(raw.standardError);
                 pixel.noise = square(float(error / unit_));
@@ -172,42 +192,42 @@ SmoothingJudgement::SmoothingJudgement(const Film& film, const NoisyFilm& noisy,
             }
     });
     tissue_ = std::ranges::any_of(evidence_, &Evidence::tissue);
-    lostLines_ =
-        denoise::lostLines(meanLuminance(noisy.even.mean, noisy.odd.mean), meanLuminance(even, odd), variance, stop);
+    lostLines_ = denoise::lostLines(meanLuminance(noisy.even.mean, noisy.odd.mean), smooth, variance, stop);
 }
 
-/// Returns the sums over one tile. `exposure`: in units of unit_; `error`: about how far pixels are off, in units of
-/// the exposure.
-SmoothingJudgement::Sums SmoothingJudgement::sumsIn(const Tile& tile, float exposure, float error) const {
-    Sums sums;
+/// Calls work(pixel, evidence) for each pixel of a tile that counts.
+template <class Work>
+void SmoothingJudgement::eachJudged(const Tile& tile, const Work& work) const {
     for (int y = tile.y; y < tile.y + tile.height; ++y)
         for (int x = tile.x; x < tile.x + tile.width; ++x) {
             const std::size_t row = std::size_t(y - area_.y) * std::size_t(area_.width);
             const Evidence& pixel = evidence_[row + std::size_t(x - area_.x)];
-            if (tissue_ && !pixel.tissue)
-                continue;
-            ++sums.pixels;
-            sums.luminance += double(pixel.luminance);
-            sums.variance += double(pixel.variance);
-            sums.noise += double(pixel.noise);
-            sums.rareNoise += pixel.rare ? double(pixel.noise) : 0;
-            sums.power += double(square(pixel.luminance) + float(samples_) * pixel.noise);
-            sums.unlit += pixel.unlit;
-            sums.errors[0] += double(pixel.squaredError);
-            for (int c = 0; c < 3; ++c) {
-                const float slope = levelSlope(pixel.smooth[c] / exposure, error) / exposure;
-                sums.errors[c + 1] += double(slope * slope * pixel.squaredErrors[c]);
-            }
+            if (!tissue_ || pixel.tissue)
+                work(ivec2(x, y), pixel);
         }
+}
+
+SmoothingJudgement::Sums SmoothingJudgement::sumsIn(const Tile& tile) const {
+    Sums sums;
+    eachJudged(tile, [&](ivec2, const Evidence& pixel) {
+        ++sums.pixels;
+        sums.luminance += double(pixel.luminance);
+        sums.variance += double(pixel.variance);
+        sums.noise += double(pixel.noise);
+        sums.rareNoise += pixel.rare ? double(pixel.noise) : 0;
+        sums.power += double(square(pixel.luminance) + float(samples_) * pixel.noise);
+        sums.unlit += pixel.unlit;
+        sums.errors += double(pixel.squaredError);
+    });
     return sums;
 }
 
-SmoothingJudgement::Sums SmoothingJudgement::sumsOver(const Tile& region, float exposure, float error) const {
+SmoothingJudgement::Sums SmoothingJudgement::sumsOver(const Tile& region) const {
     const int across = (region.width + kTile - 1) / kTile, down = (region.height + kTile - 1) / kTile;
     std::vector<Sums> tiles(std::size_t(across) * std::size_t(down));
     tbb::parallel_for(0, int(tiles.size()), [&](int i) {
         const Tile tile{region.x + i % across * kTile, region.y + i / across * kTile, kTile, kTile};
-        tiles[std::size_t(i)] = sumsIn(intersection(tile, region), exposure, error);
+        tiles[std::size_t(i)] = sumsIn(intersection(tile, region));
     });
     Sums sums;
     for (const Sums& tile : tiles)  // in a fixed order: the same bits for any number of threads
@@ -215,53 +235,61 @@ SmoothingJudgement::Sums SmoothingJudgement::sumsOver(const Tile& region, float 
     return sums;
 }
 
+ErrorClasses SmoothingJudgement::errorsOver(const Tile& region) const {
+    return ErrorClasses(overTiles(region, ErrorSums(), [&](ErrorSums& sums, const Tile& tile) {
+        eachJudged(tile, [&](ivec2, const Evidence& pixel) { sums.add(pixel.look, pixel.squaredErrors); });
+    }));
+}
+
 LevelErrorMap SmoothingJudgement::errorMap(double exposure, double stated) const {
-    const auto inUnits = float(exposure / unit_);
-    // Collect the squared error of each tissue pixel's worst channel, in levels
-    denoise::Plane squares(ivec2(area_.width, area_.height)), counts = squares;
-    for (int y = 0; y < area_.height; ++y)
-        for (int x = 0; x < area_.width; ++x) {
-            const Evidence& pixel = evidence_[std::size_t(y) * std::size_t(area_.width) + std::size_t(x)];
-            if (!pixel.tissue)
-                continue;
-            counts.row(y)[x] = 1;
-            const float error = std::sqrt(std::max(pixel.squaredError, 0.0f)) / inUnits;
-            for (int c = 0; c < 3; ++c) {
-                const float slope = levelSlope(pixel.smooth[c] / inUnits, error) / inUnits;
-                squares.row(y)[x] = std::max(squares.row(y)[x], slope * slope * pixel.squaredErrors[c]);
-            }
-        }
-    squares.mirror();
-    counts.mirror();
-    // Average them over the neighbourhood of each pixel
-    const denoise::Plane sums = denoise::boxed(squares, kMapRadius), pixels = denoise::boxed(counts, kMapRadius);
-    LevelErrorMap map{ivec2(area_.width, area_.height), {}};
-    map.bins.reserve(evidence_.size());
-    for (int y = 0; y < area_.height; ++y)
-        for (int x = 0; x < area_.width; ++x) {
-            const float square = std::max(sums.row(y)[x] / pixels.row(y)[x], 0.0f);
-            const float levels = std::max(float(kLevels) * std::sqrt(square), float(stated / 8));
-            map.bins.push_back(counts.row(y)[x] > 0 ? levelBinOf(levels) : kNoTissueBin);
-        }
+    const ErrorClasses classes = errorsOver(area_);
+    // Compare the errors around each pixel with what its class says of them
+    denoise::Plane found(ivec2(area_.width, area_.height)), expected = found;
+    const auto sumOf = [](vec3 channels) { return channels.x + channels.y + channels.z; };
+    eachJudged(area_, [&](ivec2 at, const Evidence& pixel) {
+        found.row(at.y - area_.y)[at.x - area_.x] = sumOf(pixel.squaredErrors);
+        expected.row(at.y - area_.y)[at.x - area_.x] = sumOf(classes.variance(pixel.look));
+    });
+    found.mirror();
+    expected.mirror();
+    const denoise::Plane share = denoise::combined(
+        [](float is, float said) { return said > 0 ? glm::clamp(is / said, 1 / kMostApart, kMostApart) : 0.0f; },
+        denoise::boxed(found, kMapRadius), denoise::boxed(expected, kMapRadius));
+    // State the margin of each pixel
+    LevelErrorMap map{ivec2(area_.width, area_.height), std::vector<std::uint8_t>(evidence_.size(), kNoTissueBin)};
+    eachJudged(area_, [&](ivec2 at, const Evidence& pixel) {
+        if (!pixel.tissue)
+            return;
+        const ivec2 place = at - ivec2(area_.x, area_.y);
+        const vec3 variance = classes.variance(pixel.look) * share.row(place.y)[place.x];
+        const float levels = levelsWithin(unit_ * dvec3(pixel.smooth), unit_ * dvec3(glm::sqrt(variance)), exposure);
+        map.bins[std::size_t(place.y) * std::size_t(area_.width) + std::size_t(place.x)] =
+            levelBinOf(std::max(levels, float(stated / 8)));
+    });
     return map;
 }
 
 std::optional<DenoisedError> SmoothingJudgement::over(const Tile& region, double exposure) const {
     const Tile inside = intersection(region, area_);
-    const auto inUnits = float(exposure / unit_);
-    const Sums linear = sumsOver(inside, inUnits, 0);
+    const Sums linear = sumsOver(inside);
     if (linear.tiles < kFewestTiles || linear.rareNoise > kMostRareNoise * linear.noise ||
         (linear.unlit > 0 && !(linear.luminance > 0)))
         return std::nullopt;
-    const double error = linear.rootMeans(0)[0], atMost = linear.rootMeans(sigmas_)[0];
-    const Sums shown = sumsOver(inside, inUnits, float(atMost) / inUnits);
-    const double mean = linear.luminance / linear.pixels;
+    const auto inUnits = float(exposure / unit_);
+    const ErrorClasses classes = errorsOver(inside);
+    const JudgedLevels shown = overTiles(inside, JudgedLevels(inUnits), [&](JudgedLevels& sums, const Tile& tile) {
+        eachJudged(tile, [&](ivec2 at, const Evidence& pixel) {
+            sums.add(at, pixel.smooth, classes.variance(pixel.look), pixel.squaredErrors);
+        });
+        sums.endTile();
+    });
+    const double mean = linear.luminance / linear.pixels, levels = shown.levels();
     const auto relative = [mean](double off) { return off > 0 ? off / mean : 0; };
-    const auto worstChannel = [](const dvec4& all) { return std::max({all[1], all[2], all[3]}); };
     const double dark = double(exactLevelOf(displayCurve(), float(linear.inTheDark(samples_) / double(inUnits))));
-    return DenoisedError{relative(error), relative(atMost), kLevels * worstChannel(shown.rootMeans(0)),
-                         std::max(kMostLevels * worstChannel(shown.rootMeans(sigmas_)), dark),
-                         kHiddenSigmas * relative(std::sqrt(linear.variance / linear.pixels))};
+    return DenoisedError{
+        relative(linear.rootMean(0)), relative(linear.rootMean(sigmas_)), levels,
+        std::max(kWideTails * std::sqrt(1 + sigmas_ * shown.uncertainty(ErrorClasses::kBrightness)) * levels, dark),
+        kHiddenSigmas * relative(std::sqrt(linear.variance / linear.pixels))};
 }
 
 }  // namespace pdr

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "render/denoise/lost_lines.h"
+#include "render/film/error/error_classes.h"
 #include "render/film/error/level_error_map.h"
 #include "render/film/error/noisy_film.h"
 
@@ -17,7 +18,7 @@ namespace pdr {
 struct DenoisedError {
     double relative = 0;        ///< root mean square error of the luminance over its mean
     double relativeAtMost = 0;  ///< upper bound of `relative`, to 95 %
-    double levels = 0;          ///< twice the root mean square error of the worst channel [display levels of 255]
+    double levels = 0;          ///< error that 95 % of the pixels do not exceed in any channel [display levels of 255]
     double levelsAtMost = 0;    ///< upper bound of `levels`, to 95 %
     /// Contrast of lines that may be lost although no error shows it, since they fill so few pixels: nine in ten
     /// lines of this contrast, 2 x 60 pixels large, keep 60 % of it; fainter ones keep less. May be above 1.
@@ -53,9 +54,9 @@ class SmoothingJudgement {
     /// few bright samples, or while no light has been seen that may come.
     std::optional<DenoisedError> over(const Tile& region, double exposure) const;
     std::optional<DenoisedError> overAll(double exposure) const { return over(area_, exposure); }
-    /// Returns the error map of the denoised image on a display of that exposure: for each pixel of tissue twice the
-    /// root mean square of the errors in 21 x 21 pixels around it, at least an eighth of `stated`, since a single
-    /// square is no evidence of less.
+    /// Returns the error map of the denoised image on a display of that exposure: for each pixel of tissue the 95 %
+    /// margin of an error as pixels that look alike have over the whole image, times the ratio of both in 21 x 21
+    /// pixels around it; at least an eighth of `stated`, since a single square is no evidence of less.
     LevelErrorMap errorMap(double exposure, double stated) const;
     /// Lines that are known to be missing, though the stated error does not show it; see denoise/lost_lines.h.
     const std::vector<denoise::LostLine>& lostLines() const { return lostLines_; }
@@ -70,7 +71,8 @@ class SmoothingJudgement {
         float luminance = 0, squaredError = 0;
         float variance = 0;  ///< variance of the luminance of all samples, averaged over neighbours
         float noise = 0;     ///< squared standard error of the luminance, not averaged
-        bool rare = false;   ///< less than two bright samples could make the pixel
+        LookBin look;
+        bool rare = false;  ///< less than two bright samples could make the pixel
         bool tissue = false;
         bool unlit = false;
     };
@@ -78,8 +80,11 @@ class SmoothingJudgement {
 
     SmoothingJudgement(const Film& film, const NoisyFilm& noisy, const denoise::Colours& even,
                        const denoise::Colours& odd, const std::stop_token& stop);
-    Sums sumsIn(const Tile& tile, float exposure, float error) const;
-    Sums sumsOver(const Tile& region, float exposure, float error) const;
+    Sums sumsIn(const Tile& tile) const;
+    Sums sumsOver(const Tile& region) const;
+    template <class Work>
+    void eachJudged(const Tile& tile, const Work& work) const;
+    ErrorClasses errorsOver(const Tile& region) const;
 
     Tile area_;
     double unit_;

@@ -170,6 +170,36 @@ class SmoothingJudgementTest : public QObject {
         QVERIFY2(held >= films - 2, qPrintable(QString::number(held)));
     }
 
+    /// Dark and bright tissue beside each other: their errors differ as much as the slopes of the tone curve do there.
+    void noMoreIsStatedThanThereIs_data() {
+        QTest::addColumn<int>("samples");
+        for (const int samples : {16, 64, 256})
+            QTest::addRow("%d samples", samples) << samples;
+    }
+    void noMoreIsStatedThanThereIs() {
+        QFETCH(int, samples);
+        const ivec2 size(192, 128);
+        const auto shade = [](int x, int y) { return discs(x, y) * std::exp2(-6.0 * y / 128); };
+        std::vector<double> slack;
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            const Film film = noisyFilmOf(size, shade, std::uint64_t(samples), 1, seed);
+            const auto judgement = SmoothingJudgement::of(film);
+            const std::vector<double> smooth = smoothRadiance(film);
+            for (const double exposure : {0.3, 1.0, 3.0}) {
+                std::vector<double> off;
+                for (std::size_t i = 0; i < smooth.size(); ++i) {
+                    const double truth = shade(int(i) % size.x, int(i) / size.x);
+                    off.push_back(std::fabs(curve(smooth[i], exposure) - curve(truth, exposure)));
+                }
+                std::ranges::sort(off);
+                slack.push_back(judgement->overAll(exposure)->levelsAtMost / off[off.size() * 19 / 20]);
+            }
+        }
+        std::ranges::sort(slack);
+        QVERIFY2(slack.front() > 0.97 && slack[4] < 1.7,
+                 qPrintable(QString("%1, %2, %3").arg(slack.front()).arg(slack[4]).arg(slack.back())));
+    }
+
     /// Each pixel's own margin: it holds in about 19 of 20, and is wider where the image is worse.
     void theMapOfADenoisedImageHolds() {
         const ivec2 size(128, 96);
