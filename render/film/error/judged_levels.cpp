@@ -7,7 +7,7 @@
 namespace pdr {
 namespace {
 
-constexpr int kQuantiles = 8;  ///< of the distance of a normal number from 0
+constexpr int kQuantiles = 8;  ///< quantiles of the distance of a normal number from 0
 constexpr int kOfOnePixel = 2;
 
 /// Returns the distances [standard deviations] in the middle of eight equally likely ranges.
