@@ -177,7 +177,7 @@ class TargetTest : public QObject {
         for (const std::uint64_t samples : {8, 11}) {
             held.session.setStop({.levels = 1e-3, .samples = samples});
             QVERIFY(held.screen.await([&](const Frame& f) { return f.reached && f.stop.samples == samples; }));
-            const auto truth = SmoothingJudgement::of(test::render(scene, samples), {})->overAll(1);
+            const auto truth = SmoothingJudgement::of(test::render(scene, samples))->overAll(1);
             QVERIFY(truth && truth->levelsAtMost > 0 && held.screen.await([&](const Frame& f) {
                 return f.reached && f.denoisedError && f.denoisedError->levelsAtMost == truth->levelsAtMost;
             }));
