@@ -203,9 +203,9 @@ void TestImageOnScreen::aSavedImageSaysWhatItShowsUnlessItIsToldNotTo() {
 
 void TestImageOnScreen::whatTheLastImageTookIsToldUntilThisOneKnows() {
     Trial trial(test::failing(slow(0.2)));
-    StopRule few;
-    few.samples = 2;  // which forecast nothing
-    trial.desktop.bridge().setStop(few);
+    StopRule one;
+    one.samples = 1;  // which forecasts nothing
+    trial.desktop.bridge().setStop(one);
     trial.openAndWait(series_);
     QVERIFY(trial.frames.back()->steps.empty());
     QVERIFY(!trial.said().contains("the last time"));

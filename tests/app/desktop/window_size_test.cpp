@@ -182,7 +182,10 @@ void TestWindowSize::beforeTheFirstImageTheViewSaysWhatHappens() {
     Trial trial;
     ui::Viewport& viewport = trial.desktop.window().viewport();
     QString said;
-    QObject::connect(&trial.desktop.document(), &Document::sceneChanged, &viewport, [&] { said = viewport.message(); });
+    QObject::connect(&trial.desktop.document(), &Document::sceneChanged, &viewport, [&] {
+        if (said.isEmpty())  // the mask of bones makes a second scene
+            said = viewport.message();
+    });
     trial.openAndWait(series_);
     QCOMPARE(said, "Preparing CT series 1...");
     QVERIFY(viewport.message().isEmpty());
