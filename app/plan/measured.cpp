@@ -70,8 +70,10 @@ Result<Measured> pointOf(const Place& place, const Volume& volume) {
                     .valueUnit = unit,
                     .value = value,
                     .text = phrase("%1 %2", digits, unitText(unit)),
-                    .details = phrase("The value that slices show at this place. One place has no ±: a ball has a mean "
-                                      "with a ±.")};
+                    .details = phrase(unit.isHu ? "The HU that slices show at this place. One place has no ±: a ball "
+                                                  "has a mean with a ±."
+                                                : "The value that slices show at this place. One place has no ±: a "
+                                                  "ball has a mean with a ±.")};
 }
 
 Result<Measured> valueOf(const Measurement& measurement, const Volume& volume) {

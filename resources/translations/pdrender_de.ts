@@ -3734,6 +3734,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Die GPU %1 rechnet, da das zuletzt gewählte Gerät nicht verwendet werden kann: %2</translation>
     </message>
     <message>
+        <source>The HU that slices show at this place. One place has no ±: a ball has a mean with a ±.</source>
+        <translation>Der HU-Wert, den Schichten an diesem Ort zeigen. Ein einzelner Ort hat kein ±: Eine Kugel hat einen Mittelwert mit ±.</translation>
+    </message>
+    <message>
         <source>The chosen lamp</source>
         <translation>Die gewählte Lampe</translation>
     </message>

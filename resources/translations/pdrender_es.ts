@@ -3734,6 +3734,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Calcula la GPU %1, pues el dispositivo elegido la última vez no se puede usar: %2</translation>
     </message>
     <message>
+        <source>The HU that slices show at this place. One place has no ±: a ball has a mean with a ±.</source>
+        <translation>El valor UH que muestran los cortes en este punto. Un solo punto no tiene ±: una esfera tiene una media con ±.</translation>
+    </message>
+    <message>
         <source>The chosen lamp</source>
         <translation>La lámpara elegida</translation>
     </message>

@@ -5,6 +5,8 @@
 #include "render/base/errors.h"
 #include "render/scene/visible_mask.h"
 #include "render/segment/body_parts.h"
+#include "render/segment/findings.h"
+#include "render/segment/hidden_table.h"
 #include "render/volume/coarser.h"
 #include "tests/support/dicom/lying_patients.h"
 
@@ -58,6 +60,23 @@ class BodyPartsTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// Rules that are written in HU would cut other values anywhere.
+    void valuesThatAreNoHuHaveNoParts() {
+        const auto hu = patient(trunkHu);
+        const auto other = std::make_shared<const Volume>(
+            hu->geometry(), Voxels(hu->voxels().begin(), hu->voxels().end()), std::vector<bool>(), "no-hu");
+        const segment::BodyParts parts(other);
+        for (const auto& mask : {parts.peeled(5, other->geometry(), noProgress),
+                                 parts.lungs(segment::Use::shown, other->geometry(), noProgress),
+                                 parts.bones(segment::Use::hidden, other->geometry(), noProgress)}) {
+            QVERIFY(!mask && mask.error().kind == ErrorKind::refused);
+            QVERIFY2(mask.error().what.find("no HU") != std::string::npos, mask.error().what.c_str());
+        }
+        const auto table = segment::hideTable(*other, noProgress);
+        QVERIFY(table && !table->body && table->bodyBox.size == kSize);
+        QCOMPARE(segment::findingsOn(*other, other->geometry()), segment::Findings());
+    }
+
     /// The middle of the edge lies at the requested depth, within half a cell, and the visible share grows inwards.
     void whatIsPeeledIsAsDeepAsWasAsked() {
         const auto volume = patient(trunkHu);
