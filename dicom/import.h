@@ -20,11 +20,10 @@ Result<ScanResult> scanSource(const std::shared_ptr<const SeriesSource>& source,
 /// leads back up. Errors: no such folder, a file instead of a folder, no permission, empty, no DICOM in it, cancelled.
 Result<ScanResult> scanFolder(const std::filesystem::path& folder, const Progress& progress);
 
-/// Scans all files in the ZIP archive `archive` (any name, any depth). Each is unpacked into memory when its header is
-/// read, and again for its pixels; nothing is written to the disk. Links, archives within the archive and names that
-/// lead out of it are left out by name. Errors: no such file, damaged, encrypted, more than 100,000 files, 64 GB or
-/// 200 times its size; no DICOM in it; cancelled.
-Result<ScanResult> scanArchive(const std::filesystem::path& archive, const Progress& progress);
+/// Returns the files in the ZIP archive `archive` (any name, any depth). Each is unpacked into memory whenever it is
+/// opened; nothing is written to the disk. Links, archives within the archive and names that lead out of it are left
+/// out by name. Errors: no such file, damaged, encrypted, more than 100,000 files, 64 GB or 200 times its size.
+Result<std::shared_ptr<const SeriesSource>> openArchive(const std::filesystem::path& archive);
 
 enum class Padding {
     /// Padding voxels become Volume::kAirHu and are flagged; so do voxels outside the round field that some GE scanners

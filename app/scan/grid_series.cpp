@@ -166,8 +166,8 @@ bool isSame(const GridFile& a, const GridFile& b) {
 
 }  // namespace
 
-Result<dicom::Series> gridSeries(const std::filesystem::path& file, const Progress& progress) {
-    Result<GridFile> grid = readGridFile(file);
+Result<dicom::Series> gridSeries(const std::filesystem::path& file, const Progress& progress, const OpenBytes& open) {
+    Result<GridFile> grid = readGridFile(file, open);
     if (!grid)
         return grid.error();
     dicom::Series series;
@@ -190,7 +190,7 @@ Result<Volume> loadGridSeries(const dicom::Series& series, const Progress& progr
     if (!series.verdict.loadable())
         return Error{series.verdict.reason, series.series.description, phrase("Choose another series.")};
     const GridFile& listed = static_cast<const GridSource&>(*series.source).grid();
-    const Result<GridFile> grid = readGridFile(listed.file);
+    const Result<GridFile> grid = readGridFile(listed.file, listed.open);
     if (!grid)
         return grid.error();
     if (!isSame(*grid, listed))

@@ -32,10 +32,11 @@ class GridSource : public dicom::SeriesSource {
     GridFile grid_;
 };
 
-/// Reads the header of `file` and, for the range of its values, all samples; memory is taken for none. The series says
-/// that the file states no unit, with the range, or why it is refused. Errors: those of readGridFile() and GridSamples;
-/// cancelled().
-Result<dicom::Series> gridSeries(const std::filesystem::path& file, const Progress& progress);
+/// Reads the header of `file` and, for the range of its values, all samples; memory is taken for none, but for what
+/// `open` takes. The series says that the file states no unit, with the range, or why it is refused. Errors: those of
+/// readGridFile() and GridSamples; cancelled().
+Result<dicom::Series> gridSeries(const std::filesystem::path& file, const Progress& progress,
+                                 const OpenBytes& open = onDisk);
 
 /// Reads the voxels of `series`, which comes from gridSeries() and must be loadable. What is not a number becomes
 /// padding. Errors: those of GridSamples; the file is not the one that was listed; not enough memory; cancelled().

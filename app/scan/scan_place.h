@@ -1,6 +1,6 @@
 #pragma once
-/// The places that a scan can be opened from: a folder of DICOM and volume files, an archive of DICOM files, or one
-/// volume file. Window and command line open scans through this code.
+/// The places that a scan can be opened from: a folder or an archive of DICOM and volume files, or one volume file.
+/// Window and command line open scans through this code.
 
 #include <filesystem>
 #include <stop_token>
@@ -18,9 +18,9 @@ namespace pdr::app {
 /// file stands for its folder, or is no scan. False for folders.
 bool isScanFile(const std::filesystem::path& path);
 
-/// Lists the series of a folder, of an archive, or the one of a volume file. In a folder each volume file is an entry,
-/// numbered by name; in place of a UID it has its path as seen from the folder ("left/head.nii.gz"). Errors: those of
-/// dicom::scanFolder(), dicom::scanArchive() and gridSeries().
+/// Lists the series of a folder, of an archive, or the one of a volume file. In a folder or an archive each volume file
+/// is an entry, numbered by name; in place of a UID it has its path as seen from there ("left/head.nii.gz"). Errors:
+/// those of dicom::scanFolder(), dicom::openArchive(), dicom::scanSource() and gridSeries().
 Result<dicom::ScanResult> scanPlace(const std::filesystem::path& path, const Progress& progress);
 
 /// Reads the voxels of `series`, which comes from scanPlace(); see dicom::loadSeries().

@@ -22,7 +22,7 @@ bool beginsAsDicom(std::span<const std::uint8_t> head) {
 }  // namespace
 
 Result<NamedBytes> openPacked(const std::filesystem::path& file) {
-    UnpackedFile packed(file, 0, true);
+    UnpackedFile packed({file}, 0, true);
     std::vector<std::uint8_t> bytes(kHead);
     if (!packed.read(bytes) || !beginsAsDicom(bytes))
         return NamedBytes{file};

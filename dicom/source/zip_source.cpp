@@ -21,9 +21,10 @@ namespace {
 
 constexpr std::uint64_t kMostEntries = 100'000, kMostBytes = 64'000'000'000, kMostTimes = 200;
 
+/// Returns whether the name is that of an archive; a packed volume is none.
 bool isArchive(const fs::path& name) {
     static const std::set<std::string> kEndings{".zip", ".tar", ".gz", ".tgz", ".7z", ".rar", ".bz2", ".xz", ".zst"};
-    return kEndings.contains(fileEnding(name));
+    return kEndings.contains(fileEnding(name)) && fileEnding(name.stem()) != ".nii";
 }
 
 /// Returns why the entry is left out; empty if it is not.
@@ -135,14 +136,14 @@ class ZipSource : public SeriesSource {
 
 }  // namespace
 
-Result<ScanResult> scanArchive(const fs::path& archive, const Progress& progress) {
+Result<std::shared_ptr<const SeriesSource>> openArchive(const fs::path& archive) {
     const Result<ZipHandle> handle = ZipHandle::open(archive);
     if (!handle)
         return handle.error();
     Result<Directory> directory = directoryOf(*handle, archive);
     if (!directory)
         return directory.error();
-    return scanSource(std::make_shared<ZipSource>(archive, *std::move(directory)), progress);
+    return std::shared_ptr<const SeriesSource>(std::make_shared<ZipSource>(archive, *std::move(directory)));
 }
 
 }  // namespace pdr::dicom

@@ -27,12 +27,13 @@ struct UnpackedFile::Stream {
     bool goesOn() const { return state.avail_in > 0 && *state.next_in == 0x1f; }
 };
 
-UnpackedFile::UnpackedFile(const std::filesystem::path& path, std::uint64_t start, bool isPacked)
-    : path_(path), opened_(checkPlainFile(path)) {
+UnpackedFile::UnpackedFile(const NamedBytes& file, std::uint64_t start, bool isPacked)
+    : bytes_(file), opened_(file.memory ? Result<void>() : checkPlainFile(file.name)) {
     if (!opened_)
         return;
-    file_.open(path, std::ios::binary);
-    file_.seekg(std::streamoff(start));
+    if (!bytes_.memory)
+        file_.open(bytes_.name, std::ios::binary);
+    skipStored(start);
     if (isPacked)
         stream_ = std::make_unique<Stream>();
 }
@@ -40,7 +41,27 @@ UnpackedFile::UnpackedFile(const std::filesystem::path& path, std::uint64_t star
 UnpackedFile::~UnpackedFile() = default;
 
 Error UnpackedFile::refused(const Text& what) const {
-    return {what, path_.string(), phrase("Copy the file again."), ErrorKind::refused};
+    return {what, bytes_.name.string(), phrase("Copy the file again."), ErrorKind::refused};
+}
+
+/// Reads bytes as they are stored; returns their number, 0 at the end.
+std::size_t UnpackedFile::readStored(std::span<std::uint8_t> out) {
+    if (!bytes_.memory) {
+        file_.read(reinterpret_cast<char*>(out.data()), std::streamsize(out.size()));
+        return std::size_t(file_.gcount());
+    }
+    const std::span<const std::uint8_t> rest = std::span(*bytes_.memory).subspan(at_);
+    const std::size_t count = std::min(out.size(), rest.size());
+    std::copy_n(rest.begin(), count, out.begin());
+    at_ += count;
+    return count;
+}
+
+void UnpackedFile::skipStored(std::uint64_t count) {
+    if (bytes_.memory)
+        at_ += std::size_t(std::min<std::uint64_t>(count, bytes_.memory->size() - at_));
+    else
+        file_.seekg(std::streamoff(count), std::ios::cur);
 }
 
 Result<std::size_t> UnpackedFile::readSome(std::span<std::uint8_t> out) {
@@ -48,8 +69,7 @@ Result<std::size_t> UnpackedFile::readSome(std::span<std::uint8_t> out) {
         return opened_.error();
     if (stream_)
         return inflateSome(out);
-    file_.read(reinterpret_cast<char*>(out.data()), std::streamsize(out.size()));
-    return std::size_t(file_.gcount());
+    return readStored(out);
 }
 
 Result<void> UnpackedFile::read(std::span<std::uint8_t> out) {
@@ -66,7 +86,7 @@ Result<void> UnpackedFile::read(std::span<std::uint8_t> out) {
 
 Result<void> UnpackedFile::skip(std::uint64_t count) {
     if (!stream_ && opened_) {
-        file_.seekg(std::streamoff(count), std::ios::cur);
+        skipStored(count);
         return {};
     }
     std::array<std::uint8_t, 4096> left;
@@ -99,9 +119,8 @@ Result<std::size_t> UnpackedFile::inflateSome(std::span<std::uint8_t> out) {
     while (!stream_->hasEnded && state.avail_out == wanted) {
         // Read more packed bytes
         if (state.avail_in == 0) {
-            file_.read(reinterpret_cast<char*>(stream_->packed.data()), std::streamsize(stream_->packed.size()));
             state.next_in = stream_->packed.data();
-            state.avail_in = uInt(file_.gcount());
+            state.avail_in = uInt(readStored(stream_->packed));
             if (state.avail_in == 0)
                 return refused(phrase("the file ends too early"));
         }

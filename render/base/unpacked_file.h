@@ -2,21 +2,21 @@
 /// Reads a file from front to back, and unpacks what gzip or zlib has packed on the way.
 
 #include <cstdint>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "render/base/named_bytes.h"
 #include "render/base/result.h"
 
 namespace pdr {
 
-/// The bytes of a plain file, one after the other. Needs 32 kB whatever the file unpacks to.
+/// The bytes of a plain file, or of one in memory, one after the other. Needs 32 kB whatever the file unpacks to.
 class UnpackedFile {
   public:
-    /// Opens `path` at its byte `start`. `isPacked`: a gzip or zlib stream begins there.
-    UnpackedFile(const std::filesystem::path& path, std::uint64_t start, bool isPacked);
+    /// Opens `file` at its byte `start`. `isPacked`: a gzip or zlib stream begins there.
+    UnpackedFile(const NamedBytes& file, std::uint64_t start, bool isPacked);
     ~UnpackedFile();
     UnpackedFile(const UnpackedFile&) = delete;
     UnpackedFile& operator=(const UnpackedFile&) = delete;
@@ -35,12 +35,15 @@ class UnpackedFile {
   private:
     struct Stream;
 
+    std::size_t readStored(std::span<std::uint8_t> out);
+    void skipStored(std::uint64_t count);
     Result<std::size_t> inflateSome(std::span<std::uint8_t> out);
     Error refused(const Text& what) const;
 
-    std::filesystem::path path_;
+    NamedBytes bytes_;
+    std::size_t at_ = 0;  ///< the next byte in memory
     Result<void> opened_;
-    std::ifstream file_;
+    std::ifstream file_;              ///< open if the bytes are not in memory
     std::unique_ptr<Stream> stream_;  ///< null: the bytes are not packed
 };
 

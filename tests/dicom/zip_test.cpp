@@ -25,6 +25,11 @@ std::vector<test::ZipMember> membersOf(const fs::path& folder, const std::string
     return members;
 }
 
+Result<ScanResult> scanArchive(const fs::path& archive, const Progress& progress) {
+    const auto source = openArchive(archive);
+    return source ? scanSource(*source, progress) : source.error();
+}
+
 Result<Volume> loaded(const Result<ScanResult>& scan) {
     return loadSeries(scan->series.at(0), Padding::maskAsAir, noProgress);
 }
@@ -100,6 +105,7 @@ class ZipTest : public QObject {
         QCOMPARE(leftOut({"a\\..\\..\\outside", "x"}), std::string("its name leads out of the archive"));
         QCOMPARE(leftOut({"/etc/outside", "x"}), std::string("its name leads out of the archive"));
         QCOMPARE(leftOut({"more.zip", "PK"}), std::string("it is an archive within the archive"));
+        QCOMPARE(leftOut({"more.tar.gz", "PK"}), std::string("it is an archive within the archive"));
     }
 
     void anEncryptedArchiveIsRefused() {

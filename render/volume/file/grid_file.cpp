@@ -13,13 +13,30 @@ namespace {
 /// zlib packs no stream to less than this part of it.
 constexpr std::uint64_t kMostPacked = 1032;
 
-/// Refuses samples that the file cannot hold, before memory is taken for them.
-Result<void> checkLength(const GridFile& grid) {
+/// Returns the length of the file that holds the samples [bytes]. `header`: the file that names it.
+Result<std::uint64_t> lengthOf(const GridFile& grid, const NamedBytes& header) {
+    const Result<NamedBytes> data =
+        grid.dataFile == header.name ? Result<NamedBytes>(header) : grid.open(grid.dataFile);
     std::error_code failure;
-    const std::uint64_t found = std::filesystem::file_size(grid.dataFile, failure);
-    if (failure)
-        return Error{phrase("the file of its voxels cannot be read (%1)", failure.message()), grid.dataFile.string(),
-                     phrase("Put both files into one folder."), ErrorKind::refused};
+    Text why;
+    if (!data)
+        why = data.error().what;
+    else if (data->memory)
+        return data->memory->size();
+    else if (const std::uint64_t bytes = std::filesystem::file_size(grid.dataFile, failure); !failure)
+        return bytes;
+    else
+        why = failure.message();
+    return Error{phrase("the file of its voxels cannot be read (%1)", why), grid.dataFile.string(),
+                 phrase("Put both files into one folder."), ErrorKind::refused};
+}
+
+/// Refuses samples that the file cannot hold, before memory is taken for them.
+Result<void> checkLength(const GridFile& grid, const NamedBytes& header) {
+    const Result<std::uint64_t> length = lengthOf(grid, header);
+    if (!length)
+        return length.error();
+    const std::uint64_t found = *length;
     const std::uint64_t needed = grid.geometry.voxelCount() * bytesOf(grid.type) + grid.skip;
     const std::uint64_t held = found > grid.start ? found - grid.start : 0;
     if (needed <= (grid.isPacked ? held * kMostPacked : held))
@@ -29,7 +46,7 @@ Result<void> checkLength(const GridFile& grid) {
                  grid.dataFile.string(), phrase("Copy the file again."), ErrorKind::refused};
 }
 
-Result<void> checkGrid(const GridFile& grid) {
+Result<void> checkGrid(const GridFile& grid, const NamedBytes& header) {
     constexpr int kMost = 65535;
     const ivec3 size = grid.geometry.size;
     if (!(size.x >= 1 && size.y >= 1 && size.z >= 1 && size.x <= kMost && size.y <= kMost && size.z <= kMost))
@@ -43,7 +60,7 @@ Result<void> checkGrid(const GridFile& grid) {
         return refusedHeader(grid.file, phrase("a number in its header is not finite"));
     if (auto ok = checkSpacing(grid.geometry.spacingMm()); !ok)
         return refusedHeader(grid.file, ok.error().what);
-    return checkLength(grid);
+    return checkLength(grid, header);
 }
 
 }  // namespace
@@ -53,14 +70,18 @@ bool isGridFile(const std::filesystem::path& file) {
     return !ending.empty() && ending != ".zip";
 }
 
-Result<GridFile> readGridFile(const std::filesystem::path& file) {
+Result<GridFile> readGridFile(const std::filesystem::path& file, const OpenBytes& open) {
+    const Result<NamedBytes> bytes = open(file);
+    if (!bytes)
+        return bytes.error();
     const std::string format = scanEnding(file);
-    Result<GridFile> grid = format == ".nii" || format == ".nii.gz"  ? readNifti(file)
-                            : format == ".nrrd" || format == ".nhdr" ? readNrrd(file)
-                                                                     : readMetaImage(file);
+    Result<GridFile> grid = format == ".nii" || format == ".nii.gz"  ? readNifti(*bytes)
+                            : format == ".nrrd" || format == ".nhdr" ? readNrrd(*bytes)
+                                                                     : readMetaImage(*bytes);
     if (!grid)
         return grid;
-    if (auto ok = checkGrid(*grid); !ok)
+    grid->open = open;
+    if (auto ok = checkGrid(*grid, *bytes); !ok)
         return ok.error();
     return grid;
 }
@@ -68,8 +89,9 @@ Result<GridFile> readGridFile(const std::filesystem::path& file) {
 GridSamples::GridSamples(const GridFile& file)
     : type_(file.type),
       isBigEndian_(file.isBigEndian),
-      bytes_(file.dataFile, file.start, file.isPacked),
-      placed_(bytes_.skip(file.skip)),
+      source_(file.open(file.dataFile)),
+      bytes_(source_ ? *source_ : NamedBytes{file.dataFile}, file.start, file.isPacked),
+      placed_(source_ ? bytes_.skip(file.skip) : source_.error()),
       left_(file.geometry.voxelCount()) {}
 
 Result<void> GridSamples::read(std::span<double> samples) {

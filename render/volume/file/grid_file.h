@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 
+#include "render/base/named_bytes.h"
 #include "render/base/result.h"
 #include "render/base/unpacked_file.h"
 #include "render/volume/file/sample_type.h"
@@ -23,6 +24,7 @@ namespace pdr {
 struct GridFile {
     std::filesystem::path file;      ///< the file that was asked for
     std::filesystem::path dataFile;  ///< the file of the samples: the same, or the one beside it that it names
+    OpenBytes open = onDisk;         ///< the way to the bytes of both
     std::uint64_t start = 0;         ///< where the samples, or the packed stream that holds them, begin [bytes]
     std::uint64_t skip = 0;          ///< what the packed stream holds before the first sample [bytes]
     bool isPacked = false;           ///< whether gzip or zlib has packed the samples
@@ -41,11 +43,11 @@ bool isGridFile(const std::filesystem::path& file);
 /// Reads the header of `file`, whose ending says its format. Errors: the file cannot be read, is damaged, or shorter
 /// than its samples; it does not say how it lies in the patient, or says it in two ways that differ by more than 0.1
 /// mm; it has more or fewer than three dimensions, colours, or samples of a type or coding that is not read. No memory
-/// is taken for samples.
-Result<GridFile> readGridFile(const std::filesystem::path& file);
+/// is taken for samples. `open`: the way to the bytes of the file, and of one beside it.
+Result<GridFile> readGridFile(const std::filesystem::path& file, const OpenBytes& open = onDisk);
 
 /// The samples of a volume file as they are stored, x fastest, then y, then z, without slope and intercept. Needs 100
-/// kB whatever the file holds.
+/// kB whatever the file holds, beside what GridFile::open takes.
 class GridSamples {
   public:
     explicit GridSamples(const GridFile& file);
@@ -57,6 +59,7 @@ class GridSamples {
   private:
     const SampleType type_;
     const bool isBigEndian_;
+    const Result<NamedBytes> source_;
     UnpackedFile bytes_;
     Result<void> placed_;
     std::size_t left_;  ///< samples that were not read yet

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
+#include <span>
 #include <sstream>
 
-#include "render/base/plain_file.h"
+#include "render/base/unpacked_file.h"
 
 namespace pdr {
 
@@ -13,24 +13,30 @@ Error refusedHeader(const std::filesystem::path& file, const Text& what) {
     return {what, file.string(), phrase("Export the scan as DICOM, or anew in this format."), ErrorKind::refused};
 }
 
-Result<HeaderLines> readLines(const std::filesystem::path& file, bool (*isLast)(std::string_view line)) {
+Result<HeaderLines> readLines(const NamedBytes& file, bool (*isLast)(std::string_view line)) {
     constexpr std::uint64_t kMost = 4 << 20;
-    if (auto plain = checkPlainFile(file); !plain)
-        return plain.error();
-    std::ifstream stream(file, std::ios::binary);
+    UnpackedFile source(file, 0, false);
+    std::array<std::uint8_t, 4096> piece;
     HeaderLines header;
     std::string line;
-    for (char c; stream.get(c);) {
-        if (++header.end > kMost)
-            return refusedHeader(file, phrase("its header has no end"));
-        if (c != '\n') {
-            line += c;
-            continue;
+    for (;;) {
+        const Result<std::size_t> count = source.readSome(piece);
+        if (!count)
+            return count.error();
+        for (const std::uint8_t byte : std::span(piece).first(*count)) {
+            if (++header.end > kMost)
+                return refusedHeader(file.name, phrase("its header has no end"));
+            if (byte != '\n') {
+                line += char(byte);
+                continue;
+            }
+            header.lines.push_back(trimmed(line));
+            line.clear();
+            if (isLast(header.lines.back()))
+                return header;
         }
-        header.lines.push_back(trimmed(line));
-        line.clear();
-        if (isLast(header.lines.back()))
-            return header;
+        if (*count == 0)
+            break;
     }
     header.lines.push_back(trimmed(line));
     return header;

@@ -14,11 +14,11 @@
 namespace pdr {
 
 /// NIfTI-1 and -2 in one file. The place comes from the sform, or else from the qform.
-Result<GridFile> readNifti(const std::filesystem::path& file);
+Result<GridFile> readNifti(const NamedBytes& file);
 /// NRRD with its samples inside or in one file beside it, raw or packed by gzip.
-Result<GridFile> readNrrd(const std::filesystem::path& file);
+Result<GridFile> readNrrd(const NamedBytes& file);
 /// MetaImage with its samples inside (.mha) or in one file beside it (.mhd), raw or packed by zlib.
-Result<GridFile> readMetaImage(const std::filesystem::path& file);
+Result<GridFile> readMetaImage(const NamedBytes& file);
 
 /// Returns the error of a header that cannot be used.
 Error refusedHeader(const std::filesystem::path& file, const Text& what);
@@ -30,7 +30,7 @@ struct HeaderLines {
 };
 /// Reads lines up to and including the first for which `isLast` is true, or to the end of the file. Errors: those of
 /// checkPlainFile(); a header of more than 4 MB.
-Result<HeaderLines> readLines(const std::filesystem::path& file, bool (*isLast)(std::string_view line));
+Result<HeaderLines> readLines(const NamedBytes& file, bool (*isLast)(std::string_view line));
 
 /// Returns `text` without spaces at both ends.
 std::string trimmed(std::string_view text);

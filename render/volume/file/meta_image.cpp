@@ -100,17 +100,17 @@ Result<GridFile> gridFrom(const HeaderLines& header, GridFile grid) {
 
 }  // namespace
 
-Result<GridFile> readMetaImage(const std::filesystem::path& file) {
+Result<GridFile> readMetaImage(const NamedBytes& file) {
     GridFile grid;
-    grid.file = grid.dataFile = file;
+    grid.file = grid.dataFile = file.name;
     const Result<HeaderLines> header =
         readLines(file, [](std::string_view line) { return line.starts_with("ElementDataFile"); });
     if (!header)
         return header.error();
     if (!header->lines.back().starts_with("ElementDataFile"))
-        return refusedHeader(file, phrase("this is no MetaImage file"));
+        return refusedHeader(file.name, phrase("this is no MetaImage file"));
     const Result<GridFile> read = gridFrom(*header, std::move(grid));
-    return read ? read : refusedHeader(file, read.error().what);
+    return read ? read : refusedHeader(file.name, read.error().what);
 }
 
 }  // namespace pdr

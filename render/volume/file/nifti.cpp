@@ -165,10 +165,10 @@ Result<GridFile> gridOf(const Fields& fields, GridFile grid) {
 
 }  // namespace
 
-Result<GridFile> readNifti(const std::filesystem::path& file) {
+Result<GridFile> readNifti(const NamedBytes& file) {
     GridFile grid;
-    grid.file = grid.dataFile = file;
-    grid.isPacked = fileEnding(file) == ".gz";
+    grid.file = grid.dataFile = file.name;
+    grid.isPacked = fileEnding(file.name) == ".gz";
     std::array<std::uint8_t, kSecond.bytes> bytes{};
     UnpackedFile source(file, 0, grid.isPacked);
     if (auto ok = source.read(std::span(bytes).first(kFirst.bytes)); !ok)
@@ -189,9 +189,9 @@ Result<GridFile> readNifti(const std::filesystem::path& file) {
                 return ok.error();
             grid.isBigEndian = isBigEndian;
             const Result<GridFile> read = gridOf(Fields(bytes, *layout, isBigEndian), grid);
-            return read ? read : refusedHeader(file, read.error().what);
+            return read ? read : refusedHeader(file.name, read.error().what);
         }
-    return refusedHeader(file, phrase("this is no NIfTI file with header and voxels in one"));
+    return refusedHeader(file.name, phrase("this is no NIfTI file with header and voxels in one"));
 }
 
 }  // namespace pdr

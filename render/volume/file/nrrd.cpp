@@ -142,16 +142,16 @@ Result<GridFile> gridFrom(const HeaderLines& header, GridFile grid) {
 
 }  // namespace
 
-Result<GridFile> readNrrd(const std::filesystem::path& file) {
+Result<GridFile> readNrrd(const NamedBytes& file) {
     GridFile grid;
-    grid.file = grid.dataFile = file;
+    grid.file = grid.dataFile = file.name;
     const Result<HeaderLines> header = readLines(file, [](std::string_view line) { return line.empty(); });
     if (!header)
         return header.error();
     if (!header->lines.front().starts_with("NRRD000"))
-        return refusedHeader(file, phrase("this is no NRRD file"));
+        return refusedHeader(file.name, phrase("this is no NRRD file"));
     const Result<GridFile> read = gridFrom(*header, std::move(grid));
-    return read ? read : refusedHeader(file, read.error().what);
+    return read ? read : refusedHeader(file.name, read.error().what);
 }
 
 }  // namespace pdr

@@ -1,9 +1,14 @@
 #include <QTemporaryDir>
 #include <QTest>
+#include <fstream>
+#include <iterator>
 
 #include "app/scan/grid_series.h"
 #include "app/scan/scan_place.h"
 #include "app/scan/series_choice.h"
+#include "tests/support/deflated.h"
+#include "tests/support/dicom/slice_folder.h"
+#include "tests/support/dicom/zip_file.h"
 #include "tests/support/grid_files.h"
 
 using namespace pdr;
@@ -20,6 +25,10 @@ class GridSeriesTest : public QObject {
     fs::path at(const std::string& name) const { return fs::path(folder_.path().toStdString()) / name; }
     Result<dicom::Series> seriesOf(const std::string& nrrd) const {
         return gridSeries(test::written(at("a.nrrd"), nrrd), noProgress);
+    }
+    static std::string contentOf(const fs::path& file) {
+        std::ifstream in(file, std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
     }
     static std::string withValues(const std::vector<std::pair<std::string, std::string>>& header,
                                   const std::vector<std::int16_t>& values) {
@@ -226,6 +235,54 @@ class GridSeriesTest : public QObject {
         QVERIFY(!chosenSeries(*scan, "scan.nrrd"));
         const auto alone = scanPlace(folder / "left/scan.nrrd", noProgress);
         QVERIFY(alone && chosenSeries(*alone, "scan.nrrd"));
+    }
+
+    /// Raw, packed, and with the voxels beside the header; what is in a file is in the archive as well.
+    void anArchiveHoldsVolumeFiles() {
+        const std::string inOne = test::metaImageBytes();
+        const std::size_t header = inOne.size() - 480;
+        const std::string local = "ElementDataFile = LOCAL";
+        std::string apart = inOne.substr(0, header);
+        apart.replace(apart.find(local), local.size(), "ElementDataFile = head.raw");
+        const fs::path archive = test::writeZip(
+            at("scans.zip"), {{"a/head.mha", inOne},
+                              {"a/._head.mha", "a text"},
+                              {"b/head.mhd", apart},
+                              {"b/head.raw", inOne.substr(header)},
+                              {"c/head.nii", test::NiftiBytes().bytes},
+                              {"c/head.nii.gz", test::deflated(test::NiftiBytes().bytes, test::kGzipFile)},
+                              {"d/absent.mhd", apart},
+                              {"e/inner.zip", "PK"}});
+        const auto scan = scanPlace(archive, noProgress);
+        QVERIFY2(bool(scan), scan ? "" : scan.error().text().c_str());
+        QCOMPARE(scan->series.size(), std::size_t(4));
+        QCOMPARE(scan->problems.size(), std::size_t(2));
+        QVERIFY(scan->problems[1].reason.find("cannot be read (it is gone)") != std::string::npos);
+        const auto alone = loadVoxels(*gridSeries(test::written(at("head.mha"), inOne), noProgress),
+                                      dicom::Padding::maskAsAir, noProgress);
+        for (const char* name : {"a/head.mha", "b/head.mhd", "c/head.nii", "c/head.nii.gz"}) {
+            const auto series = chosenSeries(*scan, name);
+            QVERIFY2(series && series->verdict.loadable(), name);
+            const auto volume = loadVoxels(*series, dicom::Padding::maskAsAir, noProgress);
+            QVERIFY2(bool(volume), volume ? "" : volume.error().text().c_str());
+            if (name[0] != 'c')
+                QVERIFY2(std::ranges::equal(volume->voxels(), alone->voxels()), name);
+            const auto slice = decodeSliceOf(*series, series->slices[3], {});
+            QVERIFY(slice && std::ranges::equal(slice->hu, std::span(volume->voxels()).subspan(90, 30)));
+        }
+    }
+
+    void dicomAndVolumeFilesOfAnArchiveAreListedTogether() {
+        const test::SliceFolder slices;
+        slices.addStack(3);
+        std::vector<test::ZipMember> members{{"head.nrrd", test::nrrdBytes()}};
+        for (const char* name : {"s00", "s01", "s02"})
+            members.push_back({name, contentOf(slices.path() / name)});
+        const auto scan = scanPlace(test::writeZip(at("both.zip"), members), noProgress);
+        QVERIFY(scan && scan->series.size() == 2);
+        QCOMPARE(scan->notDicom, 0);
+        for (const dicom::Series& series : scan->series)
+            QVERIFY(bool(loadVoxels(series, dicom::Padding::maskAsAir, noProgress)));
     }
 
     void whatIsNoNumberIsPadding() {
