@@ -3,9 +3,10 @@
 ///   interaction FOLDER [--seconds S] [--threads N]
 /// FOLDER holds a CT. Each gesture takes S seconds (default 10), with events as a mouse sends them, 125 a second: a
 /// drag that rotates, one of the brightness, one of a node of the tissue's opacity. Then single edits, views and looks,
-/// each after a rest of a second. Prints a line each: events that were answered, milliseconds (median, 99 in 100,
-/// most), images a second, the median of their widths, and the ratio of the processor time of the whole program to wall
-/// time; and below it how long single events kept the window busy, in wall time and in its own processor time.
+/// each after a rest of a second; and views, looks and tissue undone and redone, where an image answers only if it has
+/// all samples that it had before it was left. Prints a line each: events that were answered, milliseconds (median, 99
+/// in 100, most), images a second, the median of their widths, and the ratio of the processor time of the whole program
+/// to wall time; and below it how long single events kept the window busy, in wall time and in its own processor time.
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -47,6 +48,12 @@ struct Unanswered {
     double atMs;
     std::uint64_t revision;
     Display display;
+    std::uint64_t samples;  ///< least samples per pixel of a full image that answers; 0: any image does
+
+    bool isAnsweredBy(const Frame& frame) const {
+        const bool isGood = samples == 0 || (!frame.coarse && frame.status.samplesPerPixel >= samples);
+        return revision <= frame.revision && display == frame.display && isGood;
+    }
 };
 
 class Stopwatch {
@@ -57,12 +64,12 @@ class Stopwatch {
                          [this](const std::shared_ptr<const Frame>& frame) { painted(*frame); });
     }
 
-    /// Makes an edit, and times its image.
-    void time(const std::function<void()>& edit) {
+    /// Makes an edit, and times its image, which must have so many samples per pixel.
+    void time(const std::function<void()>& edit, std::uint64_t samples = 0) {
         const double start = nowMs();
         edit();
         const Document& document = desktop_.document();
-        unanswered_.push_back({start, document.scene().revision, document.display()});
+        unanswered_.push_back({start, document.scene().revision, document.display(), samples});
     }
 
     /// Calls `edit` with 0, 1, 2, ... every `ms` milliseconds, for `seconds`.
@@ -114,9 +121,8 @@ class Stopwatch {
         desktop_.window().viewport().repaint();
         widths_.push_back(frame.size.x);
         // Displays have no order: those before the one that is shown were overtaken by it.
-        const auto answered = std::find_if(unanswered_.rbegin(), unanswered_.rend(), [&](const Unanswered& event) {
-            return event.revision <= frame.revision && event.display == frame.display;
-        });
+        const auto answered = std::find_if(unanswered_.rbegin(), unanswered_.rend(),
+                                           [&](const Unanswered& event) { return event.isAnsweredBy(frame); });
         for (auto left = unanswered_.rend() - answered; left > 0; --left) {
             latencies_.push_back(nowMs() - unanswered_.front().atMs);
             unanswered_.pop_front();
@@ -183,6 +189,36 @@ void edits(Desktop& desktop, Stopwatch& watch, double seconds) {
     watch.report("a look, at rest");
 }
 
+/// Leaves an image by `edit`, comes back by undo and leaves it again by redo, with a rest of two seconds before each.
+void undo(Desktop& desktop, Stopwatch& watch, double seconds, const char* name, const std::function<void()>& edit) {
+    constexpr int kRestMs = 2000;
+    Document& document = desktop.document();
+    const auto samples = [&] { return watch.last()->status.samplesPerPixel; };
+    QTest::qWait(kRestMs);
+    std::uint64_t before = samples();
+    edit();
+    QTest::qWait(kRestMs);
+    watch.begin();
+    for (int i = 0; i < std::max(int(1e3 * seconds / kRestMs), 2); ++i) {
+        const std::uint64_t left = samples();
+        watch.time([&] { i % 2 == 0 ? document.undo() : document.redo(); }, before);
+        before = left;
+        QTest::qWait(kRestMs);
+    }
+    watch.report(name);
+}
+
+void undos(Desktop& desktop, Stopwatch& watch, double seconds) {
+    Document& document = desktop.document();
+    undo(desktop, watch, seconds, "a view, undone", [&] { document.setView(StandardView::left); });
+    undo(desktop, watch, seconds, "a look, undone", [&] { document.chooseLook(document.look() == 1 ? 2 : 1); });
+    undo(desktop, watch, seconds, "tissue, undone", [&] {
+        Look look = document.setup().look;
+        look.transferFunction.extinctionPerMm *= 0.9f;
+        document.setLook(look);
+    });
+}
+
 int run(const QString& folder, double seconds, int threads) {
     QTemporaryDir settings;
     Desktop desktop(*bundledLooks(), makeCpuDevice(threads), settings.filePath("settings.ini"), threads);
@@ -204,6 +240,7 @@ int run(const QString& folder, double seconds, int threads) {
     bend(desktop, watch, seconds);
     QTest::qWait(3000);
     edits(desktop, watch, seconds);
+    undos(desktop, watch, seconds);
     return 0;
 }
 
