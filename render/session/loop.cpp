@@ -55,7 +55,7 @@ void Session::Loop::take(const RenderCommands::Iteration& step) {
     bool isBack = false;  // the next step says what is still to do on a film that came back
     if (step.order) {
         revision_ = step.order->scene.revision;
-        isBack = begin(*step.order);
+        isBack = begin(*step.order, step.stop);
     }
     if (step.watch)
         effectCosts_.watch(*step.watch);
@@ -101,10 +101,10 @@ void Session::Loop::answer(const RenderCommands::Iteration& step) const {
 
 /// Takes a new scene. If the drag has ended without a change, the scene is the current one and its film continues.
 /// Returns whether a film that was put away has come back.
-bool Session::Loop::begin(const RenderCommands::SceneOrder& order) {
+bool Session::Loop::begin(const RenderCommands::SceneOrder& order, const std::stop_token& stop) {
     moving_ = order.moving;
     if (place_.film() != nullptr && order.scene.revision == scene_.revision)
-        return !moving_ && coarse() && comeBack();
+        return !moving_ && coarse() && comeBack(stop);
     keepFilm();
     if (const Result<void> fits = order.scene.check(); !fits) {
         place_.forget();
@@ -114,7 +114,7 @@ bool Session::Loop::begin(const RenderCommands::SceneOrder& order) {
     scene_ = order.scene;
     effectCosts_.follow(scene_, commands.display());
     display_.dropCoarser();
-    if (!moving_ && comeBack())
+    if (!moving_ && comeBack(stop))
         return true;
     scheduler_.chooseFirst(scene_.film, moving_);
     beginFilm();

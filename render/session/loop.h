@@ -34,7 +34,7 @@ class Session::Loop {
     void clear();
     void answer(const RenderCommands::Iteration& step) const;
     void switchTo(const DeviceOpener& open);
-    bool begin(const RenderCommands::SceneOrder& order);
+    bool begin(const RenderCommands::SceneOrder& order, const std::stop_token& stop);
     void work(const RenderCommands::Iteration& step);
     void finish(const RenderCommands::Iteration& step, Result<void> done);
     void measureEffects(const RenderCommands::Iteration& step);
@@ -58,7 +58,7 @@ class Session::Loop {
     void beginFiner();
     void goOnFrom(std::shared_ptr<const Film> film);
     void keepFilm();
-    bool comeBack();
+    bool comeBack(const std::stop_token& stop);
     bool showReturning();
     KeptScene keptScene() const;
     Result<bool> moveTo(Result<std::unique_ptr<Device>> device, std::shared_ptr<const Film> from);

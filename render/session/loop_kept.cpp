@@ -24,8 +24,9 @@ void Session::Loop::keepFilm() {
 
 /// Continues the film of the scene that was put away; returns whether there is one that can be trusted. Its last image
 /// is shown at once: the device may need longer to take the scene and the samples. Measured biases and the costs of
-/// effects are measured anew.
-bool Session::Loop::comeBack() {
+/// effects are measured anew. After a stop request, since another scene is waiting already, the device is left alone,
+/// and the film stays where it is kept.
+bool Session::Loop::comeBack(const std::stop_token& stop) {
     const std::shared_ptr<const KeptFilm> kept = kept_.find(keptScene());
     if (!kept)
         return false;
@@ -40,7 +41,9 @@ bool Session::Loop::comeBack() {
     returning_ = kept->frame;
     display_.markReturned();
     showReturning();
-    if (const Result<void> begun = place_.begin(scene_, kept->film); !begun)
+    if (stop.stop_requested())
+        place_.tearFilm();
+    else if (const Result<void> begun = place_.begin(scene_, kept->film); !begun)
         failedOnDevice(begun.error());
     else if (place_.info().hostMemory)
         checkpoint_.reset(nullptr);  // lost only with this program: no use for a second copy

@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+#include <atomic>
+#include <functional>
 #include <future>
 
 #include "render/film/display/tone_map.h"
@@ -50,8 +52,17 @@ struct Rendering {
     Reel reel;
     Session session;
 
-    explicit Rendering(std::unique_ptr<Device> device, DeviceOpener fallback = {})
-        : session(std::move(device), reel.sink(), std::move(fallback), ticking()) {}
+    /// `seen` gets each frame on the render thread.
+    explicit Rendering(
+        std::unique_ptr<Device> device, DeviceOpener fallback = {},
+        std::function<void(const Frame&)> seen = [](const Frame&) {})
+        : session(
+              std::move(device),
+              [sink = reel.sink(), seen = std::move(seen)](const std::shared_ptr<const Frame>& frame) {
+                  sink(frame);
+                  seen(*frame);
+              },
+              std::move(fallback), ticking()) {}
 
     /// Renders a view until its image has so many samples.
     void render(int which, std::uint64_t revision, std::uint64_t samples = kEnough) {
@@ -185,6 +196,37 @@ class ReturningFilmsTest : public QObject {
         QTest::qWait(100);
         QCOMPARE(shown.film(3).samplesPerPixel(), samples);
         QVERIFY(samples >= back->status.samplesPerPixel);
+    }
+
+    /// Undo, pressed again before the device has taken the scene of the first.
+    void aSceneThatPassesByCostsNoUpload() {
+        auto mishaps = std::make_shared<test::Mishaps>();
+        std::atomic<int> uploads = 0, before = 0;
+        mishaps->before = [&](const std::string& call) { uploads += call == "upload"; };
+        Session* session = nullptr;
+        Rendering shown(test::failing(mishaps), {}, [&](const Frame& frame) {
+            if (frame.revision != 4)
+                return;
+            before = uploads.load();
+            session->submit(view(1, 5), false);
+        });
+        session = &shown.session;
+        for (std::uint64_t revision = 1; revision <= 3; ++revision)
+            shown.render(int(revision), revision);
+        const std::shared_ptr<const Frame> passing = shown.firstOf(2, 4);
+        QVERIFY(passing && isFull(*passing));
+        QTRY_VERIFY_WITH_TIMEOUT(shown.reel.full(5), test::kPatience);
+        QCOMPARE(shown.reel.of(4).size(), std::size_t(1));
+        const std::uint64_t had = shown.last(1)->status.samplesPerPixel;
+        QVERIFY(shown.reel.of(5).front()->status.samplesPerPixel >= had);
+        const std::shared_ptr<const Frame> again = shown.firstOf(2, 6);
+        QVERIFY(again && isFull(*again) && again->status.samplesPerPixel >= passing->status.samplesPerPixel);
+        shown.session.goOn();
+        const std::uint64_t more = again->status.samplesPerPixel + 2;
+        QTRY_VERIFY_WITH_TIMEOUT(shown.last(6)->status.samplesPerPixel >= more, test::kPatience);
+        QCOMPARE(uploads - before, 2);
+        const Film film = shown.film(6);
+        QVERIFY(test::sameBits(film, test::render(view(2, 2), film.samplesPerPixel())));
     }
 
     /// While the hand moves, images pass by; the film comes back where it comes to rest.
