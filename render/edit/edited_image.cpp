@@ -23,7 +23,7 @@ constexpr std::uint64_t kFirstImage = 1;
 
 /// Returns the radius of the box that smooths images of `mark` samples, twice: 1, 4, 16, 64.
 int radiusOf(std::uint64_t mark) {
-    return mark <= 1 ? 4 : mark <= 4 ? 2 : 1;
+    return mark <= 1 ? 5 : mark <= 4 ? 3 : mark <= 16 ? 2 : 1;
 }
 
 template <class F, class... All>
@@ -102,8 +102,8 @@ Colours EditedImage::radiance(const Film& film, const FirstSamples& first, const
     const std::uint64_t samples = film.samplesPerPixel(), mark = lastMark(first, samples);
     const Laid laid = lay(first, mark);
     const Plane share = share_.size().x > 0 ? share_
-                                            : shareOfFirst(laid.halves, {laid.fresh.even, laid.fresh.odd},
-                                                           laid.samples.even, laid.samples.odd, laid.dim);
+                                            : shareOfSecond(laid.halves, {laid.fresh.even, laid.fresh.odd},
+                                                            laid.samples.even, laid.samples.odd, laid.dim);
     if (samples <= kFirstImage)
         return mixed(share, laid.all, meanOf(laid.fresh.even, laid.fresh.odd));
     const NoisyFilm noisy = noisyFilm(film, stop);
@@ -115,7 +115,7 @@ SmoothHalves EditedImage::halves(const NoisyFilm& noisy, const SmoothHalves& den
     const auto unit = float(noisy.unit);
     const Laid laid = lay(first, lastMark(first, samples));
     const SmoothHalves mine{scaled(laid.halves.even, 1 / unit), scaled(laid.halves.odd, 1 / unit)};
-    share_ = shareOfFirst(mine, denoised, noisy.even.mean, noisy.odd.mean, laid.dim / unit);
+    share_ = shareOfSecond(mine, denoised, noisy.even.mean, noisy.odd.mean, laid.dim / unit);
     return {mixed(share_, mine.even, denoised.even), mixed(share_, mine.odd, denoised.odd)};
 }
 

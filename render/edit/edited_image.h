@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <memory>
 #include <stop_token>
+#include <utility>
 
 #include "render/edit/first_samples.h"
 #include "render/film/error/smoothing_judgement.h"
@@ -57,7 +58,7 @@ class EditedImage {
     std::shared_ptr<const KeptImage> old_;
     std::uint64_t mark_ = 0;  ///< mark of before_
     HalfImages before_;       ///< the old image after that many samples, smoothed
-    denoise::Plane share_;    ///< share of the laid image at the last judgement; no pixels: none yet
+    denoise::Plane share_;    ///< share of the fresh image at the last judgement; no pixels: none yet
 };
 
 }  // namespace pdr

@@ -8,40 +8,59 @@ namespace {
 using denoise::combined;
 using denoise::Plane;
 
-/// Returns the sum over the channels of a and b: products of differences, in parts of the light.
+constexpr int kRadius = 12;  ///< radius of the square [pixels]
+/// Squared standard deviations that are subtracted from what the halves tell: below them nothing is mixed.
+constexpr float kSure = 4;
+
+/// Returns the sum over the channels of (second - first) * (judge - first), by `importance`.
 Plane agreementOf(const denoise::Colours& first, const denoise::Colours& second, const denoise::Colours& judge,
                   const Plane& importance) {
     Plane sum(importance.size());
     for (std::size_t c = 0; c < 3; ++c)
         sum = combined(
-            [](float so_far, float a, float b, float raw, float i) { return so_far + i * (a - b) * (raw - b); }, sum,
+            [](float so_far, float a, float b, float raw, float i) { return so_far + i * (b - a) * (raw - a); }, sum,
             first[c], second[c], judge[c], importance);
     return sum;
 }
 
+Plane sumOf(const Plane& a, const Plane& b) {
+    return combined([](float x, float y) { return x + y; }, a, b);
+}
+
 }  // namespace
 
-Plane shareOfFirst(const SmoothHalves& first, const SmoothHalves& second, const denoise::Colours& even,
-                   const denoise::Colours& odd, float dim) {
+Plane shareOfSecond(const SmoothHalves& first, const SmoothHalves& second, const denoise::Colours& even,
+                    const denoise::Colours& odd, float dim) {
     const Plane importance = combined(
-        [dim](float a, float b) {
-            const float light = (a + b) / 2 + dim;
+        [dim](float a, float b, float c, float d) {
+            const float light = (a + b + c + d) / 4 + dim;
             return 1 / (light * light);
         },
-        denoise::luminance(second.even), denoise::luminance(second.odd));
-    const auto add = [](float a, float b) { return a + b; };
-    const Plane agreement = combined(add, agreementOf(first.even, second.even, odd, importance),
-                                     agreementOf(first.odd, second.odd, even, importance));
-    const Plane apart = combined(add, agreementOf(first.even, second.even, first.even, importance),
-                                 agreementOf(first.odd, second.odd, first.odd, importance));
-    return combined([](float part, float whole) { return whole > 0 ? std::clamp(part / whole, 0.0f, 1.0f) : 1.0f; },
-                    denoise::boxed(agreement, kShareRadius), denoise::boxed(apart, kShareRadius));
+        denoise::luminance(first.even), denoise::luminance(first.odd), denoise::luminance(second.even),
+        denoise::luminance(second.odd));
+    // What each half says of the other, on which they agree but for their noise
+    const Plane ofEven = agreementOf(first.even, second.even, odd, importance);
+    const Plane ofOdd = agreementOf(first.odd, second.odd, even, importance);
+    const Plane agreement = sumOf(ofEven, ofOdd);
+    const Plane noise = combined([](float a, float b) { return (a - b) * (a - b); }, ofEven, ofOdd);
+    const Plane apart = sumOf(agreementOf(first.even, second.even, second.even, importance),
+                              agreementOf(first.odd, second.odd, second.odd, importance));
+    // The noise of the mean over the square is that of its pixels over their number
+    constexpr float kPixels = (2 * kRadius + 1) * (2 * kRadius + 1);
+    const auto share = [](float agreeing, float variance, float whole) {
+        if (agreeing <= 0 || whole <= 0)
+            return 0.0f;
+        return std::min(agreeing / whole, 1.0f) *
+               std::max(1 - kSure * variance / (kPixels * agreeing * agreeing), 0.0f);
+    };
+    return combined(share, denoise::boxed(agreement, kRadius), denoise::boxed(noise, kRadius),
+                    denoise::boxed(apart, kRadius));
 }
 
 denoise::Colours mixed(const Plane& share, const denoise::Colours& first, const denoise::Colours& second) {
     denoise::Colours out;
     for (std::size_t c = 0; c < 3; ++c)
-        out[c] = combined([](float s, float a, float b) { return b + s * (a - b); }, share, first[c], second[c]);
+        out[c] = combined([](float s, float a, float b) { return a + s * (b - a); }, share, first[c], second[c]);
     return out;
 }
 
