@@ -25,9 +25,9 @@ double sureEnough(std::uint64_t samples) {
     return studentT(0.1, int(std::min<std::uint64_t>(samples - 2, 1000)));
 }
 
-/// Factor on the upper bound: errors have wider tails than normal ones, and in the darkest and the brightest class,
-/// which chance has a part in filling, the halves differ by less than elsewhere.
-constexpr double kWideTails = 1.1;
+/// Factor on the margins of pixels and on the upper bound: errors have wider tails than normal ones, and in the darkest
+/// and the brightest class, which chance has a part in filling, the halves differ by less than elsewhere.
+constexpr float kWideTails = 1.1f;
 
 /// The factor of hiddenContrast, in standard deviations of the noise: measured with lines drawn into images of bone
 /// and of smooth shading, 4 to 256 samples per pixel.
@@ -261,8 +261,8 @@ LevelErrorMap SmoothingJudgement::errorMap(double exposure, double stated) const
         if (!pixel.tissue)
             return;
         const ivec2 place = at - ivec2(area_.x, area_.y);
-        const vec3 variance = classes.variance(pixel.look) * share.row(place.y)[place.x];
-        const float levels = levelsWithin(unit_ * dvec3(pixel.smooth), unit_ * dvec3(glm::sqrt(variance)), exposure);
+        const vec3 error = kWideTails * glm::sqrt(classes.variance(pixel.look) * share.row(place.y)[place.x]);
+        const float levels = levelsWithin(unit_ * dvec3(pixel.smooth), unit_ * dvec3(error), exposure);
         map.bins[std::size_t(place.y) * std::size_t(area_.width) + std::size_t(place.x)] =
             levelBinOf(std::max(levels, float(stated / 8)));
     });
