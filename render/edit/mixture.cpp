@@ -30,7 +30,7 @@ Plane sumOf(const Plane& a, const Plane& b) {
 }  // namespace
 
 Plane shareOfSecond(const SmoothHalves& first, const SmoothHalves& second, const denoise::Colours& even,
-                    const denoise::Colours& odd, float dim) {
+                    const denoise::Colours& odd, float dim, float alike) {
     const Plane importance = combined(
         [dim](float a, float b, float c, float d) {
             const float light = (a + b + c + d) / 4 + dim;
@@ -47,11 +47,11 @@ Plane shareOfSecond(const SmoothHalves& first, const SmoothHalves& second, const
                               agreementOf(first.odd, second.odd, second.odd, importance));
     // The noise of the mean over the square is that of its pixels over their number
     constexpr float kPixels = (2 * kRadius + 1) * (2 * kRadius + 1);
-    const auto share = [](float agreeing, float variance, float whole) {
+    const auto share = [alike](float agreeing, float variance, float whole) {
         if (agreeing <= 0 || whole <= 0)
             return 0.0f;
         return std::min(agreeing / whole, 1.0f) *
-               std::max(1 - kSure * variance / (kPixels * agreeing * agreeing), 0.0f);
+               std::max(1 - kSure * alike * variance / (kPixels * agreeing * agreeing), 0.0f);
     };
     return combined(share, denoise::boxed(agreement, kRadius), denoise::boxed(noise, kRadius),
                     denoise::boxed(apart, kRadius));

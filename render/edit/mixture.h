@@ -11,8 +11,9 @@ namespace pdr {
 /// not know; a half that judged itself would find its own noise to be the truth. `even` and `odd`: both halves as they
 /// are. `dim`: radiance below which an error counts as in `dim` itself; above, errors count in parts of the light of
 /// `first`.
+/// `alike`: pixels of a half that share their noise; 1: each has its own.
 denoise::Plane shareOfSecond(const SmoothHalves& first, const SmoothHalves& second, const denoise::Colours& even,
-                             const denoise::Colours& odd, float dim);
+                             const denoise::Colours& odd, float dim, float alike = 1);
 
 /// Returns first + share * (second - first).
 denoise::Colours mixed(const denoise::Plane& share, const denoise::Colours& first, const denoise::Colours& second);
