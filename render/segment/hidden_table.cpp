@@ -8,7 +8,7 @@
 
 #include "render/base/errors.h"
 #include "render/segment/body_mask.h"
-#include "render/segment/for_each_slice.h"
+#include "render/segment/hidden_slices.h"
 #include "render/segment/outside_metal.h"
 #include "render/segment/rule.h"
 #include "render/volume/sheared.h"
@@ -31,55 +31,6 @@ HiddenTable undecided(const Volume& volume, const Text& why) {
     return table;
 }
 
-/// What lies in one slice outside the cells that are shown.
-struct HiddenSlice {
-    std::int64_t seen = 0;  ///< voxels denser than kSeenHu
-    std::int16_t highest = INT16_MIN;
-};
-
-/// Calls visit(y, hidden) for each row of slice `z`: a voxel whose number in `hidden` is -1 is not shown; 0: it is.
-/// Numbers of the voxels' own width let the visits become vector instructions.
-template <class Visit>
-void forEachRow(const BodyMask& mask, int z, Visit visit) {
-    const CellGrid& grid = mask.grid;
-    std::vector<std::int16_t> hidden(std::size_t(grid.voxels.x));
-    for (int y = 0; y < grid.voxels.y; ++y) {
-        if (y % grid.block.y == 0) {
-            const std::uint8_t* shown = &mask.shown[grid.index(0, y / grid.block.y, z / grid.block.z)];
-            for (int x = 0; x < grid.voxels.x; x += grid.block.x, ++shown)
-                std::fill_n(hidden.begin() + x, std::min(grid.block.x, grid.voxels.x - x),
-                            std::int16_t(*shown ? 0 : -1));
-        }
-        visit(y, hidden.data());
-    }
-}
-
-HiddenSlice hiddenIn(const BodyMask& mask, int z, const std::int16_t* slice) {
-    HiddenSlice all;
-    const int length = mask.grid.voxels.x;
-    forEachRow(mask, z, [&](int y, const std::int16_t* hidden) {
-        const std::int16_t* row = slice + std::size_t(y) * std::size_t(length);
-        int seen = 0;
-        std::int16_t highest = INT16_MIN;
-        for (int x = 0; x < length; ++x) {
-            seen += hidden[x] & int(row[x] > kSeenHu);
-            highest = std::max(highest, std::int16_t((row[x] & hidden[x]) | (INT16_MIN & ~hidden[x])));
-        }
-        all = {all.seen + seen, std::max(all.highest, highest)};
-    });
-    return all;
-}
-
-/// Replaces the voxels of slice `z` that are not shown with air.
-void hideSlice(const BodyMask& mask, int z, std::int16_t* slice) {
-    const int length = mask.grid.voxels.x;
-    forEachRow(mask, z, [&](int y, const std::int16_t* hidden) {
-        std::int16_t* row = slice + std::size_t(y) * std::size_t(length);
-        for (int x = 0; x < length; ++x)
-            row[x] = std::int16_t((row[x] & ~hidden[x]) | (Volume::kAirHu & hidden[x]));
-    });
-}
-
 VolumeGeometry boxIn(const Volume& volume, const BodyMask& mask) {
     const ivec3 first = mask.box.first * mask.grid.block;
     return volume.geometry().part(first, glm::min(mask.box.end * mask.grid.block, volume.size()) - first);
@@ -98,23 +49,6 @@ std::string factOf(const HiddenTable& table) {
     return volumeText(table.hiddenMl) + " of " + volumeText(table.hiddenMl + table.bodyMl) + rule;
 }
 
-/// Returns the number of voxels in a slice.
-std::size_t sliceVoxels(ivec3 size) {
-    return std::size_t(size.x) * std::size_t(size.y);
-}
-
-HiddenSlice hiddenIn(const BodyMask& mask, const Volume& volume, const Checkpoint& checkpoint) {
-    const ivec3 size = volume.size();
-    std::vector<HiddenSlice> slices(std::size_t(size.z));
-    forEachSlice(size.z, checkpoint, [&](int z) {
-        slices[std::size_t(z)] = hiddenIn(mask, z, &volume.voxels()[sliceVoxels(size) * std::size_t(z)]);
-    });
-    HiddenSlice all;
-    for (const HiddenSlice& slice : slices)
-        all = {all.seen + slice.seen, std::max(all.highest, slice.highest)};
-    return all;
-}
-
 /// A table that was found, and the cells that are shown without it.
 struct FoundTable {
     HiddenTable facts;  ///< without the voxels of the body
@@ -125,14 +59,14 @@ struct FoundTable {
 
 FoundTable tableIn(const Volume& volume, BodyMask mask, const Checkpoint& checkpoint) {
     HiddenTable table;
-    HiddenSlice hidden = hiddenIn(mask, volume, checkpoint);
-    if (hidden.highest > kMetalHu) {
+    Outside outside = outsideOf(mask, volume, checkpoint);
+    if (outside.highest > kMetalHu) {
         table.metalMl = showMetal(volume, mask);
-        hidden = hiddenIn(mask, volume, checkpoint);
+        outside = outsideOf(mask, volume, checkpoint);
     }
     table.bodyBox = boxIn(volume, mask);
     table.outlineMm = placesOf(volume.geometry(), mask.rowEnds);
-    table.hiddenMl = double(hidden.seen) * voxelMl(volume.geometry());
+    table.hiddenMl = double(outside.seen) * voxelMl(volume.geometry());
     table.cutMl = volumeMl(mask.cut, mask.grid);
     table.bodyMl = mask.bodyMl;
     table.parts = mask.parts;
@@ -159,30 +93,6 @@ Result<FoundTable> findTable(const Volume& volume, const Progress& progress) {
     }
 }
 
-/// Returns a copy of the voxels with air in place of the table.
-Voxels hiddenCopy(const Volume& volume, const BodyMask& mask, const Checkpoint& checkpoint) {
-    const std::size_t count = sliceVoxels(volume.size());
-    Voxels voxels(volume.voxels().size());
-    forEachSlice(volume.size().z, checkpoint, [&](int z) {
-        const std::size_t first = count * std::size_t(z);
-        std::copy_n(&volume.voxels()[first], count, &voxels[first]);
-        hideSlice(mask, z, &voxels[first]);
-    });
-    return voxels;
-}
-
-/// Replaces the table with air in `voxels`, and calls `lost` for the slices that change.
-void hideIn(std::span<std::int16_t> voxels, const BodyMask& mask, const SliceLoss& lost, const Checkpoint& checkpoint) {
-    const std::size_t count = sliceVoxels(mask.grid.voxels);
-    forEachSlice(mask.grid.voxels.z, checkpoint, [&](int z) {
-        const std::span<std::int16_t> slice = voxels.subspan(count * std::size_t(z), count);
-        const std::vector<std::int16_t> before(slice.begin(), slice.end());
-        hideSlice(mask, z, slice.data());
-        if (!std::ranges::equal(before, slice))
-            lost(z, before, slice);
-    });
-}
-
 }  // namespace
 
 Result<HiddenTable> hideTable(const Volume& volume, const Progress& progress) {
@@ -194,7 +104,7 @@ Result<HiddenTable> hideTable(const Volume& volume, const Progress& progress) {
             HiddenTable& table = found->facts;
             if (found->hidesAnything())
                 table.body = std::make_shared<const Volume>(volume.withVoxels(
-                    hiddenCopy(volume, found->mask, checkpointOf(progress, 0.9, kStep)), factOf(table)));
+                    hiddenCopy(found->mask, volume, checkpointOf(progress, 0.9, kStep)), factOf(table)));
             checkpointOf(progress, 1, kStep)();
             return std::move(table);
         });
