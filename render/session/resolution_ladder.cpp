@@ -7,7 +7,9 @@ namespace pdr {
 
 namespace {
 
-constexpr double kGuess = 5e6;  ///< samples per second
+/// Samples per second before any are known: what two to four cores make. A device that is faster is known to be so
+/// after one image; the first image of a slower one would keep the user waiting.
+constexpr double kGuess = 1e6;
 constexpr double kLeast = 0.4;  ///< least fraction of a frame's time for pixels, whatever else takes time
 
 }  // namespace
