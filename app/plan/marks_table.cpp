@@ -32,7 +32,7 @@ Result<Measured> valueWithoutScan(const Measurement& measurement, dvec3 spacingM
     if (measurement.kind == MeasureKind::polygon)
         return areaOfPolygon(measurement.places);
     const auto valueOn = [&](double stepMm) {
-        return measured(measurement, Volume(VolumeGeometry::aligned(ivec3(1), dvec3(stepMm), dvec3(0)), Voxels(1)));
+        return measured(measurement, Volume(VolumeGeometry::aligned(ivec3(1), dvec3(stepMm), dvec3(0)), Voxels(1, 0)));
     };
     const double largest = std::hypot(std::max(spacingMm.x, spacingMm.y), spacingMm.z);
     auto finest = valueOn(kLowestSpacingMm);

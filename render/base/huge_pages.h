@@ -21,11 +21,18 @@ struct HugePageAllocator {
     HugePageAllocator(const HugePageAllocator<Other>&) {}
 
     T* allocate(std::size_t count) { return static_cast<T*>(allocateInHugePages(count * sizeof(T))); }
+    /// Begins the life of a number without a value. Who makes an array writes all of it, and the system provides each
+    /// page to the thread that writes to it first.
+    template <class Element>
+    void construct(Element* at) {
+        ::new (static_cast<void*>(at)) Element;
+    }
     void deallocate(T* memory, std::size_t count) { freeHugePages(memory, count * sizeof(T)); }
 
     bool operator==(const HugePageAllocator&) const = default;
 };
 
+/// An array whose elements have no value before they are written, unless it is made with one.
 template <class T>
 using HugePageVector = std::vector<T, HugePageAllocator<T>>;
 

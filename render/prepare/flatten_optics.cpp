@@ -93,7 +93,7 @@ Majorants highestHu(const CellRanges& ranges, ivec3 volumeSize, const FlatMask& 
     Majorants highest;
     const ivec3 size = ranges.fineSize(), coarseSize = ranges.coarseSize();
     highest.fine.resize(ranges.cells().size());
-    highest.coarse.resize(std::size_t(coarseSize.x) * coarseSize.y * coarseSize.z);
+    highest.coarse.resize(std::size_t(coarseSize.x) * coarseSize.y * coarseSize.z, 0.0f);
     for (int k = 0; k < size.z; ++k)
         for (int j = 0; j < size.y; ++j)
             for (int i = 0; i < size.x; ++i) {

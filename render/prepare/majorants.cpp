@@ -24,7 +24,7 @@ struct Box {
 
 Majorants::Majorants(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize, const FlatMask& mask)
     : fine(ranges.cells().size()),
-      coarse(std::size_t(ranges.coarseSize().x) * ranges.coarseSize().y * ranges.coarseSize().z) {
+      coarse(std::size_t(ranges.coarseSize().x) * ranges.coarseSize().y * ranges.coarseSize().z, 0.0f) {
     const OpacityMaximum maximum(tables.flat(), ranges.whole());
     const ivec3 size = ranges.fineSize(), coarseSize = ranges.coarseSize();
     const float highest = tables.highestOpacity();

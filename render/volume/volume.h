@@ -23,7 +23,7 @@ namespace pdr {
 inline constexpr double kLowestSpacingMm = 1e-6;
 inline constexpr double kHighestSpacingMm = 1e6;
 
-/// Hounsfield units of a grid, x fastest, then y, then z.
+/// Hounsfield units of a grid, x fastest, then y, then z. Those of Voxels(count) have no value yet.
 using Voxels = HugePageVector<std::int16_t>;
 
 /// The size of a grid and its place in the patient.

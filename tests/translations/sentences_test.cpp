@@ -120,7 +120,7 @@ void addFindings(std::vector<Text>& texts) {
     table.undecided = phrase("nothing is as thick as 20 mm");
     texts.push_back(segment::tableText(table));
     table = {};
-    table.body = std::make_shared<const Volume>(VolumeGeometry::aligned({1, 1, 1}, dvec3(1), dvec3(0)), Voxels(1));
+    table.body = std::make_shared<const Volume>(VolumeGeometry::aligned({1, 1, 1}, dvec3(1), dvec3(0)), Voxels(1, 0));
     table.hiddenMl = 16800;
     table.cutMl = 33.7;
     table.parts = 2;

@@ -75,7 +75,7 @@ class MarksTableTest : public QObject {
                     VolumeGeometry lying = VolumeGeometry::aligned(ivec3(9), spacing, dvec3(0));
                     lying.patientFromIndex = glm::rotate(dmat4(1), turn, dvec3(1, 2, 3)) * lying.patientFromIndex;
                     lying.patientFromIndex[2].y += 0.6;  // a tilted gantry
-                    const auto truth = measured(one, Volume(lying, Voxels(lying.voxelCount())));
+                    const auto truth = measured(one, Volume(lying, Voxels(lying.voxelCount(), 0)));
                     if (row.value)
                         QVERIFY(row.value->bound == truth->bound && row.value->value == truth->value);
                 }

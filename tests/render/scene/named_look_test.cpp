@@ -32,7 +32,7 @@ static std::vector<NamedLook> allLooks() {
 static Scene sceneWith(double sizeMm) {
     Scene scene;
     scene.volume = std::make_shared<const Volume>(
-        VolumeGeometry::aligned({2, 2, 2}, dvec3(sizeMm / 2), dvec3(sizeMm / 4)), Voxels(8));
+        VolumeGeometry::aligned({2, 2, 2}, dvec3(sizeMm / 2), dvec3(sizeMm / 4)), Voxels(8, 0));
     scene.camera = standardView(StandardView::anterior, scene.volume->geometry().centreMm(),
                                 scene.volume->geometry().radiusMm(), 1);
     return scene;

@@ -1,12 +1,26 @@
 /// Clamping a volume, and the memory that voxels lie in.
 
+#include <unistd.h>
 #include <QTest>
+
 #include <algorithm>
+#include <fstream>
 #include <numeric>
 
 #include "render/volume/clamp.h"
 
 using namespace pdr;
+
+namespace {
+
+/// Returns the memory of this program that lies in the machine's memory.
+std::size_t residentBytes() {
+    std::size_t all = 0, resident = 0;
+    std::ifstream("/proc/self/statm") >> all >> resident;
+    return resident * std::size_t(::sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
 
 class ClampTest : public QObject {
     Q_OBJECT
@@ -45,6 +59,17 @@ class ClampTest : public QObject {
                 equal = equal && copy[i] == std::int16_t(i * 31) && voxels[i] == copy[i];
             QVERIFY(equal);
         }
+    }
+
+    /// Voxels get their values from those who make them; writing zeros first would give all pages to one thread.
+    void pagesComeWhenTheyAreWritten() {
+        constexpr std::size_t kBytes = 256 << 20;
+        const std::size_t before = residentBytes();
+        Voxels voxels(kBytes / 2);
+        QVERIFY(residentBytes() < before + kBytes / 2);
+        std::ranges::fill(voxels, std::int16_t(1));
+        QVERIFY(residentBytes() > before + kBytes / 2);
+        QVERIFY(std::ranges::all_of(Voxels(kBytes / 64, 0), [](std::int16_t hu) { return hu == 0; }));
     }
 };
 

@@ -87,7 +87,7 @@ class ReconstructionTest : public QObject {
     }
 
     void paddingAndRemarksAreKept() {
-        Voxels voxels(2 * 1 * 3);
+        Voxels voxels(2 * 1 * 3, 0);
         Volume scan(VolumeGeometry::aligned({2, 1, 3}, dvec3(1), dvec3(0)), voxels,
                     {true, false, false, false, false, false}, "lossy");
         const Volume finer = reconstructed(std::move(scan), Reconstruction::cubic);
