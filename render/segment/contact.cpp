@@ -44,6 +44,17 @@ Cells eroded(const Cells& body, const std::vector<float>& squaredDepths, const C
     return thickPieces(cells, squaredDepths, grid, kBallMm).cells;
 }
 
+/// Returns the residue of the opening: what lies farther from the core than the erosion took.
+Cells residueOf(const Cells& body, const std::vector<float>& squaredDepths, const CellGrid& grid,
+                const Checkpoint& checkpoint) {
+    const double reach = kOpeningMm + 1.01 * grid.longestMm();
+    const std::vector<float> fromCore = squaredDistances(eroded(body, squaredDepths, grid), 1, grid, reach, checkpoint);
+    Cells residue(body.size());
+    for (std::size_t i = 0; i < body.size(); ++i)
+        residue[i] = body[i] && !atMost(fromCore[i], reach);
+    return residue;
+}
+
 /// Returns the cells of the pieces whose number is in `chosen`.
 Cells cellsOf(const Pieces& pieces, const Cells& chosen) {
     Cells cells(pieces.of.size());
@@ -75,13 +86,7 @@ void keepEnclosed(Cells& foreign, const Pieces& pieces, const std::vector<Extent
 
 Cells touching(const Cells& body, const std::vector<float>& squaredDepths, const CellGrid& grid,
                const Checkpoint& checkpoint) {
-    const double reach = kOpeningMm + 1.01 * grid.longestMm();
-    // Find the residue of the opening
-    const Cells core = eroded(body, squaredDepths, grid);
-    const std::vector<float> fromCore = squaredDistances(core, 1, grid, reach, checkpoint);
-    Cells residue(body.size());
-    for (std::size_t i = 0; i < body.size(); ++i)
-        residue[i] = body[i] && !atMost(fromCore[i], reach);
+    const Cells residue = residueOf(body, squaredDepths, grid, checkpoint);
     const auto all = double(std::count(body.begin(), body.end(), 1));
     const auto thin = double(std::count(residue.begin(), residue.end(), 1));
     if (all - thin < kLeastOpened * all)
