@@ -132,8 +132,8 @@ class Document : public QObject {
     void redo();
 
   signals:
-    /// Emitted before the volume is closed. Every holder of the volume, its table, parts or masks releases them now,
-    /// since the next series waits for their memory.
+    /// Emitted while a series closes; hasVolume() is false already, so that edits make no scene. Every holder of the
+    /// volume, its table, parts or masks releases them now, since the next series waits for their memory.
     void closing();
     /// Emitted once at the end of each operation that may have changed something, for those who show the document.
     /// `changes`: what has changed; an edit that did not change the plan may still have changed the history.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "render/edit/first_samples.h"
+
 namespace pdr {
 
 namespace {
@@ -22,6 +24,13 @@ double pixelsOf(const Tile& tile) {
 void FrameScheduler::chooseFirst(ivec2 size, bool moving) {
     divider_ = ladder_.first(size);
     passing_ = moving;
+}
+
+void FrameScheduler::chooseEdited(ivec2 size, bool moving) {
+    if (!ladder_.editIsInTime(size))
+        return chooseFirst(size, moving);
+    divider_ = 1;
+    passing_ = false;
 }
 
 void FrameScheduler::chooseFiner() {
@@ -69,6 +78,11 @@ Sweep::Order FrameScheduler::next(const Demand& demand, bool inPieces) {
     return sweep_.next(inPieces ? ladder_.speed() * kPieceSeconds : pixels());
 }
 
+/// Returns how many samples the pixels that lag behind in the part have left to the next mark.
+std::uint64_t FrameScheduler::leftToMark() const {
+    return FirstSamples::leftToMark(sweep_.partSamples());
+}
+
 /// Returns how many iterations to request at once. The first iteration of a first image shows how many are in time.
 std::uint32_t FrameScheduler::launch(const Demand& demand) const {
     if (hurries(demand) && done_.n == 0)
@@ -76,7 +90,8 @@ std::uint32_t FrameScheduler::launch(const Demand& demand) const {
     const double seconds = hurries(demand) ? ladder_.secondsForSamples(pixels()) - done_.seconds : kLaunchSeconds;
     const std::uint32_t all = wanted(demand), left = all > done_.n ? all - done_.n : 1;
     const double speed = done_.n > 0 && done_.seconds > 0 ? done_.n / done_.seconds : ladder_.speed() / partPixels();
-    return std::uint32_t(std::clamp(speed * seconds, 1.0, double(left)));
+    const auto most = double(demand.keepsFirst ? std::min<std::uint64_t>(left, leftToMark()) : left);
+    return std::uint32_t(std::clamp(speed * seconds, 1.0, most));
 }
 
 void FrameScheduler::took(const Sweep::Order& order, double seconds) {
@@ -88,7 +103,9 @@ std::uint32_t FrameScheduler::wanted(const Demand& demand) const {
     const double larger = pixels() / partPixels();
     const std::uint32_t usual =
         isCoarse() ? ResolutionLadder::kSamples : std::uint32_t(larger * timer_.iterations(demand.pace));
-    return std::max(usual, std::uint32_t(demand.replaced.value_or(0)));
+    const std::uint32_t all = std::max(usual, std::uint32_t(demand.replaced.value_or(0)));
+    const std::uint64_t before = samples().least - std::min<std::uint64_t>(done_.n, samples().least);
+    return demand.isEdit ? std::uint32_t(std::min<std::uint64_t>(all, FirstSamples::leftToMark(before))) : all;
 }
 
 bool FrameScheduler::isComplete(const Demand& demand) const {
@@ -114,7 +131,9 @@ void FrameScheduler::addImage(const TimedImage& image) {
         timer_.addFrame(n, seconds, image.displaySeconds);
         ladder_.addFrame(n * pixels(), seconds);
     }
-    if (image.isOnGuide)
+    if (image.isEdit)
+        ladder_.addEditedDisplay(pixels(), image.displaySeconds);
+    else if (image.isOnGuide)
         ladder_.addGuidedDisplay(pixels(), image.displaySeconds);
     else if (!image.overlaps)
         ladder_.addDisplay(pixels(), image.displaySeconds);

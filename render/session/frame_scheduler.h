@@ -24,6 +24,10 @@ class FrameScheduler {
         /// Samples per pixel of the coarser image on the screen that it replaces; none: there is no such image, so that
         /// a coarse film's image must come in time.
         std::optional<std::uint64_t> replaced;
+        /// No launch goes past a mark, so that the image after the first samples can be kept (edit/first_samples.h).
+        bool keepsFirst = false;
+        /// The first images are made with that before an edit: one after each mark.
+        bool isEdit = false;
     };
     /// Iterations of the sampled part, and the time they took [s].
     struct Iterations {
@@ -36,6 +40,7 @@ class FrameScheduler {
         double displaySeconds = 0;
         bool overlaps = false;
         bool isOnGuide = false;  ///< it is a coarse film's, drawn on a guide
+        bool isEdit = false;     ///< it is made with the image before an edit
     };
 
     explicit FrameScheduler(SessionClock clock) : clock_(std::move(clock)) {}
@@ -43,6 +48,9 @@ class FrameScheduler {
     // Films. Choices of how coarse the next one is:
     /// Chooses the first film of a scene whose full film has `size` pixels. `moving`: the user drags.
     void chooseFirst(ivec2 size, bool moving);
+    /// Chooses the first film after an edit whose image is made with the one before: the full film if one sample of
+    /// each pixel comes in time, also while the user drags.
+    void chooseEdited(ivec2 size, bool moving);
     /// Chooses the next finer film of the same scene.
     void chooseFiner();
     /// Chooses the full film of a scene at rest.
@@ -94,6 +102,7 @@ class FrameScheduler {
     double partPixels() const;
     bool hurries(const Demand& demand) const { return isCoarse() && !demand.replaced; }
     std::uint32_t launch(const Demand& demand) const;
+    std::uint64_t leftToMark() const;
 
     SessionClock clock_;
     ResolutionLadder ladder_;

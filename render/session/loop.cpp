@@ -82,6 +82,7 @@ RenderCommands::LoopState Session::Loop::state() {
 void Session::Loop::clear() {
     goOnFrom(nullptr);
     display_.dropCoarser();
+    edits_.forget();
     effectCosts_.forget();
     kept_.clear();
     scene_ = {};
@@ -111,12 +112,16 @@ bool Session::Loop::begin(const RenderCommands::SceneOrder& order, const std::st
         fail(fits.error().text());
         return false;
     }
+    edits_.follow(scene_, order.scene);
     scene_ = order.scene;
     effectCosts_.follow(scene_, commands.display());
     display_.dropCoarser();
     if (!moving_ && comeBack(stop))
         return true;
-    scheduler_.chooseFirst(scene_.film, moving_);
+    if (edits_.hasOld() && smooths(commands.display()))
+        scheduler_.chooseEdited(scene_.film, moving_);
+    else
+        scheduler_.chooseFirst(scene_.film, moving_);
     beginFilm();
     return false;
 }
@@ -194,6 +199,8 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
                      : place_.hasScene() ? TileProgress(wholeImage(place_.size()))
                                          : TileProgress());
     display_.reset(!hasSamples());
+    if (!film)
+        edits_.startOver();
     quality_.clear();
     bias_.clear();
     shown_ = returning_ = nullptr;

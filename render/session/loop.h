@@ -8,6 +8,7 @@
 #include "render/session/bias_tracker.h"
 #include "render/session/checkpoint.h"
 #include "render/session/display_pipeline.h"
+#include "render/session/edited_view.h"
 #include "render/session/film_on_device.h"
 #include "render/session/frame_scheduler.h"
 #include "render/session/kept_films.h"
@@ -42,6 +43,8 @@ class Session::Loop {
     // Parts of work(). Errors: the device's.
     Result<void> accumulate(const FrameBudget& pace, const std::stop_token& stop);
     Result<void> show(const RenderCommands::Iteration& step, bool adds);
+    Result<DisplayPipeline::Images> makeEdited(const Display& asked, const Display& display, bool adds,
+                                               const std::stop_token& stop);
     Result<void> showCoarser(const RenderCommands::Iteration& step);
     Result<void> timeDisplay(const Display& display, std::uint32_t n, double frameSeconds);
     Result<void> judge(const RenderCommands::Iteration& step);
@@ -73,7 +76,9 @@ class Session::Loop {
 
     Tile nextPart();
     Result<void> beginFrame(const FrameBudget& pace);
-    FrameScheduler::Demand demand(const FrameBudget& pace) const { return {pace, display_.coarserSamples()}; }
+    FrameScheduler::Demand demand(const FrameBudget& pace) const {
+        return {pace, display_.coarserSamples(), keepsFirst(), edits_.hasOld() && !coarse()};
+    }
     bool overlaps() const { return place_.film()->maxInFlight() > 1; }
     bool hasSamples() const { return scheduler_.samples().least > 0; }
     bool isHalfMade() const { return scheduler_.sweep().isHalfMade(); }
@@ -84,8 +89,16 @@ class Session::Loop {
     /// Returns whether an image in progress is postponed for another display, because an older image can be shown
     /// on that at once.
     bool givesWay() const { return !display_.awaitsFirst() || (display_.hasCoarser() && !coarse()); }
+    /// Returns whether the image after the first samples is kept, for the next edit.
+    bool keepsFirst() const { return !coarse() && EditedView::canKeep(scene_); }
+    /// Returns whether the image is made with the one before the edit.
+    bool showsEdit(const Display& display) const {
+        return display.denoised && !coarse() && edits_.helps(scheduler_.samples().least);
+    }
     /// Returns whether there is a denoised image whose error can be judged.
     bool canJudge() { return !coarse() && !moving_ && smooths(commands.display()); }
+    /// Returns whether that image is the film denoised, nothing else.
+    bool judgesFilm() { return canJudge() && !showsEdit(commands.display()); }
     /// Returns whether the film is worth keeping for when its scene comes back.
     bool isWorthKeeping() const {
         return place_.film() != nullptr && !coarse() && !display_.awaitsFirst() && hasSamples() &&
@@ -110,6 +123,7 @@ class Session::Loop {
 
     FrameScheduler scheduler_{clock_};
     DisplayPipeline display_;
+    EditedView edits_;
     QualityTracker quality_{clock_};
     BiasTracker bias_{clock_};
     Checkpoint checkpoint_{clock_};

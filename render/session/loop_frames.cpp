@@ -102,6 +102,8 @@ Result<void> Session::Loop::accumulate(const FrameBudget& pace, const std::stop_
     if (Result<void> accumulated = place_.film()->accumulate(order.tile, order.n, stop); !accumulated)
         return accumulated;
     scheduler_.took(order, clock_() - start);
+    if (keepsFirst() && !step.stop.stop_requested())
+        edits_.keepFirst(place_, scheduler_.samples());
     return {};
 }
 
@@ -115,7 +117,7 @@ Result<void> Session::Loop::takeSnapshots() {
                             place_.info().name,
                             bias_.known(commands.display().exposure),
                             commands.stopRequest().rule,
-                            canJudge() ? &quality_.denoised() : nullptr};
+                            judgesFilm() ? &quality_.denoised() : nullptr};
         const std::uint64_t judged = quality_.denoised().judgedSamples();
         for (const RenderCommands::SnapshotRequest& order : commands.takeSnapshotRequests(place_.revision()))
             order.look(view);

@@ -20,10 +20,12 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
     const bool atOnce = display_.isFresh() || coarse() || scheduler_.isTimed() || !adds;
     const double start = clock_();
     const std::stop_token& stop = step.redisplay || !givesWay() ? step.stop : step.detour;
-    const bool guided =
-        display.denoised && display_.findGuide(place_, ResolutionLadder::finer(scheduler_.divider()), step.stop);
-    Result<DisplayPipeline::Images> images =
-        guided ? display_.makeOnGuide(place_, asked, adds) : display_.make(place_, asked, display, atOnce, stop);
+    const bool edited = showsEdit(display);
+    const bool guided = display.denoised && !edited &&
+                        display_.findGuide(place_, ResolutionLadder::finer(scheduler_.divider()), step.stop);
+    Result<DisplayPipeline::Images> images = edited   ? makeEdited(asked, display, adds, stop)
+                                             : guided ? display_.makeOnGuide(place_, asked, adds)
+                                                      : display_.make(place_, asked, display, atOnce, stop);
     if (!images)
         return images.error();
     if (display.denoised && step.stop.stop_requested())
@@ -39,7 +41,7 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
     const FrameScheduler::Iterations taken = within ? FrameScheduler::Iterations() : scheduler_.endFrame();
     quality_.addSeconds(taken.seconds + displaySeconds);
     if (adds)
-        scheduler_.addImage({taken, displaySeconds, overlaps(), guided});
+        scheduler_.addImage({taken, displaySeconds, overlaps(), guided, edited});
     // State the quality, then send
     for (DisplayedImage& each : *images)
         quality_.record(each.image, each.display.exposure, scheduler_.secondsAhead());
@@ -50,12 +52,28 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
                                         : Result<void>();
 }
 
+/// Returns the images in flight, and that of the edited scene.
+Result<DisplayPipeline::Images> Session::Loop::makeEdited(const Display& asked, const Display& display, bool adds,
+                                                          const std::stop_token& stop) {
+    Result<DisplayPipeline::Images> images = display_.takeAllBut(place_, 0);
+    if (!images)
+        return images;
+    Result<DisplayedImage> made = edits_.image(place_, display, adds, stop);
+    if (!made)
+        return made.error();
+    made->display = asked;
+    images->push_back(*std::move(made));
+    return images;
+}
+
 /// Judges the error of the denoised image, if one is shown at rest and this is due. A change of brightness interrupts
 /// it.
 Result<void> Session::Loop::judge(const RenderCommands::Iteration& step) {
+    if (edits_.letGo(partSamples()))
+        quality_.denoised().clear();  // it was the image made with the old one
     if (!canJudge() || !quality_.isJudgementDue(partSamples(), step.render) || step.detour.stop_requested())
         return {};
-    return quality_.judge(*place_.film(), partSamples(), step.detour);
+    return quality_.judge(*place_.film(), partSamples(), step.detour, edits_.smoother(partSamples()));
 }
 
 /// Updates the error map, if one is requested, and the status of the region.

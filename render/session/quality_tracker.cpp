@@ -49,9 +49,10 @@ bool QualityTracker::isJudgementDue(std::uint64_t samples, bool renders) const {
     return denoised_.isDue(samples, isCheap ? kLeastJudgedGrowth : kJudgedGrowth);
 }
 
-Result<void> QualityTracker::judge(Accumulator& film, std::uint64_t samples, const std::stop_token& stop) {
+Result<void> QualityTracker::judge(Accumulator& film, std::uint64_t samples, const std::stop_token& stop,
+                                   const HalfSmoother& smoother) {
     const double start = clock_();
-    Result<void> judged = film.look([&](const Film& content) { denoised_.judge(content, samples, stop); });
+    Result<void> judged = film.look([&](const Film& content) { denoised_.judge(content, samples, stop, smoother); });
     judgeSeconds_ = clock_() - start;
     seconds_ += judgeSeconds_;
     judgedAt_ = seconds_;

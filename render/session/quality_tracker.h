@@ -40,9 +40,10 @@ class QualityTracker {
     /// Returns whether the denoised image is to be judged: now and then while rendering continues (`renders`), and
     /// when it stops.
     bool isJudgementDue(std::uint64_t samples, bool renders) const;
-    /// Judges the denoised image. This takes longer than an image may; a stop request changes nothing. Errors: the
-    /// device's.
-    Result<void> judge(Accumulator& film, std::uint64_t samples, const std::stop_token& stop);
+    /// Judges the denoised image, which `smoother` makes of the film. This takes longer than an image may; a stop
+    /// request changes nothing. Errors: the device's.
+    Result<void> judge(Accumulator& film, std::uint64_t samples, const std::stop_token& stop,
+                       const HalfSmoother& smoother = denoisedHalves);
 
     /// Returns whether errors are to be counted for a display of that exposure when pixels have so many samples on
     /// average. Until then the last counts remain valid.

@@ -10,7 +10,8 @@ namespace {
 /// Samples per second before any are known: what two to four cores make. A device that is faster is known to be so
 /// after one image; the first image of a slower one would keep the user waiting.
 constexpr double kGuess = 1e6;
-constexpr double kLeast = 0.4;  ///< least fraction of a frame's time for pixels, whatever else takes time
+constexpr double kEditedGuess = 1e-7;  ///< seconds to show a pixel of the first image after an edit
+constexpr double kLeast = 0.4;         ///< least fraction of a frame's time for pixels, whatever else takes time
 
 }  // namespace
 
@@ -35,6 +36,11 @@ double ResolutionLadder::secondsToShowCoarse() const {
 
 double ResolutionLadder::secondsForSamples(double pixels) const {
     return secondsForPixels() - pixels * secondsToShowCoarse();
+}
+
+bool ResolutionLadder::editIsInTime(ivec2 size) const {
+    const double display = editedSeconds_.empty() ? kEditedGuess : editedSeconds_.median();
+    return beginning_.median() + double(size.x) * size.y * (1 / speed() + display) <= kEditSeconds;
 }
 
 int ResolutionLadder::first(ivec2 size) const {

@@ -16,6 +16,9 @@ class ResolutionLadder {
   public:
     /// Time from the edit to the end of making its image; as much again may pass until it is on the screen.
     static constexpr double kFrameSeconds = 0.05;
+    /// Time from an edit to its first image where that is as sharp as the one before: one image a little later is
+    /// easier to follow than a coarse one in time.
+    static constexpr double kEditSeconds = 0.12;
     /// Samples per pixel of a first image: fewer pixels with less noise are easier to follow.
     static constexpr std::uint32_t kSamples = 4;
     static constexpr int kCoarsest = 24;
@@ -34,6 +37,11 @@ class ResolutionLadder {
     /// Records that showing so many pixels of a coarse film on a guide took `seconds`, the guide included.
     void addGuidedDisplay(double pixels, double seconds) { guidedSeconds_.add(seconds / pixels); }
 
+    /// Records that the first image after an edit, of so many pixels and made with the one before, took `seconds`.
+    void addEditedDisplay(double pixels, double seconds) { editedSeconds_.add(seconds / pixels); }
+
+    /// Returns whether one sample for each of `size` pixels, and their image with the one before an edit, come in time.
+    bool editIsInTime(ivec2 size) const;
     /// Returns the recent samples per second; a guess before the first frame.
     double speed() const;
     /// Returns the part of a frame's time that is left for samples in a coarse film of that many pixels [s].
@@ -51,6 +59,7 @@ class ResolutionLadder {
 
     Recent beginning_{kRecent}, speed_{kRecent};
     Recent displaySeconds_{kRecent}, guidedSeconds_{kRecent};  ///< per pixel of a film
+    Recent editedSeconds_{kRecent};                            ///< per pixel of an image made with the one before
 };
 
 /// Returns the size of the film with that divider: at least 1 x 1, and no larger than the full film over the divider.

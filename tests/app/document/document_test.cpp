@@ -258,7 +258,7 @@ void TestDocument::withoutVolumeEditsWait() {
     QCOMPARE(scenes, 1);
     QVERIFY(document.scene().transferFunction == twoLooks()[1].look.transferFunction);
     int closing = 0;
-    connect(&document, &Document::closing, [&] { closing += document.hasVolume() ? 1 : 100; });
+    connect(&document, &Document::closing, [&] { closing += document.hasVolume() ? 100 : 1; });
     document.close();
     QVERIFY(!document.hasVolume());
     document.close();

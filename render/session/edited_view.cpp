@@ -1,0 +1,86 @@
+#include "render/session/edited_view.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "render/scene/scene.h"
+
+namespace pdr {
+namespace {
+
+/// Samples from which a film is good enough alone, and from which an image is the old one whatever came before.
+constexpr std::uint64_t kEnoughAlone = 256, kEnoughToReplace = 64;
+/// Pixels above which no images are kept: they take 300 bytes a pixel.
+constexpr double kMostPixels = 0x1p21;
+
+/// Returns whether images of both scenes show the same place in each pixel, and meet the same random numbers.
+bool showSameView(const Scene& a, const Scene& b) {
+    return a.volume == b.volume && a.camera == b.camera && a.film == b.film && a.seed == b.seed &&
+           a.estimator == b.estimator && a.schedule == b.schedule;
+}
+
+}  // namespace
+
+bool EditedView::canKeep(const Scene& scene) {
+    return scene.schedule.kind == Schedule::Kind::pd && canBeDenoised(scene) &&
+           double(scene.film.x) * scene.film.y <= kMostPixels;
+}
+
+void EditedView::follow(const Scene& current, const Scene& next) {
+    if (!showSameView(current, next) || !canKeep(current) || !canKeep(next))
+        return forget();
+    const bool hasFirst = newest_ && newest_->first.at(FirstSamples::kMarks.front());
+    const bool isBetter = hasFirst && (!edited_ || newest_->samples >= kEnoughToReplace ||
+                                       2 * newest_->samples >= edited_->old().samples);
+    if (isBetter)
+        edited_.emplace(newest_);
+    else if (edited_)
+        edited_.emplace(edited_->shareOld());
+    startOver();
+}
+
+void EditedView::startOver() {
+    newest_ = nullptr;
+    first_.clear();
+    shown_ = nullptr;
+}
+
+bool EditedView::letGo(std::uint64_t samples) {
+    if (!edited_ || samples < std::min(edited_->old().samples, kEnoughAlone))
+        return false;
+    edited_.reset();
+    shown_ = nullptr;
+    return true;
+}
+
+void EditedView::keepFirst(FilmOnDevice& place, const SampleCounts& samples) {
+    if (samples.least == samples.most && FirstSamples::isMark(samples.least))
+        (void)place.film()->look([&](const Film& film) { first_.keep(film); });  // a lost device fails at its next call
+}
+
+HalfSmoother EditedView::smoother(std::uint64_t samples) {
+    return [this, samples](const NoisyFilm& noisy, const std::stop_token& stop) {
+        SmoothHalves denoised = denoisedHalves(noisy, stop);
+        if (stop.stop_requested())
+            return denoised;
+        newest_ = keptImage(noisy, denoised, samples, first_);
+        return helps(samples) ? edited_->halves(noisy, denoised, samples, first_) : denoised;
+    };
+}
+
+Result<DisplayedImage> EditedView::image(FilmOnDevice& place, const Display& display, bool adds,
+                                         const std::stop_token& stop) {
+    std::optional<DisplayedImage> made;
+    const Result<void> looked = place.film()->look([&](const Film& film) {
+        if (adds || !shown_)
+            shown_ = std::make_shared<const denoise::Colours>(edited_->radiance(film, first_, stop));
+        made = DisplayedImage{denoisedImageOf(film, *shown_, 1, display), display, place.size()};
+    });
+    if (!looked)
+        return looked.error();
+    if (stop.stop_requested())
+        shown_ = nullptr;
+    return *std::move(made);
+}
+
+}  // namespace pdr
