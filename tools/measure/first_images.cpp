@@ -1,14 +1,20 @@
 /// Measures how good the image is soon after an edit, in the real window: the image after 0.1, 1 and 10 seconds,
 /// denoised and raw, against an image of many samples of another seed.
 ///   first_images FOLDER [-o SHEET.jpg] [--reference N] [--threads N] [--look NAME]
+///                [--edit KIND:AMOUNT [--film N] [--json FILE]]
 /// FOLDER holds a CT. The edit is a view from the front. Prints a line for each image: its samples and pixels, the
 /// levels of 255 within which 95 % of the tissue are once the image is stretched to the view as the window does,
 /// and the error that the window states. With -o the images are drawn on one sheet: raw above, denoised below, the
 /// reference on the right.
+/// With --edit the look is edited instead (edit_trial.h), once the film has N samples (default 256): the images after
+/// 1, 4, 16 and 64 samples, and those in the window after 0.1, 1 and 10 seconds; each with the error of the change over
+/// tiles of 16 x 16 pixels, in parts of the mean change.
 
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QElapsedTimer>
+#include <QFile>
+#include <QJsonDocument>
 #include <QPainter>
 #include <QTemporaryDir>
 #include <QTest>
@@ -19,6 +25,7 @@
 #include "app/desktop/desktop.h"
 #include "app/looks/looks.h"
 #include "render/film/display/tone_map.h"
+#include "tools/measure/edit_trial.h"
 #include "ui/theme/theme.h"
 
 namespace pdr::app {
@@ -29,6 +36,8 @@ constexpr std::array<double, 3> kSeconds{0.1, 1, 10};
 struct Plan {
     QString folder, out, look;
     int reference, threads;
+    QString edit, json;  ///< edit: empty: another view
+    int film;
 };
 
 using Shown = std::shared_ptr<const Frame>;
@@ -49,31 +58,11 @@ QImage stretched(const QImage& image, QSize view) {
     return out;
 }
 
-/// Levels of 255 that 95 % of the tissue are off: of each pixel the channel that is off most.
-int levelsOff(const QImage& picture, const QImage& truth, const Film& tissue) {
-    std::vector<int> levels;
-    for (int y = 0; y < truth.height(); ++y)
-        for (int x = 0; x < truth.width(); ++x) {
-            if (!tissue.pixel(x, y).tissue)
-                continue;
-            const QRgb a = picture.pixel(x, y), b = truth.pixel(x, y);
-            levels.push_back(std::max(
-                {std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))}));
-        }
-    if (levels.empty())
-        return 0;
-    const auto at = levels.begin() + std::ptrdiff_t(0.95 * double(levels.size() - 1));
-    std::ranges::nth_element(levels, at);
-    return *at;
-}
-
-/// The images on the screen kSeconds after a view from the front, which comes after one from the left.
-std::array<Shown, kSeconds.size()> shownAfterEdit(Desktop& desktop) {
-    desktop.document().setView(StandardView::left);
-    QTest::qWait(3000);
+/// The images on the screen kSeconds after an edit.
+std::array<Shown, kSeconds.size()> shownAfter(Desktop& desktop, const std::function<void()>& edit) {
     QElapsedTimer clock;
     clock.start();
-    desktop.document().setView(StandardView::anterior);
+    edit();
     const std::uint64_t revision = desktop.document().scene().revision;
     std::array<Shown, kSeconds.size()> shown;
     for (std::size_t i = 0; i < kSeconds.size(); ++i) {
@@ -82,6 +71,13 @@ std::array<Shown, kSeconds.size()> shownAfterEdit(Desktop& desktop) {
             shown[i] = last;
     }
     return shown;
+}
+
+/// The images on the screen kSeconds after a view from the front, which comes after one from the left.
+std::array<Shown, kSeconds.size()> shownAfterView(Desktop& desktop) {
+    desktop.document().setView(StandardView::left);
+    QTest::qWait(3000);
+    return shownAfter(desktop, [&] { desktop.document().setView(StandardView::anterior); });
 }
 
 /// An image that was on the screen, with a text below it: its true error, and the stated one.
@@ -143,12 +139,63 @@ QImage sheetOf(const std::vector<Trial>& trials, const Trial& reference, const Q
 
 /// Nothing: it could not be made.
 std::shared_ptr<const Film> referenceOf(Scene scene, const Plan& plan) {
-    scene.seed += 1;
+    scene.seed += 777'000'777;  // neighbouring seeds share half their numbers
     const std::unique_ptr<Device> device = makeCpuDevice(plan.threads);
     const auto live = startFilm(*device, scene);
     if (!live || !(*live)->accumulate(std::uint32_t(plan.reference), {}))
         return nullptr;
     return *(*live)->film();
+}
+
+/// Waits until the film has so many samples and its image was judged.
+bool waitForFilm(Desktop& desktop, int samples) {
+    const bool grown = QTest::qWaitFor(
+        [&] {
+            const Shown& last = desktop.bridge().lastFrame();
+            return last && last->revision == desktop.document().scene().revision && !last->coarse &&
+                   last->status.samplesPerPixel >= std::uint64_t(samples);
+        },
+        600'000);
+    desktop.bridge().setPaused(true);
+    QTest::qWait(3000);
+    desktop.bridge().setPaused(false);
+    return grown;
+}
+
+/// Measures the images after an edit of the look, made from films and as the window shows them.
+int runEdit(Desktop& desktop, const Plan& plan) {
+    desktop.document().setView(StandardView::anterior);
+    const auto look = editedLook(desktop.document().setup().look, plan.edit);
+    if (!look || !waitForFilm(desktop, plan.film)) {
+        std::printf("no such edit, or no film of %d samples\n", plan.film);
+        return 1;
+    }
+    const Scene before = desktop.document().scene();
+    const auto shown = shownAfter(desktop, [&] { desktop.document().setLook(*look); });
+    const Display display{desktop.document().display().exposure, true};
+    const Scene after = desktop.document().scene();
+    desktop.bridge().setPaused(true);
+    const auto film = referenceOf(after, plan);
+    if (!film)
+        return 1;
+    const QImage truth = imageOf(imageOf(*film, display).rgba, after.film);
+    std::printf("%s, %s, %s from a film of %d samples: view of %d x %d pixels\n", qPrintable(plan.folder),
+                qPrintable(plan.look), qPrintable(plan.edit), plan.film, after.film.x, after.film.y);
+    EditTrial trial(truth, film, display);
+    QJsonArray rows = trial.run(before, after, std::uint64_t(plan.film), plan.threads);
+    for (std::size_t i = 0; i < kSeconds.size(); ++i)
+        rows.append(trial.inWindow(
+            kSeconds[i], shown[i] ? stretched(imageOf(shown[i]->rgba, shown[i]->size), truth.size()) : QImage(),
+            shown[i].get()));
+    if (QFile json(plan.json); !plan.json.isEmpty() && json.open(QIODevice::WriteOnly))
+        json.write(QJsonDocument(QJsonObject{{"edit", plan.edit},
+                                             {"look", plan.look},
+                                             {"film", plan.film},
+                                             {"width", after.film.x},
+                                             {"height", after.film.y},
+                                             {"images", rows}})
+                       .toJson());
+    return 0;
 }
 
 int run(const Plan& plan) {
@@ -164,10 +211,12 @@ int run(const Plan& plan) {
     for (std::size_t i = 0; i < desktop.document().looks().fitted().size(); ++i)
         if (QString::fromStdString(desktop.document().looks().fitted()[i].name).contains(plan.look))
             desktop.document().chooseLook(int(i));
+    if (!plan.edit.isEmpty())
+        return runEdit(desktop, plan);
     QTest::qWait(2000);
-    const auto denoised = shownAfterEdit(desktop);
+    const auto denoised = shownAfterView(desktop);
     desktop.document().setDenoised(false);
-    const auto raw = shownAfterEdit(desktop);
+    const auto raw = shownAfterView(desktop);
     const Display display{desktop.document().display().exposure, true};
     const Scene scene = desktop.document().scene();
     desktop.bridge().setPaused(true);
@@ -204,10 +253,14 @@ int main(int argc, char** argv) {
     parser.addOption({"look", "part of its name", "NAME", "Bone"});
     parser.addOption({"reference", "samples of the reference", "N", "256"});
     parser.addOption({"threads", "0: one per core", "N", "0"});
+    parser.addOption({"edit", "edit the look: node:30, curve:20, opacity:0.9, albedo:0.9 or lights:3", "EDIT"});
+    parser.addOption({"film", "samples of the film before the edit", "N", "256"});
+    parser.addOption({"json", "write the figures of an edit", "FILE"});
     parser.addHelpOption();
     parser.process(application);
     if (parser.positionalArguments().size() != 1)
         parser.showHelp(2);
     return pdr::app::run({parser.positionalArguments()[0], parser.value("o"), parser.value("look"),
-                          parser.value("reference").toInt(), parser.value("threads").toInt()});
+                          parser.value("reference").toInt(), parser.value("threads").toInt(), parser.value("edit"),
+                          parser.value("json"), parser.value("film").toInt()});
 }
