@@ -102,7 +102,7 @@ Result<void> Session::Loop::accumulate(const FrameBudget& pace, const std::stop_
     if (Result<void> accumulated = place_.film()->accumulate(order.tile, order.n, stop); !accumulated)
         return accumulated;
     scheduler_.took(order, clock_() - start);
-    if (keepsFirst() && !step.stop.stop_requested())
+    if (keepsFirst() && !stop.stop_requested())
         edits_.keepFirst(place_, scheduler_.samples());
     return {};
 }
