@@ -1530,6 +1530,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Farben über Hounsfield-Einheiten</translation>
     </message>
     <message>
+        <source>Colours over the values of the scan</source>
+        <translation>Farben über den Werten der Aufnahme</translation>
+    </message>
+    <message>
         <source>Comparison with Exposure Render</source>
         <translation>Vergleich mit Exposure Render</translation>
     </message>

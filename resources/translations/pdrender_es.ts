@@ -1530,6 +1530,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Colores sobre unidades Hounsfield</translation>
     </message>
     <message>
+        <source>Colours over the values of the scan</source>
+        <translation>Colores sobre los valores del estudio</translation>
+    </message>
+    <message>
         <source>Comparison with Exposure Render</source>
         <translation>Comparación con Exposure Render</translation>
     </message>

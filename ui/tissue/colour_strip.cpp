@@ -55,6 +55,7 @@ void ColourStrip::setMargins(int left, int right) {
 
 void ColourStrip::setValues(const ValueUnit& values) {
     values_ = values;
+    setAccessibleName(values.isHu ? tr("Colours over Hounsfield units") : tr("Colours over the values of the scan"));
     describe();
 }
 

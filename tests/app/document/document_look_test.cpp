@@ -19,7 +19,38 @@ class TestDocumentLook : public QObject {
     void aDragOfTheLookIsOneStep();
     void anotherModelLeavesTheWaysThatDoNotKnowIt();
     void aBackgroundIsPartOfTheImage();
+    void valuesThatAreNoHuHaveLooksOfTheirOwn();
 };
+
+/// Nothing that is drawn in HU is shown on other values, not even what the user drew; the next CT is shown as before.
+void TestDocumentLook::valuesThatAreNoHuHaveLooksOfTheirOwn() {
+    Voxels voxels;
+    for (int i = 0; i < 64; ++i)
+        voxels.push_back(std::int16_t(i < 40 ? i % 4 : 500 + 10 * i));  // darkness, and something in it
+    const auto other = std::make_shared<const Volume>(cube()->geometry(), voxels, std::vector<bool>(), "no-hu");
+    for (const bool edited : {false, true}) {
+        Told told;
+        if (edited) {
+            Look look = told.document.setup().look;
+            look.transferFunction.nodes[1].opacity = 0.25f;
+            told.document.setLook(look);
+        }
+        told.document.open(other);
+        QVERIFY(!told.document.looks().areInHu());
+        QCOMPARE(told.document.setup().lookName, std::string("Bright values, solid"));
+        const TransferFunction& function = told.scenes.back().transferFunction;
+        for (int i = 0; i < 64; ++i)
+            QCOMPARE(function.opacityAt(voxels[std::size_t(i)]) > 0, i >= 40);
+        told.document.chooseLook(1);
+        QCOMPARE(told.scenes.back().model, Model::maximumIntensity);
+        QVERIFY(told.scenes.back().window.highHu > 900 && told.scenes.back().window.lowHu < 4);
+        told.document.open(cube());
+        QVERIFY(told.document.looks().areInHu());
+        QCOMPARE(told.document.setup().lookName, std::string("first"));
+        QVERIFY(told.scenes.back().transferFunction == twoLooks()[0].look.transferFunction);
+        QCOMPARE(told.scenes.back().model, twoLooks()[0].model);
+    }
+}
 
 void TestDocumentLook::undoOfAChoiceBringsTheLookBack() {
     Told told;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/plan/marks_csv.h"
 #include "app/plan/measured.h"
 #include "app/plan/slice_region.h"
 #include "tests/support/scenes/scenes.h"
@@ -141,6 +142,29 @@ class MeasuredTest : public QObject {
         QCOMPARE(text(19.98), QString("0 HU"));
         const auto outside = measured(measurementOf(MeasureKind::point, {voxelMm(*volume, {60, 7, 4})}), *volume);
         QVERIFY(!outside && !outside.error().what.empty());
+    }
+
+    /// Values that are no HU are stated as what they stand for, in files and texts alike.
+    void otherValuesAreNoHu() {
+        const auto hu = ramp();
+        const ValueUnit unit = ValueUnit::other("Bq/ml", 0.25, 1000);
+        const Volume volume(hu->geometry(), Voxels(hu->voxels().begin(), hu->voxels().end()), {}, unitWord(unit));
+        const dvec3 middle = voxelMm(volume, {18, 20, 10});
+        const auto point = measured(measurementOf(MeasureKind::point, {middle}), volume);
+        QCOMPARE(point->value, 1000 - 0.25 * 20);
+        QCOMPARE(said(point->text), QString("995.0 Bq/ml"));
+        QCOMPARE(unitWord(*point), std::string("Bq/ml"));
+        const auto ball = measured(measurementOf(MeasureKind::ball, {middle, middle + dvec3(0, 8, 0)}), volume);
+        QVERIFY(ball && ball->region && std::abs(ball->value - 995) < 1e-9);
+        QCOMPARE(ball->region->lowestHu, 1000 - 0.25 * 100);
+        const auto inHu = measured(measurementOf(MeasureKind::ball, {middle, middle + dvec3(0, 8, 0)}), *hu);
+        QVERIFY(std::abs(*ball->plusMinus - 0.25 * *inHu->plusMinus) < 1e-9);
+        QVERIFY(std::abs(ball->region->sdHu - 0.25 * inHu->region->sdHu) < 1e-9);
+        for (const QString& text : {said(ball->text), said(ball->details)})
+            QVERIFY2(text.contains("Bq/ml") && !text.contains("HU"), qPrintable(text));
+        const std::string csv = marksCsv({{1, MeasureKind::ball, "", "Ball 1", ball, {}}});
+        QVERIFY2(csv.find("995.0000,") != std::string::npos && csv.find(",Bq/ml,") != std::string::npos, csv.c_str());
+        QVERIFY2(csv.find("975.0000") == std::string::npos, csv.c_str());  // columns in HU are empty
     }
 
     /// The second place lies on the surface: the ball reaches as far as it, on either side.
