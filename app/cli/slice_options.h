@@ -30,7 +30,7 @@ struct SliceOptions {
     std::optional<std::uint64_t> index;  ///< number of the slice, from 0
     std::optional<double> atMm;          ///< place across the slices; with neither, the middle slice is taken
     std::variant<ScanWindow, GreyWindow> window = ScanWindow::usual;
-    bool hasPreset = false;  ///< whether `window` is one of windowPresets(), which are in HU
+    bool hasPreset = false;                      ///< whether `window` is one of windowPresets(), which are in HU
     std::vector<std::filesystem::path> outputs;  ///< at least one; each .png or .exr
     ui::Annotate annotate = ui::Annotate::sides;
     bool help = false;

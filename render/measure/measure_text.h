@@ -11,9 +11,8 @@ namespace pdr::measure {
 /// What a value is measured in; `hu` stands for the unit of the scan's values.
 enum class Unit { mm, degrees, mm2, hu };
 
-/// A number and its ± with as many decimals as the ± has reasons for: one significant digit of it, two if it begins
-/// with
-/// 1. A ± is rounded up, and is nowhere below `least`: what is not in it is larger than that.
+/// A number and its ± with as many decimals as the ± has reasons for: one significant digit of it, two if the first is
+/// a one. A ± is rounded up, and is nowhere below `least`: what is not in it is larger than that.
 struct RoundedPlusMinus {
     double plusMinus;
     int decimals;  ///< for the value, too; negative: tens, hundreds

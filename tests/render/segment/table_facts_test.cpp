@@ -255,7 +255,8 @@ class TableFactsTest : public QObject {
 
     void theSentencesSayWhatIsHidden() {
         HiddenTable table;
-        table.body = std::make_shared<const Volume>(VolumeGeometry::aligned({1, 1, 1}, dvec3(1), dvec3(0)), Voxels(1, 0));
+        table.body =
+            std::make_shared<const Volume>(VolumeGeometry::aligned({1, 1, 1}, dvec3(1), dvec3(0)), Voxels(1, 0));
         table.hiddenMl = 884.4;
         QCOMPARE(segment::tableText(table), std::string("Table and holder hidden: 884 ml outside the body."));
         table.cutMl = 33.7;
