@@ -20,6 +20,7 @@
 #include <ctime>
 #include <deque>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "app/desktop/desktop.h"
@@ -189,21 +190,28 @@ void edits(Desktop& desktop, Stopwatch& watch, double seconds) {
     watch.report("a look, at rest");
 }
 
-/// Leaves an image by `edit`, comes back by undo and leaves it again by redo, with a rest of two seconds before each.
+/// Waits until the image has been rendered for two seconds, and returns its samples per pixel.
+std::uint64_t rest(Desktop& desktop, const Stopwatch& watch) {
+    const auto isRested = [&] {
+        const Frame& frame = *watch.last();
+        return frame.revision == desktop.document().scene().revision && !frame.coarse && frame.seconds >= 2;
+    };
+    (void)QTest::qWaitFor(isRested, 60'000);
+    return watch.last()->status.samplesPerPixel;
+}
+
+/// Leaves an image by `edit`, comes back by undo and leaves it again by redo, with a rest before each.
 void undo(Desktop& desktop, Stopwatch& watch, double seconds, const char* name, const std::function<void()>& edit) {
-    constexpr int kRestMs = 2000;
+    constexpr double kSecondsEach = 2;
     Document& document = desktop.document();
-    const auto samples = [&] { return watch.last()->status.samplesPerPixel; };
-    QTest::qWait(kRestMs);
-    std::uint64_t before = samples();
+    std::uint64_t before = rest(desktop, watch);
     edit();
-    QTest::qWait(kRestMs);
+    std::uint64_t here = rest(desktop, watch);
     watch.begin();
-    for (int i = 0; i < std::max(int(1e3 * seconds / kRestMs), 2); ++i) {
-        const std::uint64_t left = samples();
+    for (int i = 0; i < std::max(int(seconds / kSecondsEach), 2); ++i) {
         watch.time([&] { i % 2 == 0 ? document.undo() : document.redo(); }, before);
-        before = left;
-        QTest::qWait(kRestMs);
+        QTest::qWait(int(1e3 * kSecondsEach));
+        before = std::exchange(here, rest(desktop, watch));
     }
     watch.report(name);
 }
