@@ -5,6 +5,7 @@
 #include <future>
 #include <thread>
 
+#include "render/edit/first_samples.h"
 #include "tests/support/devices/failing_device.h"
 #include "tests/support/devices/screen.h"
 #include "tests/support/patience.h"
@@ -14,6 +15,9 @@ using namespace pdr;
 using namespace std::chrono_literals;
 
 namespace {
+
+/// Looks at the film for the next edit, after its first samples.
+constexpr int kFirstImages = int(FirstSamples::kMarks.size());
 
 const DeviceOpener kCpu = [] { return makeCpuDevice(1); };
 
@@ -131,7 +135,7 @@ class FaultsTest : public QObject {
         begin(session);
         const auto first = screen.await(onCpu);
         QVERIFY(first);
-        QCOMPARE(mishaps->filmsRead.load(), 1);
+        QCOMPARE(mishaps->filmsRead.load(), 1 + kFirstImages);
         QCOMPARE(std::uint64_t(last), std::uint64_t(1500));  // 3 s
         QVERIFY2(first->status.samplesPerPixel > 1000, qPrintable(QString::number(first->status.samplesPerPixel)));
         QVERIFY(neverInterrupted(filmOf(session)));
@@ -162,7 +166,7 @@ class FaultsTest : public QObject {
         Session session(std::make_unique<Host>(mishaps), screen.sink(), DeviceOpener(), test::readingOf(clock));
         begin(session);
         QVERIFY(screen.await(samples(1000)));  // 10 s
-        QCOMPARE(mishaps->filmsRead.load(), 0);
+        QCOMPARE(mishaps->filmsRead.load(), kFirstImages);
     }
 
     void aFaultWhilePausedIsHealedToo() {
