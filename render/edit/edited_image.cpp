@@ -81,44 +81,48 @@ std::shared_ptr<const KeptImage> keptImage(const NoisyFilm& noisy, const SmoothH
 struct EditedImage::Laid {
     Colours all;
     SmoothHalves halves;
-    HalfImages samples;  ///< the new image after the mark's samples
-    HalfImages fresh;    ///< `samples`, smoothed
+    std::shared_ptr<const HalfImages> samples;  ///< the new image after the mark's samples
+    HalfImages fresh;                           ///< `samples`, smoothed
     float dim;
 };
 
-/// Lays the change after `mark` samples on the old image. A half of the old image knows nothing of the numbers of the
-/// other half. The first sample of all is an even one, so that the old image's odd half knows neither colour of the
-/// chessboard.
-EditedImage::Laid EditedImage::lay(const FirstSamples& first, std::uint64_t mark) {
-    if (std::exchange(mark_, mark) != mark)
-        before_ = smoothed(*old_->first.at(mark), radiusOf(mark));
+/// Lays the change after `mark` samples on the old image, once for all images until the next mark. A half of the old
+/// image knows nothing of the numbers of the other half. The first sample of all is an even one, so that the old
+/// image's odd half knows neither colour of the chessboard.
+const EditedImage::Laid& EditedImage::lay(const FirstSamples& first, std::uint64_t mark) {
+    const std::shared_ptr<const HalfImages> samples = first.at(mark);
+    if (laid_ && laid_->samples == samples)
+        return *laid_;
+    const HalfImages before = smoothed(*old_->first.at(mark), radiusOf(mark));
     const SmoothHalves& old = old_->halves;
     const Colours all = meanOf(old.even, old.odd);
-    Laid laid{{}, {}, *first.at(mark), {}, kDimPart * meanOf(denoise::luminance(all))};
-    laid.fresh = smoothed(laid.samples, radiusOf(mark));
-    laid.all = laidOn(all, meanOf(before_.even, before_.odd), meanOf(laid.fresh.even, laid.fresh.odd), laid.dim);
-    laid.halves.even = laidOn(mark > 1 ? old.even : old.odd, before_.even, laid.fresh.even, laid.dim);
-    laid.halves.odd = laidOn(old.odd, before_.odd, laid.fresh.odd, laid.dim);
-    return laid;
+    Laid laid{{}, {}, samples, smoothed(*samples, radiusOf(mark)), kDimPart * meanOf(denoise::luminance(all))};
+    laid.all = laidOn(all, meanOf(before.even, before.odd), meanOf(laid.fresh.even, laid.fresh.odd), laid.dim);
+    laid.halves.even = laidOn(mark > 1 ? old.even : old.odd, before.even, laid.fresh.even, laid.dim);
+    laid.halves.odd = laidOn(old.odd, before.odd, laid.fresh.odd, laid.dim);
+    laid_ = std::make_shared<const Laid>(std::move(laid));
+    return *laid_;
 }
 
 Colours EditedImage::radiance(const Film& film, const FirstSamples& first, const std::stop_token& stop) {
     const std::uint64_t samples = film.samplesPerPixel(), mark = lastMark(first, samples);
-    const Laid laid = lay(first, mark);
+    const Laid& laid = lay(first, mark);
     const Plane share = share_.size().x > 0
                             ? share_
-                            : shareOfSecond(laid.halves, {laid.fresh.even, laid.fresh.odd}, laid.samples.even,
-                                            laid.samples.odd, laid.dim, mark > 1 ? 1 : kChessboardAlike);
+                            : shareOfSecond(laid.halves, {laid.fresh.even, laid.fresh.odd}, laid.samples->even,
+                                            laid.samples->odd, laid.dim, mark > 1 ? 1 : kChessboardAlike);
     if (samples <= kFirstImage)
         return mixed(share, laid.all, meanOf(laid.fresh.even, laid.fresh.odd));
     const NoisyFilm noisy = noisyFilm(film, stop);
+    if (stop.stop_requested())
+        return laid.all;  // the noisy film lacks planes
     return mixed(share, laid.all, scaled(smoothRadiance(noisy, stop), float(noisy.unit)));
 }
 
 SmoothHalves EditedImage::halves(const NoisyFilm& noisy, const SmoothHalves& denoised, std::uint64_t samples,
                                  const FirstSamples& first) {
     const auto unit = float(noisy.unit);
-    const Laid laid = lay(first, lastMark(first, samples));
+    const Laid& laid = lay(first, lastMark(first, samples));
     const SmoothHalves mine{scaled(laid.halves.even, 1 / unit), scaled(laid.halves.odd, 1 / unit)};
     share_ = shareOfSecond(mine, denoised, noisy.even.mean, noisy.odd.mean, laid.dim / unit);
     return {mixed(share_, mine.even, denoised.even), mixed(share_, mine.odd, denoised.odd)};

@@ -37,7 +37,7 @@ class EditedImage {
     explicit EditedImage(std::shared_ptr<const KeptImage> old) : old_(std::move(old)) {}
 
     /// Returns the image of `film`, whose first samples are `first`; they share a mark with those of the old image.
-    /// Units: radiance. Worthless after a stop request.
+    /// Units: radiance. Worthless after a stop request, but of the same size.
     denoise::Colours radiance(const Film& film, const FirstSamples& first, const std::stop_token& stop);
     /// Returns two such images, each made without the samples of one half of `noisy`, in its units; from now on
     /// radiance() mixes as they do. `noisy`: a film of `samples` samples, at least 4; `denoised`: its denoised halves.
@@ -53,12 +53,11 @@ class EditedImage {
 
   private:
     struct Laid;
-    Laid lay(const FirstSamples& first, std::uint64_t mark);
+    const Laid& lay(const FirstSamples& first, std::uint64_t mark);
 
     std::shared_ptr<const KeptImage> old_;
-    std::uint64_t mark_ = 0;  ///< mark of before_
-    HalfImages before_;       ///< the old image after that many samples, smoothed
-    denoise::Plane share_;    ///< share of the fresh image at the last judgement; no pixels: none yet
+    std::shared_ptr<const Laid> laid_;  ///< what was laid last; null: nothing yet
+    denoise::Plane share_;              ///< share of the fresh image at the last judgement; no pixels: none yet
 };
 
 }  // namespace pdr

@@ -197,6 +197,16 @@ class EditedImageTest : public QObject {
     }
 
     /// An old image that has nothing in common with the new one does no harm.
+    /// A stop leaves the planes of a film unfinished, some of them empty.
+    void whatIsStoppedHasTheSizeOfTheImage() {
+        Growing then{discs, 3}, now{edited, 3};
+        EditedImage image(kept(then.to(64)));
+        now.to(8);
+        std::stop_source stopped;
+        stopped.request_stop();
+        QCOMPARE(image.radiance(now.film, now.first, stopped.get_token())[0].size(), kSize);
+    }
+
     void aForeignImageDoesNoHarm_data() {
         QTest::addColumn<int>("samples");
         for (const int samples : {4, 16, 64})
