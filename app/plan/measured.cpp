@@ -1,6 +1,5 @@
 #include "app/plan/measured.h"
 
-#include <cmath>
 #include <utility>
 
 #include "app/plan/hole_mark.h"
@@ -64,11 +63,10 @@ Result<Measured> pointOf(const Place& place, const Volume& volume) {
         return Error{phrase("the scanner measured nothing here"), "", phrase("Move it into the scan."),
                      ErrorKind::refused};
     const ValueUnit unit = unitOf(volume);
-    const double value = unit.valueOf(sample.hu), last = std::pow(10.0, unit.decimals());
-    const Text digits = fixedNumber(std::round(value * last) / last + 0.0, unit.decimals());  // no "-0"
+    const Text digits = fixedNumber(unit.roundedValueOf(sample.hu), unit.decimals());
     return Measured{.unit = Unit::hu,
                     .valueUnit = unit,
-                    .value = value,
+                    .value = unit.valueOf(sample.hu),
                     .text = phrase("%1 %2", digits, unitText(unit)),
                     .details = phrase(unit.isHu ? "The HU that slices show at this place. One place has no ±: a ball "
                                                   "has a mean with a ±."

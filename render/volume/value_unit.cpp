@@ -51,6 +51,11 @@ int ValueUnit::decimals() const {
     return std::clamp(int(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
 }
 
+double ValueUnit::roundedValueOf(double voxel) const {
+    const double last = std::pow(10.0, decimals());
+    return std::round(valueOf(voxel) * last) / last + 0.0;
+}
+
 std::string unitWord(const ValueUnit& unit) {
     if (unit.isHu)
         return {};

@@ -26,6 +26,8 @@ struct ValueUnit {
 
     double valueOf(double voxel) const { return step * voxel + zero; }
     double voxelOf(double value) const { return (value - zero) / step; }
+    /// Returns the value of a voxel to as many digits as decimals() says; no -0.
+    double roundedValueOf(double voxel) const;
     /// Returns whether a voxel is the value itself.
     bool isPlain() const { return step == 1 && zero == 0; }
     /// Returns the number of digits behind the decimal point that tell neighbouring voxels apart; 0 for HU.

@@ -1,7 +1,5 @@
 #include "ui/text/value_text.h"
 
-#include <cmath>
-
 #include "ui/text/language.h"
 #include "ui/text/room_text.h"
 
@@ -12,8 +10,7 @@ QString unitName(const ValueUnit& unit) {
 }
 
 QString valueNumber(const ValueUnit& unit, double voxel) {
-    const double last = std::pow(10.0, unit.decimals());
-    return number(std::round(unit.valueOf(voxel) * last) / last + 0.0, unit.decimals());
+    return number(unit.roundedValueOf(voxel), unit.decimals());
 }
 
 QString valueText(const ValueUnit& unit, double voxel) {
