@@ -93,15 +93,14 @@ std::string checksumOf(const Volume& volume) {
     return hash.result().toHex().toStdString();
 }
 
-/// Adds what is known of the table. The memory of `volume` serves to hide it.
-void addTable(Json& report, Volume volume, const Progress& progress) {
-    const auto nobody = [](int, std::span<const std::int16_t>, std::span<const std::int16_t>) {};
-    const auto hidden = segment::hideTableIn(std::move(volume), nobody, progress);
-    if (!hidden)
+/// Adds what is known of the table.
+void addTable(Json& report, const Volume& volume, const Progress& progress) {
+    const auto table = segment::findTable(volume, progress);
+    if (!table)
         return;
-    const segment::HiddenTable& table = hidden->table;
-    report["table"] = {{"hiddenMl", table.hiddenMl}, {"touchedMl", table.cutMl}, {"bodyMl", table.bodyMl},
-                       {"metalMl", table.metalMl},   {"parts", table.parts},     {"text", segment::tableText(table)}};
+    report["table"] = {{"hiddenMl", table->hiddenMl}, {"touchedMl", table->cutMl},
+                       {"bodyMl", table->bodyMl},     {"metalMl", table->metalMl},
+                       {"parts", table->parts},       {"text", segment::tableText(*table)}};
 }
 
 void addPixels(Json& report, const dicom::Series& series, bool withTimes, const Progress& progress) {
@@ -111,7 +110,7 @@ void addPixels(Json& report, const dicom::Series& series, bool withTimes, const 
             addTime(report, step, time);
     };
     std::vector<dicom::Note> notes;
-    Result<Volume> volume = loadVoxels(series, dicom::Padding::keep, progress, &notes);
+    const Result<Volume> volume = loadVoxels(series, dicom::Padding::keep, progress, &notes);
     if (!volume) {
         if (series.verdict.loadable()) {
             report["loadable"] = false;
@@ -131,7 +130,7 @@ void addPixels(Json& report, const dicom::Series& series, bool withTimes, const 
     addSeconds("checksum");
     if (!series.verdict.loadable())
         return;
-    addTable(report, *std::move(volume), progress);
+    addTable(report, *volume, progress);
     addSeconds("table");
 }
 

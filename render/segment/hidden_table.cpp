@@ -53,8 +53,6 @@ std::string factOf(const HiddenTable& table) {
 struct FoundTable {
     HiddenTable facts;  ///< without the voxels of the body
     BodyMask mask;      ///< empty where nothing is hidden
-
-    bool hidesAnything() const { return facts.undecided.empty() && facts.hiddenMl >= kLeastMl; }
 };
 
 FoundTable tableIn(const Volume& volume, BodyMask mask, const Checkpoint& checkpoint) {
@@ -77,8 +75,8 @@ FoundTable withoutMemory(const Volume& volume) {
     return {undecided(volume, phrase("there is not enough memory to look for it")), {}};
 }
 
-/// Finds the table, and changes nothing. Error: cancelled().
-Result<FoundTable> findTable(const Volume& volume, const Progress& progress) {
+/// Finds the table and its mask, and changes nothing. Error: cancelled().
+Result<FoundTable> tableWithMask(const Volume& volume, const Progress& progress) {
     try {
         Result<BodyMask> mask = bodyMask(volume, partOf(progress, 0, 0.7));
         if (!mask && mask.error().kind == ErrorKind::cancelled)
@@ -95,14 +93,25 @@ Result<FoundTable> findTable(const Volume& volume, const Progress& progress) {
 
 }  // namespace
 
+bool HiddenTable::hidesAnything() const {
+    return undecided.empty() && hiddenMl >= kLeastMl;
+}
+
+Result<HiddenTable> findTable(const Volume& volume, const Progress& progress) {
+    Result<FoundTable> found = tableWithMask(volume, progress);
+    if (!found)
+        return found.error();
+    return std::move(found->facts);
+}
+
 Result<HiddenTable> hideTable(const Volume& volume, const Progress& progress) {
-    Result<FoundTable> found = findTable(volume, progress);
+    Result<FoundTable> found = tableWithMask(volume, progress);
     if (!found)
         return found.error();
     try {
         return orCancelled([&]() -> Result<HiddenTable> {
             HiddenTable& table = found->facts;
-            if (found->hidesAnything())
+            if (table.hidesAnything())
                 table.body = std::make_shared<const Volume>(volume.withVoxels(
                     hiddenCopy(found->mask, volume, checkpointOf(progress, 0.9, kStep)), factOf(table)));
             checkpointOf(progress, 1, kStep)();
@@ -114,14 +123,14 @@ Result<HiddenTable> hideTable(const Volume& volume, const Progress& progress) {
 }
 
 Result<ScanWithoutTable> hideTableIn(Volume scan, const SliceLoss& lost, const Progress& progress) {
-    Result<FoundTable> found = findTable(scan, progress);
+    Result<FoundTable> found = tableWithMask(scan, progress);
     if (!found)
         return found.error();
     return orCancelled([&]() -> Result<ScanWithoutTable> {
         HiddenTable& table = found->facts;
         const Checkpoint checkpoint = checkpointOf(progress, 0.9, kStep);
         const auto hide = [&](std::span<std::int16_t> voxels) { hideIn(voxels, found->mask, lost, checkpoint); };
-        const bool hides = found->hidesAnything();
+        const bool hides = table.hidesAnything();
         const auto seen =
             std::make_shared<const Volume>(hides ? std::move(scan).changed(hide, factOf(table)) : std::move(scan));
         if (hides)
@@ -135,11 +144,11 @@ Text tableText(const HiddenTable& table) {
     Text text;
     if (!table.undecided.empty())
         text = joined(text, phrase("No table was hidden, because %1.", table.undecided));
-    if (table.body)
+    if (table.hidesAnything())
         text = joined(text, phrase("Table and holder hidden: %1 outside the body.", volumeText(table.hiddenMl)));
-    if (table.body && table.cutMl >= kLeastMl)
+    if (table.hidesAnything() && table.cutMl >= kLeastMl)
         text = joined(text, phrase("%1 of it touched the skin: check the edge.", volumeText(table.cutMl)));
-    if (table.body && table.parts > 1)
+    if (table.hidesAnything() && table.parts > 1)
         text = joined(text, phrase("%1 separate parts are kept.", table.parts));
     if (table.metalMl > 0)
         text = joined(text, phrase("Metal outside the body is kept, with what it touches: %1.",

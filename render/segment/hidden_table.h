@@ -26,7 +26,13 @@ struct HiddenTable {
     /// Volume of metal outside the body, and of what it touches: it stays, since it may be a frame.
     double metalMl = 0;
     int parts = 0;  ///< bodies that do not touch
+
+    /// Returns whether there is anything to hide: 1 ml or more.
+    bool hidesAnything() const;
 };
+
+/// Finds what hideTable() would hide, and hides nothing: the result has no body. Error: cancelled().
+Result<HiddenTable> findTable(const Volume& volume, const Progress& progress);
 
 /// Finds the body in `volume` by the rule of body_mask.h and copies the voxels with air in place of all else. In the
 /// scan itself the body is surrounded by a cell of air, which stays, so that its surface does not change; metal stays
