@@ -25,8 +25,9 @@ inline std::vector<std::int16_t> steppedValues(ivec3 size) {
     return values;
 }
 
-inline std::string bytesOf(const std::vector<std::int16_t>& values) {
-    std::string bytes(values.size() * 2, '\0');
+template <class Value>
+std::string bytesOf(const std::vector<Value>& values) {
+    std::string bytes(values.size() * sizeof(Value), '\0');
     std::memcpy(bytes.data(), values.data(), bytes.size());
     return bytes;
 }

@@ -30,8 +30,9 @@ class GridSeriesTest : public QObject {
         std::ifstream in(file, std::ios::binary);
         return {std::istreambuf_iterator<char>(in), {}};
     }
+    template <class Value>
     static std::string withValues(const std::vector<std::pair<std::string, std::string>>& header,
-                                  const std::vector<std::int16_t>& values) {
+                                  const std::vector<Value>& values) {
         std::string bytes = test::nrrdBytes(header);
         return bytes.replace(bytes.size() - 480, 480, test::bytesOf(values));
     }
@@ -134,10 +135,7 @@ class GridSeriesTest : public QObject {
         values[0] = 0;
         values[1] = 1;
         values[7] = std::numeric_limits<float>::quiet_NaN();
-        std::string bytes = test::nrrdBytes({{"type", "float"}});
-        bytes.resize(bytes.size() - 480);
-        bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
-        const auto series = seriesOf(bytes);
+        const auto series = seriesOf(withValues({{"type", "float"}}, values));
         QVERIFY(bool(series) && series->verdict.loadable());
         QVERIFY(std::ranges::count(series->verdict.notes, "rounded", &dicom::Note::code) == 1);
         const auto volume = loadVoxels(*series, dicom::Padding::maskAsAir, noProgress);
@@ -152,10 +150,7 @@ class GridSeriesTest : public QObject {
 
     void infiniteValuesAreRefused() {
         std::vector<float> values(6 * 5 * 8, std::numeric_limits<float>::infinity());
-        std::string bytes = test::nrrdBytes({{"type", "float"}});
-        bytes.resize(bytes.size() - 480);
-        bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
-        QCOMPARE(seriesOf(bytes)->verdict.stack, dicom::Stack::unreadable);
+        QCOMPARE(seriesOf(withValues({{"type", "float"}}, values))->verdict.stack, dicom::Stack::unreadable);
     }
 
     /// A grid that is mirrored is turned by the order of its slices: no voxel changes its place in the patient.
@@ -290,10 +285,7 @@ class GridSeriesTest : public QObject {
         values[0] = -1000;
         values[1] = 900;
         values[7] = std::numeric_limits<float>::quiet_NaN();
-        std::string bytes = test::nrrdBytes({{"type", "float"}});
-        bytes.resize(bytes.size() - 480);
-        bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
-        const auto series = seriesOf(bytes);
+        const auto series = seriesOf(withValues({{"type", "float"}}, values));
         QVERIFY(bool(series) && series->verdict.loadable());
         const auto volume = loadVoxels(*series, dicom::Padding::maskAsAir, noProgress);
         QVERIFY(bool(volume));
