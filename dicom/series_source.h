@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "dicom/named_bytes.h"
 #include "dicom/series.h"
+#include "render/base/named_bytes.h"
 #include "render/base/progress.h"
 #include "render/base/result.h"
 

@@ -25,7 +25,7 @@ class GridSource : public dicom::SeriesSource {
 
     std::filesystem::path root() const override { return grid_.file.parent_path(); }
     Result<Listing> list(const Progress&) const override { return Listing{{grid_.file}, {}}; }
-    Result<dicom::NamedBytes> open(const std::filesystem::path& name) const override { return dicom::NamedBytes{name}; }
+    Result<NamedBytes> open(const std::filesystem::path& name) const override { return NamedBytes{name}; }
     const GridFile& grid() const { return grid_; }
 
   private:

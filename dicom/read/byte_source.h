@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dicom/go_on.h"
-#include "dicom/named_bytes.h"
+#include "render/base/named_bytes.h"
 #include "render/base/result.h"
 
 namespace pdr::dicom {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "dicom/go_on.h"
-#include "dicom/named_bytes.h"
+#include "render/base/named_bytes.h"
 #include "render/base/text.h"
 
 namespace pdr::dicom {

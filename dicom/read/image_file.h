@@ -5,11 +5,11 @@
 
 #include "dicom/go_on.h"
 #include "dicom/import.h"
-#include "dicom/named_bytes.h"
 #include "dicom/read/file_state.h"
 #include "dicom/read/fragments.h"
 #include "dicom/read/pixels.h"
 #include "dicom/read/slice_header.h"
+#include "render/base/named_bytes.h"
 
 namespace pdr::dicom {
 

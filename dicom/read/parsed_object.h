@@ -2,8 +2,8 @@
 /// Parses an object with the DICOM toolkit, in a file or in memory.
 
 #include "dicom/go_on.h"
-#include "dicom/named_bytes.h"
 #include "dicom/read/slice_header.h"
+#include "render/base/named_bytes.h"
 
 class DcmFileFormat;
 

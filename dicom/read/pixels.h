@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "dicom/import.h"
-#include "dicom/named_bytes.h"
 #include "dicom/read/slice_header.h"
+#include "render/base/named_bytes.h"
 
 namespace pdr::dicom {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "dicom/go_on.h"
-#include "dicom/named_bytes.h"
 #include "dicom/series.h"
+#include "render/base/named_bytes.h"
 
 namespace pdr::dicom {
 

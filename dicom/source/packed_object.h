@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "dicom/named_bytes.h"
+#include "render/base/named_bytes.h"
 #include "render/base/result.h"
 
 namespace pdr::dicom {

@@ -33,11 +33,11 @@ class MemorySource : public dicom::SeriesSource {
         return found;
     }
 
-    Result<dicom::NamedBytes> open(const std::filesystem::path& name) const override {
+    Result<NamedBytes> open(const std::filesystem::path& name) const override {
         const auto object = objects_.find(name);
         if (object == objects_.end())
             return Error{"it is gone", name.string(), ""};
-        return dicom::NamedBytes{name, object->second};
+        return NamedBytes{name, object->second};
     }
 
   private:
