@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <new>
 #include <utility>
 
@@ -48,13 +47,10 @@ Result<void> forEachValue(const GridFile& file, const Progress& progress, const 
 }
 
 Result<ValueRange> rangeOf(const GridFile& file, const Progress& progress) {
-    constexpr double kNone = std::numeric_limits<double>::infinity();
-    ValueRange range{kNone, -kNone};
+    ValueRange range = ValueRange::none();
     const auto widen = [&](std::size_t, std::span<const double> values) {
         for (const double value : values)
-            if (!std::isnan(value))
-                range = {std::min(range.lowest, value), std::max(range.highest, value),
-                         range.areWhole && value == std::floor(value)};
+            range.include(value);
     };
     if (auto ok = forEachValue(file, progress, "reading values", widen); !ok)
         return ok.error();
@@ -79,14 +75,15 @@ void judgeGrid(dicom::Series& series, const GridFile& grid) {
 
 /// Judges the values, and gives them their unit.
 void judgeValues(dicom::Series& series, const GridFile& grid, const ValueRange& range) {
-    if (!std::isfinite(range.lowest) || !std::isfinite(range.highest)) {
+    if (!range.isFinite()) {
         series.verdict.stack = dicom::Stack::unreadable;
         series.verdict.reason = phrase("its values are no finite numbers");
         return;
     }
     const Text lowest = numberOf(range.lowest), highest = numberOf(range.highest);
     std::vector<dicom::Note>& notes = series.verdict.notes;
-    series.unit = gridUnit(grid, range);
+    const FittedUnit fitted = gridUnit(grid, range);
+    series.unit = fitted.unit;
     if (series.unit.isHu)
         return notes.push_back(
             {"no-unit:" + lowest + ".." + highest,
@@ -96,10 +93,8 @@ void judgeValues(dicom::Series& series, const GridFile& grid, const ValueRange& 
                      phrase("the values run from %1 to %2 and are no HU, which begin at -100 or below, and end at 100 "
                             "or above: looks, windows and parts of the body that need HU are not offered",
                             lowest, highest)});
-    if (!isExact(grid, series.unit, range))
-        notes.push_back(
-            {"rounded", phrase("the values are rounded to steps of %1, 65,536 from the lowest to the highest",
-                               numberOf(series.unit.step, 3))});
+    if (!fitted.isExact)
+        notes.push_back(dicom::roundingNote(series.unit));
 }
 
 /// The voxels while they are read, and flags of those that are no numbers.

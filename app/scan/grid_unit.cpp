@@ -16,23 +16,6 @@ bool areWhole(SampleType type) {
     return type != SampleType::float32 && type != SampleType::float64;
 }
 
-/// Returns the steps that all values are whole multiples of, counted from `zero`; 0: none is known.
-double stepOf(const GridFile& grid, const ValueRange& range, double& zero) {
-    zero = 0;
-    if (range.areWhole)
-        return 1;
-    zero = grid.intercept;
-    return areWhole(grid.type) ? std::abs(grid.slope) : 0;
-}
-
-/// Returns how far voxels must move to lie within 16 bits.
-double shiftOf(double lowest, double highest) {
-    constexpr double kTremble = 1e-6;  // of quotients that are whole numbers
-    if (highest > INT16_MAX)
-        return std::ceil(highest - INT16_MAX - kTremble);
-    return lowest < INT16_MIN ? std::floor(lowest - INT16_MIN + kTremble) : 0;
-}
-
 }  // namespace
 
 bool mayBeHu(const ValueRange& range) {
@@ -40,21 +23,10 @@ bool mayBeHu(const ValueRange& range) {
     return range.lowest >= INT16_MIN && range.lowest <= kFat && range.highest >= kBone && range.highest <= INT16_MAX;
 }
 
-ValueUnit gridUnit(const GridFile& grid, const ValueRange& range) {
+FittedUnit gridUnit(const GridFile& grid, const ValueRange& range) {
     if (mayBeHu(range) && canBeBelowZero(grid))
         return {};
-    double zero = 0;
-    const double step = stepOf(grid, range, zero), span = range.highest - range.lowest;
-    if (step > 0 && span <= step * UINT16_MAX)
-        return ValueUnit::other({}, step,
-                                zero + step * shiftOf((range.lowest - zero) / step, (range.highest - zero) / step));
-    const double coarse = span > 0 ? span / UINT16_MAX : 1;
-    return ValueUnit::other({}, coarse, range.lowest - coarse * INT16_MIN);
-}
-
-bool isExact(const GridFile& grid, const ValueUnit& unit, const ValueRange& range) {
-    double zero = 0;
-    return unit.step == stepOf(grid, range, zero);
+    return fittedUnit({}, range, areWhole(grid.type) ? ValueSteps{std::abs(grid.slope), grid.intercept} : ValueSteps());
 }
 
 }  // namespace pdr::app

@@ -12,6 +12,8 @@ namespace pdr::dicom {
 inline constexpr std::uint32_t kUndefined = 0xFFFFFFFF;
 inline constexpr std::uint32_t kItem = 0xFFFEE000, kItemEnd = 0xFFFEE00D, kSequenceEnd = 0xFFFEE0DD;
 inline constexpr std::uint32_t kTransferSyntax = 0x00020010, kNumberOfFrames = 0x00280008, kPixelData = 0x7FE00010;
+/// Elements that hold pixels as floating-point numbers of 32 and 64 bits.
+inline constexpr std::uint32_t kFloatPixelData = 0x7FE00008, kDoubleFloatPixelData = 0x7FE00009;
 
 struct Encoding {
     bool explicitVr = true;

@@ -129,6 +129,12 @@ class Walk {
         return open(element, false, sequence.encoding);
     }
 
+    /// Returns whether `element` holds the pixels of the object, not those of an icon in a sequence.
+    bool isImage(const Element& element) const {
+        return levels_.size() == 1 &&
+               (element.tag == kPixelData || element.tag == kFloatPixelData || element.tag == kDoubleFloatPixelData);
+    }
+
     bool inItem(const Element& element) {
         const Level& level = levels_.back();
         if (element.tag == kItemEnd && level.openEnded) {
@@ -137,7 +143,8 @@ class Walk {
         }
         if (element.tag >> 16 == 0xFFFE)
             return damaged(phrase("there is a stray delimiter %1", hexTag(element.tag)));
-        if (element.tag == kPixelData && levels_.size() == 1) {
+        if (isImage(element)) {
+            found_.hasPixelsTwice = found_.reachesPixels;
             found_.reachesPixels = true;
             found_.pixelsAt = element.value;
         }
@@ -161,7 +168,7 @@ class Walk {
         if (element.tag == kNumberOfFrames && levels_.size() == 1)
             allowance_.raiseFor(frameCount(element));
         at_ += element.length;
-        if (element.tag == kPixelData && levels_.size() == 1)
+        if (isImage(element))
             found_.pixelBytes = element.length;
         return true;
     }

@@ -17,8 +17,9 @@ struct FileStructure {
     bool hasMetaHeader = false;     ///< whether group 0002 is present
     std::string transferSyntaxUid;  ///< transfer syntax of the data set: as stated, or as found if not stated
     bool reachesPixels = false;     ///< whether everything before the pixel data is sound
-    std::uint64_t pixelBytes = 0;   ///< length of the pixel data element as it lies in the file
-    std::uint64_t pixelsAt = 0;     ///< offset of its value; in a deflated file, in what is inflated
+    std::uint64_t pixelBytes = 0;   ///< length of the pixel data as they lie in the file, floating-point or not
+    std::uint64_t pixelsAt = 0;     ///< offset of their value; in a deflated file, in what is inflated
+    bool hasPixelsTwice = false;    ///< whether there are two such elements, and which is the image is not known
     Text damage;                    ///< empty: sound to the last byte; else a phrase ("ends 12 bytes into ...")
 };
 

@@ -26,11 +26,11 @@ auto withinMemory(const NamedBytes& object, Work work) -> decltype(work()) {
 }
 
 /// Returns whether the only image of an object lies in its bytes as it is, so that the toolkit, which would copy it,
-/// need not read it. Words of 16 bits may have their high byte first.
+/// need not read it. Words of 16 bits and floating-point numbers may have their high byte first.
 bool isPlain(const SliceHeader& header) {
     const std::string& coding = header.transferSyntaxUid;
-    const bool isOrdered = !isBigEndian(coding) || header.format.bitsAllocated == 16;
-    return !isCompressed(coding) && !isDeflated(coding) && isOrdered && !header.hasFloatPixels;
+    const bool isOrdered = !isBigEndian(coding) || header.format.bitsAllocated == 16 || header.realBits != 0;
+    return !isCompressed(coding) && !isDeflated(coding) && isOrdered;
 }
 
 /// Returns the rescale to voxels of `unit`. Steps of a voxel and of a stored number may be the same: then no rounding

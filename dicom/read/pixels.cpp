@@ -5,8 +5,6 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -16,170 +14,11 @@
 #include "dicom/read/image_file.h"
 #include "dicom/read/open_images.h"
 #include "dicom/read/parsed_object.h"
+#include "dicom/read/stored_pixels.h"
 
 namespace pdr::dicom {
 
 namespace {
-
-/// Value that some GE scanners store outside the round field of view without declaring it, or while they declare
-/// another.
-constexpr int kGeOutsideField = -2000;
-constexpr double kGeIntercept = -1024.0;
-
-/// Converts the raw bits of a pixel to the number that they store. `Number` holds any of them: int, or std::int64_t for
-/// pixels of 32 bits.
-template <class Number>
-class StoredValue {
-  public:
-    explicit StoredValue(const PixelFormat& format)
-        : shift_(format.highBit + 1 - format.bitsStored),
-          mask_(~0u >> (32 - format.bitsStored)),
-          signBit_(format.isSigned ? Number(1) << (format.bitsStored - 1) : 0) {}
-
-    Number of(unsigned raw) const { return (Number(raw >> shift_ & mask_) ^ signBit_) - signBit_; }
-
-    /// Converts a padding value, which is written as a number, not as bits of a pixel, and often with the other
-    /// signedness.
-    Number ofPadding(int sixteenBits) const {
-        if (signBit_ == 0)
-            return sixteenBits;
-        const int asSigned = std::int16_t(sixteenBits);
-        if (asSigned >= -signBit_ && asSigned < signBit_)
-            return asSigned;
-        // These are the bits of a pixel, then, and not a number; what is wider than a pixel stays so and matches none.
-        return (Number(sixteenBits) ^ signBit_) - signBit_;
-    }
-
-  private:
-    int shift_;
-    unsigned mask_;
-    Number signBit_;
-};
-
-/// The stored values that mean "nothing measured here".
-class PaddingRule {
-  public:
-    template <class Number>
-    PaddingRule(const ValueMeaning& meaning, const StoredValue<Number>& stored, Padding padding) {
-        if (meaning.paddingValue) {
-            const auto first = int(stored.ofPadding(*meaning.paddingValue));
-            const auto last = meaning.paddingLimit ? int(stored.ofPadding(*meaning.paddingLimit)) : first;
-            lowest_ = std::min(first, last);
-            highest_ = std::max(first, last);
-        }
-        geOutside_ = padding == Padding::maskAsAir && meaning.intercept == kGeIntercept && meaning.slope == 1.0;
-    }
-
-    template <class Number>
-    bool matches(Number stored) const {
-        return (stored >= lowest_ && stored <= highest_) || (geOutside_ && stored == kGeOutsideField);
-    }
-
-  private:
-    int lowest_ = 1, highest_ = 0;
-    bool geOutside_ = false;
-};
-
-/// Computes HU = stored * slope + intercept, rounded to the nearest.
-class Rescale {
-  public:
-    explicit Rescale(const ValueMeaning& meaning)
-        : slope_(meaning.slope.value_or(1.0)), intercept_(meaning.intercept.value_or(0.0)) {}
-
-    /// Returns the whole number that is added to every stored value; none if there is more to it. True for nearly every
-    /// CT: no rounding is needed, which takes most of the time.
-    std::optional<int> shift() const {
-        if (slope_ == 1.0 && std::abs(intercept_) < 1e6 && intercept_ == std::floor(intercept_))
-            return int(intercept_);
-        return {};
-    }
-
-    /// Returns HU, clamped to a million: far beyond what a slice can hold, and nowhere near the end of int. What is no
-    /// number is air.
-    int of(double stored) const {
-        const double hu = std::round(stored * slope_ + intercept_);
-        return std::isnan(hu) ? Volume::kAirHu : int(std::clamp(hu, -1e6, 1e6));
-    }
-
-  private:
-    double slope_, intercept_;
-};
-
-/// Converts the pixels of `slice`, whose HU and padding flags have their final size: `numberOf(i)` is the number of
-/// pixel i, `isPadding` tells those that mean "nothing measured here", and `huOf` is the rescale. Without
-/// branches, and with rules that no flag can overwrite, it becomes vector instructions.
-template <class NumberOf, class IsPadding, class HuOf>
-void convert(const NumberOf numberOf, const IsPadding isPadding, const HuOf huOf, Padding padding,
-             DecodedSlice& slice) {
-    const bool masksAsAir = padding == Padding::maskAsAir;
-    std::int16_t* hu = slice.hu.data();
-    std::uint8_t* flags = slice.padding.data();
-    unsigned padded = 0, beyond = 0;
-    int lowest = INT16_MAX, highest = INT16_MIN, lowestMeasured = lowest, highestMeasured = highest;
-    for (std::size_t i = 0, count = slice.hu.size(); i < count; ++i) {
-        const auto number = numberOf(i);
-        const int value = huOf(number), held = std::clamp(value, -32768, 32767);
-        const bool isNone = isPadding(number);
-        const int seen = isNone && masksAsAir ? Volume::kAirHu : held;
-        hu[i] = std::int16_t(seen);
-        flags[i] = isNone;
-        padded += unsigned(isNone);
-        beyond += unsigned(held != value && !isNone);
-        // By bits, since a choice would become a branch
-        const int none = -int(isNone);
-        lowest = std::min(lowest, seen);
-        highest = std::max(highest, seen);
-        lowestMeasured = std::min(lowestMeasured, (seen & ~none) | (INT16_MAX & none));
-        highestMeasured = std::max(highestMeasured, (seen & ~none) | (INT16_MIN & none));
-    }
-    slice.clipped = beyond;
-    slice.ranges = {{std::int16_t(lowest), std::int16_t(highest)},
-                    {std::int16_t(lowestMeasured), std::int16_t(highestMeasured)},
-                    padded};
-}
-
-/// Makes a slice of numbers, as int or double; see convert(). The functions must hold what they need by value.
-template <class NumberOf, class IsPadding>
-DecodedSlice sliceOf(const SliceHeader& header, const Decoding& decoding, Padding padding, NumberOf numberOf,
-                     IsPadding isPadding) {
-    DecodedSlice slice;
-    slice.size = {header.columns, header.rows};
-    slice.hasLost = decoding.hasLost && !header.isLossy;
-    slice.isMended = decoding.isMended;
-    slice.hu.resize(std::size_t(header.columns) * std::size_t(header.rows));
-    slice.padding.resize(slice.hu.size());
-    const auto convertBy = [&](auto huOf) { convert(numberOf, isPadding, huOf, padding, slice); };
-    const Rescale rescale(header.meaning);
-    const std::optional<int> shift = rescale.shift();
-    constexpr bool kIsWhole = std::is_same_v<decltype(numberOf(0)), int>;
-    if (kIsWhole && shift)
-        convertBy([add = *shift](auto number) { return int(number) + add; });
-    else
-        convertBy([rescale](auto number) { return rescale.of(number); });
-    if (slice.ranges.padding == 0)
-        slice.padding = {};
-    return slice;
-}
-
-template <class Raw>
-DecodedSlice toHu(const Raw* raw, const SliceHeader& header, const Decoding& decoding, Padding padding) {
-    constexpr bool kIsWide = sizeof(Raw) == 4;
-    const StoredValue<std::conditional_t<kIsWide, std::int64_t, int>> stored(decoding.format);
-    const PaddingRule rule(header.meaning, stored, padding);
-    using Number = std::conditional_t<kIsWide, double, int>;
-    return sliceOf(
-        header, decoding, padding, [raw, stored](std::size_t i) { return Number(stored.of(raw[i])); },
-        [rule](Number number) { return rule.matches(number); });
-}
-
-/// Returns the HU of floating-point pixels; what is no finite number was not measured.
-template <class Real>
-DecodedSlice realsToHu(const Real* raw, const SliceHeader& header, Padding padding) {
-    const std::optional<double> stated = header.meaning.realPadding;
-    return sliceOf(
-        header, {}, padding, [raw](std::size_t i) { return double(raw[i]); },
-        [stated](double number) { return !std::isfinite(number) || number == stated; });
-}
 
 /// Reads the pixels of Float Pixel Data or Double Float Pixel Data (PS3.3, C.7.6.24 and C.7.6.25).
 Result<DecodedSlice> decodeReals(const NamedBytes& object, DcmDataset& data, const SliceHeader& header,
@@ -212,9 +51,12 @@ Result<DecodedSlice> readPlainFrame(const NamedBytes& object, const SliceHeader&
     if (!source.read(frame.pixelsAt + std::uint64_t(frame.frame) * bytes.size(), bytes))
         return damagedObject(object, phrase("the image holds fewer pixels than its header says"));
     if (isBigEndian(frame.transferSyntaxUid))
-        for (std::size_t i = 0; i + 1 < bytes.size(); i += 2)
-            std::swap(bytes[i], bytes[i + 1]);
-    return toHu(raw.data(), frame, Decoding{.format = frame.format}, padding);
+        for (std::size_t i = 0; i < bytes.size(); i += sizeof(Raw))
+            std::ranges::reverse(bytes.subspan(i, sizeof(Raw)));
+    if constexpr (std::is_floating_point_v<Raw>)
+        return realsToHu(raw.data(), frame, padding);
+    else
+        return toHu(raw.data(), frame, Decoding{.format = frame.format}, padding);
 }
 
 }  // namespace
@@ -233,7 +75,7 @@ Result<DecodedSlice> decodePixels(const NamedBytes& object, const SliceHeader& h
     if (!parseObject(object, header, Extent::all, content))
         return damagedObject(object, phrase("the file is damaged: it cannot be parsed to its end"));
     DcmDataset& data = *content.getDataset();
-    if (header.hasFloatPixels)
+    if (header.realBits != 0)
         return decodeReals(object, data, header, padding);
     const Decoding decoding = decompress(data, header);
     if (!decoding.damage.empty())
@@ -259,6 +101,9 @@ Result<DecodedSlice> decodePixels(const NamedBytes& object, const SliceHeader& h
 }
 
 Result<DecodedSlice> decodePlainFrame(const NamedBytes& object, const SliceHeader& frame, Padding padding) {
+    if (frame.realBits != 0)
+        return frame.realBits == 32 ? readPlainFrame<float>(object, frame, padding)
+                                    : readPlainFrame<double>(object, frame, padding);
     switch (frame.format.bitsAllocated) {
         case 8:
             return readPlainFrame<Uint8>(object, frame, padding);

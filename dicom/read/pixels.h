@@ -12,13 +12,16 @@
 namespace pdr::dicom {
 
 struct DecodedSlice {
-    ivec2 size{0};                      ///< columns, rows
-    std::vector<std::int16_t> hu;       ///< x fastest; rounded and clamped to int16
-    std::size_t clipped = 0;            ///< number of pixels whose HU lie outside int16
-    bool hasLost = false;               ///< whether the coding has lost something, and the header does not say so
-    bool isMended = false;              ///< whether a wrong length in the coding was put right
-    SliceIdentity identity;             ///< what the file said when its pixels were read
-    ValueRanges ranges;                 ///< those of `hu`
+    ivec2 size{0};                 ///< columns, rows
+    std::vector<std::int16_t> hu;  ///< x fastest; rounded and clamped to int16
+    std::size_t clipped = 0;       ///< number of pixels whose HU lie outside int16
+    bool hasLost = false;          ///< whether the coding has lost something, and the header does not say so
+    bool isMended = false;         ///< whether a wrong length in the coding was put right
+    SliceIdentity identity;        ///< what the file said when its pixels were read
+    ValueRanges ranges;            ///< those of `hu`
+    /// That of the values, before they were rounded and clamped, without padding; only of pixels that are
+    /// floating-point numbers or have more than 16 bits.
+    ValueRange values = ValueRange::none();
     std::vector<std::uint8_t> padding;  ///< 1 = nothing measured; empty if there is no such pixel
 };
 

@@ -20,8 +20,8 @@ Refusal unreadable(Text reason) {
 bool soundFormat(const SliceHeader& header) {
     const PixelFormat& format = header.format;
     const int bits = format.bitsAllocated;
-    if (header.hasFloatPixels)
-        return bits == 32 || bits == 64;
+    if (header.realBits != 0)
+        return bits == header.realBits;
     // Decoders give at most 16 bits, and which word of 32 is the lower one is known of little endian only.
     const bool isPlain = !isCompressed(header.transferSyntaxUid) && !isBigEndian(header.transferSyntaxUid);
     const bool isKnown = bits == 8 || bits == 16 || (bits == 32 && isPlain);
@@ -43,11 +43,6 @@ bool namesHu(std::string unit) {
     return unit == "hu" || unit.starts_with("hounsfield") || unit.starts_with("houndsfield");
 }
 
-/// Returns whether pixels that are no HU have a range that is known before they are read; see seriesUnit().
-bool hasKnownRange(const SliceHeader& header) {
-    return !header.hasFloatPixels && header.format.bitsAllocated <= 16;
-}
-
 }  // namespace
 
 bool isInHu(const SliceHeader& header) {
@@ -60,16 +55,14 @@ bool isInHu(const SliceHeader& header) {
     if (modality != "CT")
         return false;
     if (meaning.unit.empty() && !meaning.slope && !meaning.intercept)
-        return header.format.isSigned || header.hasFloatPixels;
+        return header.format.isSigned || header.realBits != 0;
     return meaning.unit.empty() || namesHu(meaning.unit);
 }
 
 std::optional<Refusal> refusePixels(const SliceHeader& header) {
-    if (header.hasFloatPixels && (header.pixelBytes != 0 || header.frames != 1 || header.hasFrameGroups))
-        return unreadable(phrase(
-            "it holds floating-point numbers in several frames or beside other pixels, which this version cannot "
-            "read"));
-    if (header.pixelBytes == 0 && !header.hasFloatPixels)
+    if (header.hasPixelsTwice)
+        return unreadable(phrase("it holds pixels twice, as floating-point numbers and otherwise"));
+    if (header.pixelBytes == 0)
         return Refusal{Stack::notCt, header.series.modality.empty()
                                          ? phrase("no image, but another kind of object")
                                          : phrase("no image, but %1", header.series.modality)};
@@ -97,14 +90,14 @@ std::optional<Refusal> refusePixels(const SliceHeader& header) {
                                  format.bitsAllocated, format.bitsStored, format.highBit));
     const auto bytes = std::uint64_t(header.columns) * std::uint64_t(header.rows) *
                        std::uint64_t(header.format.bitsAllocated / 8) * std::uint64_t(header.frames);
-    if (!isCompressed(header.transferSyntaxUid) && !header.hasFloatPixels && header.pixelBytes < bytes)
+    if (!isCompressed(header.transferSyntaxUid) && header.pixelBytes < bytes)
         return unreadable(phrase("it holds fewer pixels than its size of %1 x %2 says", header.columns, header.rows));
     return {};
 }
 
 std::optional<Refusal> refuseSlice(const SliceHeader& header) {
     const std::string& modality = header.series.modality;
-    if ((header.pixelBytes != 0 || header.hasFloatPixels) && modality != "CT" && !isOtherVolume(header))
+    if (header.pixelBytes != 0 && modality != "CT" && !isOtherVolume(header))
         return Refusal{Stack::notCt,
                        modality.empty() ? phrase("it does not say its modality") : phrase("%1, not CT", modality)};
     if (header.imageType.find("LOCALIZER") != std::string::npos)
@@ -113,8 +106,6 @@ std::optional<Refusal> refuseSlice(const SliceHeader& header) {
         return refusal;
     if (header.meaning.rescaleIsBroken)
         return unreadable(phrase("its rescale slope or intercept is no usable number"));
-    if (!isInHu(header) && !hasKnownRange(header))
-        return unreadable(phrase("its values are no HU, and of more than 16 bits, which this version cannot read"));
     return {};
 }
 

@@ -13,6 +13,7 @@
 #include "dicom/read/image_values.h"
 #include "dicom/read/item_values.h"
 #include "dicom/read/parsed_object.h"
+#include "dicom/read/phase_values.h"
 #include "dicom/read/refusal.h"
 
 namespace pdr::dicom {
@@ -53,7 +54,7 @@ std::optional<int> sixteenBits(DcmItem& item, const DcmTagKey& tag) {
 }
 
 void readPixelFormat(DcmItem& item, SliceHeader& header) {
-    header.hasFloatPixels = item.tagExists(DCM_FloatPixelData) || item.tagExists(DCM_DoubleFloatPixelData);
+    header.realBits = item.tagExists(DCM_FloatPixelData) ? 32 : item.tagExists(DCM_DoubleFloatPixelData) ? 64 : 0;
     header.columns = shortValue(item, DCM_Columns, 0);
     header.rows = shortValue(item, DCM_Rows, 0);
     header.frames = integerValue(item, DCM_NumberOfFrames, 1);
@@ -113,16 +114,7 @@ bool parseHeader(const NamedBytes& object, const GoOn& goOn, HeaderRead& read, b
     header.mayBeLossy = codingMayLose(header.transferSyntaxUid) && stated.empty();
     if (const auto ratio = numbers<1>(item, DCM_LossyImageCompressionRatio))
         header.lossyRatio = (*ratio)[0];
-    const DcmTagKey phaseTags[kPhaseKeys]{DCM_StackID,
-                                          DCM_TemporalPositionIdentifier,
-                                          DCM_NominalPercentageOfCardiacPhase,
-                                          DCM_TriggerTime,
-                                          DCM_KVP,
-                                          DCM_AcquisitionNumber,
-                                          DCM_AcquisitionTime,
-                                          DCM_ContentTime,
-                                          DCM_ImageType};
-    std::ranges::transform(phaseTags, header.phaseKeys.begin(), [&](const DcmTagKey& tag) { return text(item, tag); });
+    header.phaseValues = phaseValues(item);
     readFacts(item, header);
     readPixelFormat(item, header);
     readMeaning(item, header.meaning);
@@ -154,6 +146,7 @@ HeaderRead readSliceHeader(const NamedBytes& object, const GoOn& goOn) {
     header.transferSyntaxUid = structure.transferSyntaxUid;
     header.pixelBytes = structure.pixelBytes;
     header.pixelsAt = structure.pixelsAt;
+    header.hasPixelsTwice = structure.hasPixelsTwice;
     read.damage = structure.damage;
     read.kind = structure.damage.empty() ? HeaderRead::Kind::object : HeaderRead::Kind::damaged;
     if (!structure.damage.empty() && !structure.reachesPixels)

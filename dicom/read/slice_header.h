@@ -38,6 +38,9 @@ struct ValueMeaning {
 /// What can tell images of one place apart, in the order in which it is asked.
 enum class PhaseKey {
     stack,              ///< StackID, of frames only
+    echoTime,           ///< EchoTime [ms]; of frames, EffectiveEchoTime
+    echoNumber,         ///< EchoNumbers
+    diffusion,          ///< DiffusionBValue [s/mm²], and the direction of its gradient where there is one
     temporalPosition,   ///< TemporalPositionIdentifier; of frames, TemporalPositionIndex
     cardiacPercentage,  ///< NominalPercentageOfCardiacPhase
     triggerTime,        ///< TriggerTime [ms]; of frames, NominalCardiacTriggerDelayTime
@@ -47,7 +50,10 @@ enum class PhaseKey {
     contentTime,        ///< ContentTime; of frames, FrameReferenceDateTime
     imageType,          ///< ImageType, all values; of frames, FrameType
 };
-inline constexpr std::size_t kPhaseKeys = 9;
+inline constexpr std::size_t kPhaseKeys = 12;
+
+/// What an image states for each PhaseKey; empty: nothing.
+using PhaseValues = std::array<std::string, kPhaseKeys>;
 
 /// The place of an object among those that one multi-frame image is stored in.
 struct Concatenation {
@@ -64,17 +70,18 @@ struct SliceHeader {
     std::string sopClassUid, sopInstanceUid, frameOfReferenceUid;  ///< as stated, even if malformed
     std::string imageType;  ///< values joined by a backslash: "ORIGINAL\PRIMARY\AXIAL"
     std::optional<int> instanceNumber;
-    std::optional<int> acquisitionImages;           ///< how many images its acquisition made (ImagesInAcquisition)
-    std::array<std::string, kPhaseKeys> phaseKeys;  ///< by PhaseKey; empty: not stated
-    bool isLossy = false;                           ///< whether the pixels went through a lossy coding, now or earlier
+    std::optional<int> acquisitionImages;  ///< how many images its acquisition made (ImagesInAcquisition)
+    PhaseValues phaseValues;
+    bool isLossy = false;              ///< whether the pixels went through a lossy coding, now or earlier
     bool mayBeLossy = false;           ///< whether their coding may have lost something, and nothing is stated
     std::optional<double> lossyRatio;  ///< how much smaller that made them, if it is stated
 
     bool hasMetaHeader = false;
     std::string transferSyntaxUid;  ///< as stated, or as found if nothing is stated
     std::uint64_t pixelBytes = 0;   ///< length of the pixel data as it lies in the file; 0 = no pixels
-    bool hasFloatPixels = false;    ///< the pixels are floating-point numbers, and pixelBytes is 0
+    int realBits = 0;               ///< width of pixels that are floating-point numbers, 32 or 64; 0: they are none
     std::uint64_t pixelsAt = 0;  ///< where the pixel data begin, in the object or its inflated content; 0 = no pixels
+    bool hasPixelsTwice = false;
     int columns = 0, rows = 0;
     int frames = 1;               ///< number of frames of the object, as stated
     int frame = 0;                ///< index of the frame that this is the header of

@@ -5,108 +5,22 @@
 #include <set>
 #include <tuple>
 
-#include "dicom/read/byte_source.h"
 #include "dicom/read/codecs.h"
-#include "dicom/read/open_images.h"
 #include "dicom/read/refusal.h"
 #include "dicom/stack/concatenation.h"
+#include "dicom/stack/copies.h"
 #include "dicom/stack/damaged_files.h"
 #include "dicom/stack/phases.h"
 #include "dicom/stack/series_unit.h"
 #include "dicom/stack/stack_geometry.h"
 #include "dicom/stack/stack_notes.h"
+#include "dicom/stack/value_range.h"
 
 namespace pdr::dicom {
 
 namespace {
 
 using Headers = std::vector<const SliceHeader*>;
-
-std::vector<SlicePlane> planesOf(const Headers& headers, const std::filesystem::path& root) {
-    std::vector<SlicePlane> planes;
-    for (const SliceHeader* header : headers)
-        planes.push_back({sliceName(*header, root),
-                          {header->columns, header->rows},
-                          header->position,
-                          header->rowDirection,
-                          header->columnDirection,
-                          header->spacingMm});
-    return planes;
-}
-
-bool sameBytes(const NamedBytes& a, const NamedBytes& b) {
-    constexpr std::uint64_t kPiece = 1 << 16;
-    ByteSource left(a), right(b);
-    if (!left.opened() || !right.opened() || left.size() != right.size())
-        return false;
-    std::vector<std::uint8_t> leftPart(kPiece), rightPart(kPiece);
-    for (std::uint64_t at = 0; at < left.size(); at += kPiece) {
-        const std::uint64_t count = std::min(kPiece, left.size() - at);
-        leftPart.resize(count);
-        rightPart.resize(count);
-        if (!left.read(at, leftPart) || !right.read(at, rightPart) || leftPart != rightPart)
-            return false;
-    }
-    return true;
-}
-
-/// Compares images of a source at the same place.
-class ImageComparison {
-  public:
-    explicit ImageComparison(const SeriesSource& source) : source_(source), images_(source) {}
-
-    bool areSame(const SliceHeader& a, const SliceHeader& b) {
-        if (a.frames == 1 && b.frames == 1) {
-            const auto first = source_.open(a.file), second = source_.open(b.file);
-            if (first && second && sameBytes(*first, *second))
-                return true;
-        }
-        const auto left = images_.decode(a.file, a.frame, Padding::keep);
-        const auto right = images_.decode(b.file, b.frame, Padding::keep);
-        return left && right && left->hu == right->hu;
-    }
-
-  private:
-    const SeriesSource& source_;
-    OpenImages images_;
-};
-
-/// Returns the slices that repeat another one; empty as soon as there is one conflict, or the user cancels.
-std::set<int> copiesAmong(const Headers& headers, const StackAnalysis& analysis, const SeriesSource& source,
-                          const Progress& progress) {
-    std::set<int> copies;
-    ImageComparison images(source);
-    for (const auto& [first, other] : analysis.samePlace) {
-        const double done = double(copies.size()) / double(analysis.samePlace.size());
-        if (!progress(done, "comparing slices at the same place") || !images.areSame(*headers[first], *headers[other]))
-            return {};
-        copies.insert(other);
-    }
-    return copies;
-}
-
-/// Judges the stack; takes copies of slices out of `headers` first, and notes them.
-StackAnalysis analyseWithoutCopies(Headers& headers, const SeriesSource& source, const Progress& progress) {
-    const std::filesystem::path root = source.root();
-    StackAnalysis analysis = analyseStack(planesOf(headers, root));
-    const std::set<int> copies = copiesAmong(headers, analysis, source, progress);
-    if (copies.empty())
-        return analysis;
-    std::vector<std::string> names;
-    Headers kept;
-    for (int i = 0; i < int(headers.size()); ++i) {
-        if (copies.contains(i))
-            names.push_back(sliceName(*headers[i], root));
-        else
-            kept.push_back(headers[i]);
-    }
-    headers = kept;
-    analysis = analyseStack(planesOf(headers, root));
-    analysis.verdict.notes.push_back(
-        {"copies", phrase(copies.size() == 1 ? "1 copy of a slice left out (%2)" : "%1 copies of slices left out (%2)",
-                          copies.size(), listed(names))});
-    return analysis;
-}
 
 /// Returns the window of the middle slice. Where that has none, the first slice with one is asked, then the first that
 /// says why it has none.
@@ -129,17 +43,22 @@ Text codingOf(const Headers& headers) {
     return isCommon ? codingName(first) : phrase("several codings");
 }
 
-Series seriesOf(const Headers& headers, const StackAnalysis& analysis) {
-    const SliceHeader& first = *headers.front();
-    Series series{first.patient, first.study, first.series, analysis.verdict, {}, analysis.geometry};
+/// Returns headers in the order of their stack.
+Headers sortedBy(const StackAnalysis& analysis, const Headers& headers) {
     Headers sorted;
     for (const int index : analysis.order)
         sorted.push_back(headers[index]);
+    return sorted;
+}
+
+Series seriesOf(const Headers& sorted, const StackAnalysis& analysis, const ValueUnit& unit) {
+    const SliceHeader& first = *sorted.front();
+    Series series{first.patient, first.study, first.series, analysis.verdict, {}, analysis.geometry};
     for (const SliceHeader* slice : sorted)
         series.slices.push_back({slice->file, slice->frame, identityOf(*slice)});
     series.window = windowOf(sorted);
-    series.unit = seriesUnit(sorted);
-    series.series.coding = codingOf(headers);
+    series.unit = unit;
+    series.series.coding = codingOf(sorted);
     return series;
 }
 
@@ -164,7 +83,8 @@ Series refusedSeries(const Headers& headers, const Refusal& refusal, const std::
         files.insert(header->file);
     const Text subject = files.size() == 1 ? Text(first) : phrase("%1 files (%2 ...)", files.size(), first);
     analysis.verdict = {refusal.stack, phrase("%1: %2", subject, refusal.reason), {}};
-    return seriesOf(headers, analysis);
+    const Headers sorted = sortedBy(analysis, headers);
+    return seriesOf(sorted, analysis, seriesUnit(sorted, possibleValues(sorted)).unit);
 }
 
 /// Slices of one series that share a grid.
@@ -229,11 +149,10 @@ void addStacks(const Headers& headers, const SeriesSource& source, const std::se
     // Add the notes, and make an entry of each part
     for (Part& part : parts) {
         GeometryVerdict& verdict = part.analysis.verdict;
+        const Headers sorted = sortedBy(part.analysis, part.slices);
+        const FittedUnit fitted = seriesUnit(sorted, valueRange(sorted, source, progress));
         if (verdict.loadable() || part.analysis.resampled) {
-            Headers sorted;
-            for (const int index : part.analysis.order)
-                sorted.push_back(part.slices[index]);
-            const std::vector<Note> notes = notesOn(sorted, numbers);
+            const std::vector<Note> notes = notesOn(sorted, fitted, numbers);
             verdict.notes.insert(verdict.notes.end(), notes.begin(), notes.end());
         }
         if (grids.size() > 1)
@@ -241,7 +160,7 @@ void addStacks(const Headers& headers, const SeriesSource& source, const std::se
                 {"parts", phrase(part.elsewhere == 1 ? "1 slice of this series on another grid listed apart"
                                                      : "%1 slices of this series on another grid listed apart",
                                  part.elsewhere)});
-        out.push_back(seriesOf(part.slices, part.analysis));
+        out.push_back(seriesOf(sorted, part.analysis, fitted.unit));
         out.back().series.phase = part.phase;
         if (part.analysis.resampled)
             out.push_back(resampledSeries(out.back(), *part.analysis.resampled));

@@ -50,10 +50,23 @@ std::string timeOfDay(const std::string& time) {
     return isTime ? time.substr(0, 2) + ":" + time.substr(2, 2) + ":" + time.substr(4) : time;
 }
 
+/// Returns the name of a b-value and the direction behind it, if there is one.
+Text diffusionName(const std::string& value) {
+    const std::size_t end = value.find(' ');
+    const Text bValue = phrase("b %1", value.substr(0, end));
+    return end == std::string::npos ? bValue : phrase("%1 along %2", bValue, value.substr(end + 1));
+}
+
 Text nameOf(PhaseKey key, const std::string& value) {
     switch (key) {
         case PhaseKey::stack:
             return phrase("stack %1", value);
+        case PhaseKey::echoTime:
+            return phrase("TE %1 ms", value);
+        case PhaseKey::echoNumber:
+            return phrase("echo %1", value);
+        case PhaseKey::diffusion:
+            return diffusionName(value);
         case PhaseKey::temporalPosition:
             return phrase("point in time %1", value);
         case PhaseKey::cardiacPercentage:
@@ -93,7 +106,7 @@ std::vector<Phase> splitBy(const std::vector<PhaseKey>& keys, const Slices& slic
     for (const SliceHeader* slice : slices) {
         Values values;
         for (const PhaseKey key : keys)
-            values.push_back(slice->phaseKeys[std::size_t(key)]);
+            values.push_back(slice->phaseValues[std::size_t(key)]);
         if (std::ranges::find(values, std::string()) != values.end())
             return {};
         byValue[values].push_back(slice);

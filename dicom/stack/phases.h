@@ -1,6 +1,6 @@
 #pragma once
-/// Splits images that were taken several times at each place into phases: of the heart, of a contrast agent, or two
-/// energies.
+/// Splits images that were taken several times at each place into phases: of the heart, of a contrast agent, two
+/// energies, echoes, or diffusion gradients.
 
 #include <vector>
 

@@ -12,13 +12,15 @@ namespace pdr::dicom {
 /// The code of the note that values are no HU. A volume's remarks have unitWord() in its place.
 inline constexpr std::string_view kNoHu = "no-hu";
 
-/// Returns the unit of the voxels of `slices`: HU if all of them are. Otherwise a voxel is the value itself if all that
-/// can be stored are whole numbers of 16 bits; else the stored number, shifted into 16 bits where that needs it, if one
-/// slope and intercept hold for all slices: no value is rounded then. If they differ, the 65,536 steps of a voxel span
-/// all values that the slices can state.
-ValueUnit seriesUnit(const std::vector<const SliceHeader*>& slices);
+/// Returns the unit of the voxels of `slices`, whose values lie in `range` (value_range.h): HU if all of them are, else
+/// fitted to the range (fittedUnit()). The steps of values that slices of one slope and intercept store as whole
+/// numbers are known.
+FittedUnit seriesUnit(const std::vector<const SliceHeader*>& slices, const ValueRange& range);
 
-/// Adds a note that the values are no HU, and one where they are rounded to steps of `unit`, that of `slices`.
-void noteUnit(const std::vector<const SliceHeader*>& slices, const ValueUnit& unit, std::vector<Note>& notes);
+/// Returns the note that values are rounded to steps of `unit`.
+Note roundingNote(const ValueUnit& unit);
+
+/// Adds a note that the values are no HU, and one where they are rounded to steps of their unit, that of `slices`.
+void noteUnit(const std::vector<const SliceHeader*>& slices, const FittedUnit& unit, std::vector<Note>& notes);
 
 }  // namespace pdr::dicom

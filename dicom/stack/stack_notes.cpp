@@ -14,7 +14,7 @@ namespace {
 
 using Slices = std::vector<const SliceHeader*>;
 
-void noteMeaning(const Slices& slices, std::vector<Note>& notes) {
+void noteMeaning(const Slices& slices, const FittedUnit& fitted, std::vector<Note>& notes) {
     std::size_t withoutRescale = 0;
     std::set<std::string> frames, studies;
     for (const SliceHeader* slice : slices) {
@@ -22,14 +22,14 @@ void noteMeaning(const Slices& slices, std::vector<Note>& notes) {
         withoutRescale += !slice->meaning.slope || !slice->meaning.intercept;
         frames.insert(slice->frameOfReferenceUid);
     }
-    const ValueUnit unit = seriesUnit(slices);
-    noteUnit(slices, unit, notes);
-    if (unit.isHu && withoutRescale > 0)
+    const bool isHu = fitted.unit.isHu;
+    noteUnit(slices, fitted, notes);
+    if (isHu && withoutRescale > 0)
         notes.push_back(
             {"rescale", phrase(withoutRescale == 1 ? "1 slice states no rescale; stored values are taken as HU"
                                                    : "%1 slices state no rescale; stored values are taken as HU",
                                withoutRescale)});
-    if (const std::string& modality = slices.front()->series.modality; unit.isHu && modality != "CT")
+    if (const std::string& modality = slices.front()->series.modality; isHu && modality != "CT")
         notes.push_back({"modality", phrase("the files call the series %1, not CT, and its values HU", modality)});
     if (studies.size() > 1)
         notes.push_back(
@@ -79,7 +79,7 @@ bool areNumberedInOrder(const Slices& slices) {
 /// Returns how many images the acquisition of all slices made, if they state it, and are of one acquisition.
 std::optional<std::size_t> acquisitionImages(const Slices& slices) {
     const auto acquisitionOf = [](const SliceHeader* slice) {
-        return std::pair(slice->acquisitionImages, slice->phaseKeys[std::size_t(PhaseKey::acquisitionNumber)]);
+        return std::pair(slice->acquisitionImages, slice->phaseValues[std::size_t(PhaseKey::acquisitionNumber)]);
     };
     const auto first = acquisitionOf(slices.front());
     const bool isOne = std::ranges::all_of(slices, [&](const auto* slice) { return acquisitionOf(slice) == first; });
@@ -146,9 +146,21 @@ std::string sliceName(const SliceHeader& slice, const std::filesystem::path& roo
     return slice.frames > 1 ? name + " #" + std::to_string(slice.frame + 1) : name;
 }
 
-std::vector<Note> notesOn(const Slices& slices, const std::set<int>& numbers) {
+std::vector<SlicePlane> planesOf(const Slices& headers, const std::filesystem::path& root) {
+    std::vector<SlicePlane> planes;
+    for (const SliceHeader* header : headers)
+        planes.push_back({sliceName(*header, root),
+                          {header->columns, header->rows},
+                          header->position,
+                          header->rowDirection,
+                          header->columnDirection,
+                          header->spacingMm});
+    return planes;
+}
+
+std::vector<Note> notesOn(const Slices& slices, const FittedUnit& unit, const std::set<int>& numbers) {
     std::vector<Note> notes;
-    noteMeaning(slices, notes);
+    noteMeaning(slices, unit, notes);
     noteLoss(slices, notes);
     if (!numbers.empty())
         noteMissing(slices, numbers, notes);

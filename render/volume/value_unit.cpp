@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "render/volume/volume.h"
@@ -38,7 +39,57 @@ ValueUnit unitFrom(std::string_view name) {
     return ValueUnit::other(std::string(name.substr(0, equals)), step, zero);
 }
 
+constexpr double kTremble = 1e-6;  ///< of quotients that are whole numbers
+
+/// Returns how far voxels must move to lie within 16 bits.
+double shiftOf(double lowest, double highest) {
+    if (highest > INT16_MAX)
+        return std::ceil(highest - INT16_MAX - kTremble);
+    return lowest < INT16_MIN ? std::floor(lowest - INT16_MIN + kTremble) : 0;
+}
+
+/// Returns whether so many steps as 16 bits can count span the range.
+bool span(const ValueSteps& steps, const ValueRange& range) {
+    return steps.step > 0 && range.highest - range.lowest <= steps.step * (UINT16_MAX + kTremble);
+}
+
+ValueUnit countingUnit(const std::string& name, const ValueSteps& steps, const ValueRange& range) {
+    const auto voxelOf = [&](double value) { return (value - steps.zero) / steps.step; };
+    return ValueUnit::other(name, steps.step,
+                            steps.zero + steps.step * shiftOf(voxelOf(range.lowest), voxelOf(range.highest)));
+}
+
 }  // namespace
+
+ValueRange ValueRange::none() {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    return {kNone, -kNone};
+}
+
+void ValueRange::include(double value) {
+    if (!std::isnan(value))
+        include(ValueRange{value, value, value == std::floor(value)});
+}
+
+void ValueRange::include(const ValueRange& other) {
+    lowest = std::min(lowest, other.lowest);
+    highest = std::max(highest, other.highest);
+    areWhole = areWhole && other.areWhole;
+}
+
+bool ValueRange::isFinite() const {
+    return std::isfinite(lowest) && std::isfinite(highest);
+}
+
+FittedUnit fittedUnit(const std::string& name, const ValueRange& range, const ValueSteps& steps) {
+    constexpr ValueSteps kWhole{1, 0};
+    if (range.areWhole && span(kWhole, range))
+        return {countingUnit(name, kWhole, range)};
+    if (span(steps, range))
+        return {countingUnit(name, steps, range)};
+    const double all = range.highest - range.lowest, step = all > 0 ? all / UINT16_MAX : 1;
+    return {ValueUnit::other(name, step, range.lowest - step * INT16_MIN), all == 0};
+}
 
 ValueUnit ValueUnit::other(std::string name, double step, double zero) {
     name.resize(std::min(name.size(), kLongestName));

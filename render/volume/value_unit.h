@@ -36,6 +36,36 @@ struct ValueUnit {
     bool operator==(const ValueUnit&) const = default;
 };
 
+/// Values from the lowest to the highest; those that are no numbers are left out.
+struct ValueRange {
+    double lowest = 0, highest = 0;
+    bool areWhole = true;  ///< whether all are whole numbers
+
+    /// The range of no value, which values and other ranges widen.
+    static ValueRange none();
+    void include(double value);
+    void include(const ValueRange& other);
+    /// Returns whether there is a value, and all are finite.
+    bool isFinite() const;
+};
+
+/// Numbers at even distances, which values are known to be among: zero + step * n.
+struct ValueSteps {
+    double step = 0;  ///< > 0; 0: none are known
+    double zero = 0;
+};
+
+/// A unit, and whether its voxels stand for all values exactly.
+struct FittedUnit {
+    ValueUnit unit;
+    bool isExact = true;
+};
+
+/// Returns the unit of the voxels of values in `range`, which is finite, that are no HU. A voxel is the value itself if
+/// all are whole numbers, or else counts the `steps`, shifted into 16 bits where that needs it: no value is rounded
+/// then. Where both span more than 16 bits, or no steps are known, the 65,536 steps of a voxel span the range.
+FittedUnit fittedUnit(const std::string& name, const ValueRange& range, const ValueSteps& steps);
+
 /// Returns the word that stands for `unit` in a volume's remarks: "no-hu", "no-hu:Bq/ml", "no-hu:Bq/ml=0.25@0"; empty
 /// for HU.
 std::string unitWord(const ValueUnit& unit);

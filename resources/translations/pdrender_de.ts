@@ -108,6 +108,10 @@
         <translation>%1 MB</translation>
     </message>
     <message>
+        <source>%1 along %2</source>
+        <translation>%1 entlang %2</translation>
+    </message>
+    <message>
         <source>%1 and %2</source>
         <translation>%1 und %2</translation>
     </message>
@@ -3698,6 +3702,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Systematischer Fehler</translation>
     </message>
     <message>
+        <source>TE %1 ms</source>
+        <translation>TE %1 ms</translation>
+    </message>
+    <message>
         <source>Tab</source>
         <translation>Tab</translation>
     </message>
@@ -4644,6 +4652,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>bei diesem Gradientenfaktor ist keine Kante je steil genug</translation>
     </message>
     <message>
+        <source>b %1</source>
+        <translation>b %1</translation>
+    </message>
+    <message>
         <source>back</source>
         <translation>hinten</translation>
     </message>
@@ -4778,6 +4790,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>each iteration blurred</source>
         <translation>jeder Durchgang verwischt</translation>
+    </message>
+    <message>
+        <source>echo %1</source>
+        <translation>Echo %1</translation>
     </message>
     <message>
         <source>edges ±%1</source>
@@ -5128,10 +5144,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>sie enthält weniger Pixel, als ihre Größe von %1 x %2 besagt</translation>
     </message>
     <message>
-        <source>it holds floating-point numbers in several frames or beside other pixels, which this version cannot read</source>
-        <translation>sie enthält Gleitkommazahlen in mehreren Einzelbildern oder neben anderen Bildpunkten, was diese Version nicht lesen kann</translation>
-    </message>
-    <message>
         <source>it holds more restart markers than pixels</source>
         <translation>es enthält mehr Neustartmarken als Pixel</translation>
     </message>
@@ -5146,6 +5158,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>it holds no map</source>
         <translation>sie enthält keine Tabelle</translation>
+    </message>
+    <message>
+        <source>it holds pixels twice, as floating-point numbers and otherwise</source>
+        <translation>sie enthält Pixel zweimal, als Gleitkommazahlen und anders</translation>
     </message>
     <message>
         <source>it holds several values for each place</source>
@@ -5386,10 +5402,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>its text is no UTF-8</source>
         <translation>sein Text ist kein UTF-8</translation>
-    </message>
-    <message>
-        <source>its values are no HU, and of more than 16 bits, which this version cannot read</source>
-        <translation>ihre Werte sind keine HU und haben mehr als 16 Bit, was diese Version nicht lesen kann</translation>
     </message>
     <message>
         <source>its values are no finite numbers</source>
@@ -5922,6 +5934,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>reading the image</source>
         <translation>das Bild wird gelesen</translation>
+    </message>
+    <message>
+        <source>reading values</source>
+        <translation>Werte werden gelesen</translation>
     </message>
     <message>
         <source>rendering the image</source>

@@ -108,6 +108,10 @@
         <translation>%1 MB</translation>
     </message>
     <message>
+        <source>%1 along %2</source>
+        <translation>%1 a lo largo de %2</translation>
+    </message>
+    <message>
         <source>%1 and %2</source>
         <translation>%1 y %2</translation>
     </message>
@@ -3698,6 +3702,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Error sistemático</translation>
     </message>
     <message>
+        <source>TE %1 ms</source>
+        <translation>TE %1 ms</translation>
+    </message>
+    <message>
         <source>Tab</source>
         <translation>Tab</translation>
     </message>
@@ -4644,6 +4652,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>con este factor de gradiente ningún borde es lo bastante brusco</translation>
     </message>
     <message>
+        <source>b %1</source>
+        <translation>b %1</translation>
+    </message>
+    <message>
         <source>back</source>
         <translation>detrás</translation>
     </message>
@@ -4778,6 +4790,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>each iteration blurred</source>
         <translation>cada iteración, desenfocada</translation>
+    </message>
+    <message>
+        <source>echo %1</source>
+        <translation>eco %1</translation>
     </message>
     <message>
         <source>edges ±%1</source>
@@ -5128,10 +5144,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>contiene menos píxeles de los que dice su tamaño de %1 x %2</translation>
     </message>
     <message>
-        <source>it holds floating-point numbers in several frames or beside other pixels, which this version cannot read</source>
-        <translation>contiene números de coma flotante en varios cuadros o junto a otros píxeles, lo que esta versión no puede leer</translation>
-    </message>
-    <message>
         <source>it holds more restart markers than pixels</source>
         <translation>contiene más marcas de reinicio que píxeles</translation>
     </message>
@@ -5146,6 +5158,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>it holds no map</source>
         <translation>no contiene ninguna tabla</translation>
+    </message>
+    <message>
+        <source>it holds pixels twice, as floating-point numbers and otherwise</source>
+        <translation>contiene píxeles dos veces, como números de coma flotante y de otra forma</translation>
     </message>
     <message>
         <source>it holds several values for each place</source>
@@ -5386,10 +5402,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>its text is no UTF-8</source>
         <translation>su texto no es UTF-8</translation>
-    </message>
-    <message>
-        <source>its values are no HU, and of more than 16 bits, which this version cannot read</source>
-        <translation>sus valores no son UH y tienen más de 16 bits, lo que esta versión no puede leer</translation>
     </message>
     <message>
         <source>its values are no finite numbers</source>
@@ -5922,6 +5934,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>reading the image</source>
         <translation>se lee la imagen</translation>
+    </message>
+    <message>
+        <source>reading values</source>
+        <translation>se leen los valores</translation>
     </message>
     <message>
         <source>rendering the image</source>

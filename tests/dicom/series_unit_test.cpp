@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dicom/import.h"
+#include "tests/support/dicom/enhanced_file.h"
 #include "tests/support/dicom/slice_folder.h"
 
 using namespace pdr;
@@ -26,6 +27,22 @@ Change modality(const char* name, const std::string& slope = "1", const std::str
 /// Returns the only series of a folder with three such slices.
 Series scanned(const test::SliceFolder& folder, const SliceFile& slice) {
     folder.addStack(3, slice);
+    const ScanResult scan = folder.scan();
+    return scan.series.size() == 1 ? scan.series.front() : Series();
+}
+
+/// Returns the only series of a file of three frames of the numbers 0, 1, 2, ..., altered by `change`, and by
+/// `changeOwn` in the groups of each frame.
+Series mapped(const Change& change, const std::function<void(DcmItem&)>& changeOwn) {
+    static test::SliceFolder folder;  // outlives the series
+    test::EnhancedFile file{.size = {4, 3}, .change = change};
+    for (int k = 0; k < 3; ++k) {
+        test::EnhancedFrame frame{.position = {0, 0, 2.0 * k}, .intercept = -1000, .change = changeOwn};
+        for (int i = 0; i < 12; ++i)
+            frame.raw.push_back(std::uint16_t(i));
+        file.frames.push_back(frame);
+    }
+    test::writeEnhancedFile(folder.path() / "frames", file);
     const ScanResult scan = folder.scan();
     return scan.series.size() == 1 ? scan.series.front() : Series();
 }
@@ -232,16 +249,48 @@ class SeriesUnitTest : public QObject {
         QCOMPARE(volume.lowestHu(), std::int16_t(3));
     }
 
-    void valuesOfMoreThanSixteenBitsAreRefused() {
-        const test::SliceFolder folder;
-        const Series series = scanned(folder, {.size = {4, 4}, .change = [](DcmDataset& data) {
-                                                   modality("MR")(data);
-                                                   data.putAndInsertUint16(DCM_BitsAllocated, 32);
-                                                   const std::vector<Uint16> words(32);
-                                                   data.putAndInsertUint16Array(DCM_PixelData, words.data(), 32);
-                                               }});
-        QCOMPARE(series.verdict.stack, Stack::unreadable);
-        QVERIFY(series.verdict.reason.find("no HU") != std::string::npos);
+    /// A 3D angiography whose groups call its values HU is one in HU; one that does not is a volume of other values.
+    void framesOfAnotherModalityMayStateHu() {
+        for (const char* type : {"HU", "US"}) {
+            const Series series = mapped(
+                [=](DcmDataset& data) { data.putAndInsertString(DCM_Modality, "XA"); },
+                [=](DcmItem& own) {
+                    test::itemIn(own, DCM_PixelValueTransformationSequence).putAndInsertString(DCM_RescaleType, type);
+                });
+            QVERIFY(series.verdict.loadable());
+            QCOMPARE(series.unit.isHu, type == std::string("HU"));
+            if (series.unit.isHu)
+                QVERIFY(series.verdict.notes.at(0).text.find("XA, not CT") != std::string::npos);
+        }
+    }
+
+    /// Enhanced MR is a volume of other values, whatever its groups call them.
+    void enhancedMrIsNoHu() {
+        const Series series = mapped([](DcmDataset& data) { data.putAndInsertString(DCM_Modality, "MR"); },
+                                     [](DcmItem& own) {
+                                         DcmItem& rescale = test::itemIn(own, DCM_PixelValueTransformationSequence);
+                                         rescale.putAndInsertString(DCM_RescaleSlope, "0.5");
+                                         rescale.putAndInsertString(DCM_RescaleIntercept, "3");
+                                     });
+        QVERIFY(series.verdict.loadable());
+        QCOMPARE(series.unit, ValueUnit::other("", 0.5, 3));
+        const Volume volume = loaded(series);
+        for (std::size_t i = 0; i < 12; ++i)
+            QCOMPARE(unitOf(volume).valueOf(volume.voxels()[i]), double(i) * 0.5 + 3);
+    }
+
+    void anotherQuantityIsNoHu() {
+        const Series series = mapped({}, [](DcmItem& own) {
+            test::itemIn(own, DCM_CTImageFrameTypeSequence)
+                .putAndInsertString(DCM_FrameType, "DERIVED\\PRIMARY\\PERFUSION\\RCBF");
+            DcmItem& map = test::itemIn(own, DCM_RealWorldValueMappingSequence);
+            test::itemIn(map, DCM_MeasurementUnitsCodeSequence).putAndInsertString(DCM_CodeValue, "ml/100ml/s");
+        });
+        QVERIFY(series.verdict.loadable());
+        QCOMPARE(series.verdict.notes.size(), std::size_t(1));
+        QCOMPARE(series.verdict.notes[0].code, std::string("no-hu"));
+        QVERIFY(series.verdict.notes[0].text.find("RCBF, ml/100ml/s") != std::string::npos);
+        QCOMPARE(series.unit, ValueUnit::other(""));  // the mapping states no slope, so the unit is not sure
     }
 
     /// What is in HU is what a planner wants, however many slices others have.

@@ -18,7 +18,8 @@ MISREAD = {"en": re.compile(r"^(No )?[Nn]odes?\b|^a node\b"), "de": re.compile(r
 
 
 # Words that are the same in another language.
-ALIKE = {"de": {"Ellipse %1"}, "es": set()}
+SYMBOLS = {"TE %1 ms", "b %1"}
+ALIKE = {"de": {"Ellipse %1", *SYMBOLS}, "es": SYMBOLS}
 
 
 def file_of(root, language):

@@ -85,7 +85,7 @@ void addRefusals(std::vector<Text>& texts) {
     add([](SliceHeader& header) { header.transferSyntaxUid = "1.2.840.10008.1.2.4.90"; });
     add([](SliceHeader& header) { header.frames = 7; });
     add([](SliceHeader& header) { header.frames = 0, header.hasFrameGroups = true; });
-    add([](SliceHeader& header) { header.hasFloatPixels = true; });
+    add([](SliceHeader& header) { header.hasPixelsTwice = true; });
     add([](SliceHeader& header) { header.columns = 0; });
     add([](SliceHeader& header) { header.format.bitsStored = 17; });
     add([](SliceHeader& header) { header.pixelBytes = 6; });
@@ -110,7 +110,7 @@ void addNotes(std::vector<Text>& texts) {
         for (const SliceHeader& header : headers)
             slices.push_back(&header);
         for (const dicom::Note& note :
-             dicom::notesOn(slices, odd == 1 ? std::set<int>{1, 2, 4} : std::set<int>{1, 2, 5}))
+             dicom::notesOn(slices, {}, odd == 1 ? std::set<int>{1, 2, 4} : std::set<int>{1, 2, 5}))
             texts.push_back(note.text);
     }
 }

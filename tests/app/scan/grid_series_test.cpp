@@ -120,8 +120,8 @@ class GridSeriesTest : public QObject {
         grid.intercept = intercept;
         const double a = lowest * slope + intercept, b = highest * slope + intercept;
         const ValueRange range{std::min(a, b), std::max(a, b), areWhole};
-        const ValueUnit unit = gridUnit(grid, range);
-        QVERIFY(!unit.isHu && isExact(grid, unit, range));
+        const auto [unit, isExact] = gridUnit(grid, range);
+        QVERIFY(!unit.isHu && isExact);
         QCOMPARE(unit.isPlain(), isPlain);
         for (const double sample : {lowest, lowest + 1, std::floor((lowest + highest) / 2), highest}) {
             const double value = sample * slope + intercept, voxel = std::nearbyint(unit.voxelOf(value));
