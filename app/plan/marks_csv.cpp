@@ -7,12 +7,13 @@
 namespace pdr::app {
 namespace {
 
-/// Returns a number with four decimals, more than any value has reasons for, whatever the locale.
-std::string cell(double number) {
-    constexpr int kDecimals = 4;
-    char text[400];                                                // the largest double has 309 digits
-    const double shown = std::abs(number) < 0.00005 ? 0 : number;  // no "-0.0000"
-    return {text, std::to_chars(text, std::end(text), shown, std::chars_format::fixed, kDecimals).ptr};
+constexpr int kDecimals = 4;  ///< of lengths
+
+/// Returns a number with so many decimals, whatever the locale.
+std::string cell(double number, int decimals = kDecimals) {
+    char text[400];  // the largest double has 309 digits
+    const double shown = std::abs(number) < std::pow(10, -decimals) / 2 ? 0 : number;  // no "-0.0000"
+    return {text, std::to_chars(text, std::end(text), shown, std::chars_format::fixed, decimals).ptr};
 }
 
 /// Returns a text with quotes around it where it needs them.
@@ -26,8 +27,8 @@ std::string cell(std::string_view text) {
 }
 
 /// Returns a number that may not be known.
-std::string cell(const std::optional<double>& number) {
-    return number ? cell(*number) : "";
+std::string cell(const std::optional<double>& number, int decimals = kDecimals) {
+    return number ? cell(*number, decimals) : "";
 }
 
 /// Returns a text, such as a name that the user typed or "-50 HU", so that no spreadsheet computes it. An apostrophe of
@@ -48,13 +49,14 @@ std::string headOf() {
         for (const char* column : {"found", "x_mm_lps", "y_mm_lps", "z_mm_lps"})
             add(line, std::string(column) + '_' + std::to_string(n));
     return line +
-           ",mean_hu,mean_plus_minus_95,median_hu,area_mm2,area_plus_minus_95,area_bound,corners_mm_lps,across_hole";
+           ",mean_hu,mean_plus_minus_95,median_hu,area_mm2,area_plus_minus_95,area_bound,corners_mm_lps,across_hole"
+           ",sd_value,lowest_value,highest_value,mean_value,mean_value_plus_minus_95,median_value,value_unit";
 }
 
 void addValue(std::string& line, const MarkRow& row) {
     const Measured value = row.value ? *row.value : Measured();
-    add(line, row.value ? cell(value.value) : "");
-    add(line, cell(value.plusMinus));
+    add(line, row.value ? cell(value.value, valueDecimals(value)) : "");
+    add(line, cell(value.plusMinus, valueDecimals(value)));
     add(line, cell(boundWord(value.bound)));
     add(line, row.value ? cell(withoutFormula(unitWord(value))) : "");
     add(line, cell(withoutFormula(readable(row))));
@@ -86,6 +88,21 @@ void addMeanAndArea(std::string& line, const MarkRow& row) {
     add(line, value.area ? cell(boundWord(value.area->bound)) : "");
 }
 
+/// Adds the figures of a region once more, in the unit of the scan's values, whatever it is.
+void addFigures(std::string& line, const MarkRow& row) {
+    if (!row.value || !row.value->region) {
+        line += ",,,,,,,";
+        return;
+    }
+    const measure::RegionStatistics& region = *row.value->region;
+    const int decimals = figureDecimals(*row.value);
+    for (const double figure : {region.sdHu, region.lowestHu, region.highestHu, region.meanHu})
+        add(line, cell(figure, decimals));
+    add(line, cell(region.meanPlusMinus, decimals));
+    add(line, cell(region.medianHu, decimals));
+    add(line, isInHu(*row.value) ? "HU" : cell(withoutFormula(row.value->valueUnit.name)));
+}
+
 /// Returns the corners of a polygon, all of them, in one cell: "x y z; x y z; x y z".
 std::string cornersOf(const MarkRow& row) {
     std::string corners;
@@ -112,6 +129,7 @@ std::string lineOf(const MarkRow& row) {
     addMeanAndArea(line, row);
     add(line, row.kind == MeasureKind::polygon ? cornersOf(row) : "");
     add(line, !row.value ? "" : row.value->acrossHole ? "yes" : "no");
+    addFigures(line, row);
     return line;
 }
 

@@ -92,9 +92,10 @@ Json controlPoint(const Point& point, const std::string& label, std::size_t numb
 
 /// Returns a stated number, rounded to more decimals than it has reasons for.
 Json measurement(const std::string& name, double number, const Measured& value, const std::string& description) {
+    const double last = std::pow(10, valueDecimals(value));
     return {{"name", name},
             {"enabled", true},
-            {"value", std::round(number * 1e4) / 1e4},
+            {"value", std::round(number * last) / last},
             {"units", unitWord(value)},
             {"description", description}};
 }

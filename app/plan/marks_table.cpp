@@ -13,6 +13,8 @@
 namespace pdr::app {
 namespace {
 
+constexpr int kDecimals = 4;  ///< of lengths, angles and HU
+
 template <class T, std::size_t N>
 std::string_view wordFor(T value, const Words<T, N>& words) {
     return std::ranges::find(words, value, &std::pair<std::string_view, T>::second)->first;
@@ -93,6 +95,14 @@ std::string unitWord(const Measured& measured) {
 
 bool isInHu(const Measured& measured) {
     return measured.valueUnit.isHu;
+}
+
+int valueDecimals(const Measured& measured) {
+    return measured.unit == measure::Unit::hu ? figureDecimals(measured) : kDecimals;
+}
+
+int figureDecimals(const Measured& measured) {
+    return kDecimals + measured.valueUnit.decimals();
 }
 
 }  // namespace pdr::app

@@ -44,5 +44,8 @@ std::string_view boundWord(measure::Bound bound);
 std::string unitWord(const Measured& measured);
 /// Returns whether the figures of a region are in HU.
 bool isInHu(const Measured& measured);
+/// Returns how many decimals of a value, and of a region's figures, files state: more than there are reasons for.
+int valueDecimals(const Measured& measured);
+int figureDecimals(const Measured& measured);
 
 }  // namespace pdr::app

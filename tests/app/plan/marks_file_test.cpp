@@ -111,6 +111,10 @@ class MarksFileTest : public QObject {
             QCOMPARE(record[column("median_hu")].isEmpty(), !isRegion);
             if (isRegion)
                 QVERIFY(std::abs(record[column("mean_hu")].toDouble() - row.value->region->meanHu) <= 0.5001e-4);
+            QCOMPARE(record[column("value_unit")], isRegion ? "HU" : "");
+            for (const char* figure : {"sd", "lowest", "highest", "mean", "median"})
+                QCOMPARE(record[column(QString(figure) + "_value")], record[column(QString(figure) + "_hu")]);
+            QCOMPARE(record[column("mean_value_plus_minus_95")], record[column("mean_plus_minus_95")]);
             const bool hasArea = row.value && row.value->area;
             QCOMPARE(record[column("area_mm2")].isEmpty(), !hasArea);
             if (hasArea)
@@ -133,6 +137,36 @@ class MarksFileTest : public QObject {
                 }
             }
         }
+    }
+
+    /// Values from 0 to 0.1 in steps of 0.001: columns of HU are empty, and four decimals are not enough.
+    void valuesThatAreNoHuHaveColumnsAndDecimals() {
+        const Volume scan = test::scanOfMarks();
+        const Volume values(scan.geometry(), Voxels(scan.voxels().begin(), scan.voxels().end()), {},
+                            unitWord(ValueUnit::other("mm2/s", 0.001, 0)));
+        const std::vector<MarkRow> rows = marksTable(test::someMarks(), values);
+        const std::vector<QStringList> records = recordsOf(marksCsv(rows));
+        const QJsonArray markups =
+            QJsonDocument::fromJson(QByteArray::fromStdString(marksForSlicer(rows)))["markups"].toArray();
+        const auto cellOf = [&](std::size_t n, const char* name) { return records[n + 1][records[0].indexOf(name)]; };
+        constexpr std::size_t kBall = 7;
+        const Measured& ball = *rows[kBall].value;
+        QCOMPARE(cellOf(kBall, "value_unit"), "mm2/s");
+        for (const char* name : {"sd_hu", "lowest_hu", "highest_hu", "mean_hu", "mean_plus_minus_95", "median_hu"})
+            QCOMPARE(cellOf(kBall, name), "");
+        const std::vector<std::pair<const char*, double>> figures{{"value", ball.value},
+                                                                  {"plus_minus_95", *ball.plusMinus},
+                                                                  {"sd_value", ball.region->sdHu},
+                                                                  {"lowest_value", ball.region->lowestHu},
+                                                                  {"highest_value", ball.region->highestHu},
+                                                                  {"mean_value", ball.region->meanHu},
+                                                                  {"mean_value_plus_minus_95", *ball.plusMinus},
+                                                                  {"median_value", ball.region->medianHu}};
+        for (const auto& [name, figure] : figures)
+            QVERIFY2(std::abs(cellOf(kBall, name).toDouble() - figure) <= 0.5001e-7, name);
+        QVERIFY(std::abs(markups[8]["measurements"][0]["value"].toDouble() - ball.value) <= 0.5001e-7);
+        QCOMPARE(markups[8]["measurements"][0]["units"].toString(), "mm2/s");
+        QCOMPARE(cellOf(0, "value").section('.', 1).size(), 4);  // a length
     }
 
     void noCellIsAFormula() {
