@@ -7,7 +7,7 @@
 namespace pdr::app {
 namespace {
 
-constexpr int kDecimals = 4;  ///< of lengths
+constexpr int kDecimals = 4;  // of lengths
 
 /// Returns a number with so many decimals, whatever the locale.
 std::string cell(double number, int decimals = kDecimals) {

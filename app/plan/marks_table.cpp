@@ -13,7 +13,7 @@
 namespace pdr::app {
 namespace {
 
-constexpr int kDecimals = 4;  ///< of lengths, angles and HU
+constexpr int kDecimals = 4;  // of lengths, angles and HU
 
 template <class T, std::size_t N>
 std::string_view wordFor(T value, const Words<T, N>& words) {

@@ -1,5 +1,9 @@
 #include "dicom/read/phase_values.h"
 
+#include <dcmtk/config/osconfig.h>
+
+#include <dcmtk/dcmdata/dctk.h>
+
 #include <array>
 #include <cmath>
 #include <utility>

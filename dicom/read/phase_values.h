@@ -6,6 +6,8 @@
 #include "dicom/read/functional_groups.h"
 #include "dicom/read/slice_header.h"
 
+class DcmItem;
+
 namespace pdr::dicom {
 
 /// Returns the values that `item` states, by PhaseKey; empty: not stated. Numbers have no superfluous digits. The

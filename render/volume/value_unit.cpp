@@ -39,7 +39,7 @@ ValueUnit unitFrom(std::string_view name) {
     return ValueUnit::other(std::string(name.substr(0, equals)), step, zero);
 }
 
-constexpr double kTremble = 1e-6;  ///< of quotients that are whole numbers
+constexpr double kTremble = 1e-6;  // of quotients that are whole numbers
 
 /// Returns how far voxels must move to lie within 16 bits.
 double shiftOf(double lowest, double highest) {
