@@ -2,12 +2,14 @@
 /// Imports DICOM objects as Hounsfield units, in two steps: headers first, pixels on request.
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "dicom/series.h"
 #include "dicom/series_source.h"
 #include "render/base/progress.h"
 #include "render/base/result.h"
+#include "render/volume/arriving_volume.h"
 
 namespace pdr::dicom {
 
@@ -32,12 +34,17 @@ enum class Padding {
     keep,  ///< padding voxels keep the stored HU, but are flagged, too; for checksums only
 };
 
+/// Takes the volume that a series is read into before its first slice arrives, on the thread that reads. Its slices can
+/// be looked at until the reading ends, in whatever way.
+using OnArrival = std::function<void(std::shared_ptr<const ArrivingVolume>)>;
+
 /// Decodes the pixels of `series` into HU = stored * slope + intercept, rounded and clamped to int16, slices in the
-/// order given, on all cores. Needs verdict.loadable(); `Padding::keep` also accepts any stack whose slices agree in
-/// size. `series` must come from a scan. Appends to `notes`, if not null, what only the pixels show; the volume's
-/// remarks are the codes of the verdict's notes and of these. Errors: the verdict's reason, a file that is gone,
-/// damaged or no longer the one that was scanned (named), not enough memory (figures), cancelled.
+/// order given, on all cores, the middle one first. Needs verdict.loadable(); `Padding::keep` also accepts any stack
+/// whose slices agree in size. `series` must come from a scan. Appends to `notes`, if not null, what only the pixels
+/// show; the volume's remarks are the codes of the verdict's notes and of these. `onArrival` is called once, but not
+/// for slices that are resampled. Errors: the verdict's reason, a file that is gone, damaged or no longer the one that
+/// was scanned (named), not enough memory (figures), cancelled.
 Result<Volume> loadSeries(const Series& series, Padding padding, const Progress& progress,
-                          std::vector<Note>* notes = nullptr);
+                          std::vector<Note>* notes = nullptr, const OnArrival& onArrival = {});
 
 }  // namespace pdr::dicom

@@ -42,8 +42,14 @@ class Filling {
           padding_(series.unit.isHu ? padding : Padding::keep),
           lowersPadding_(padding != padding_),
           images_(*series.source, series.unit),
-          sliceVoxels_(std::size_t(series.geometry.size.x) * std::size_t(series.geometry.size.y)),
-          hu_(sliceVoxels_ * series.slices.size()) {}
+          read_(std::make_shared<ArrivingVolume>(readGrid(series), series.unit)) {}
+    Filling(const Filling&) = delete;
+    Filling& operator=(const Filling&) = delete;
+    /// Frees the voxels, even if somebody still holds the arriving volume.
+    ~Filling() { read_->take(); }
+
+    /// The volume into which slices are read.
+    const std::shared_ptr<ArrivingVolume>& arriving() const { return read_; }
 
     void loadSlice(std::size_t k, const GoOn& goOn) {
         const SliceRef& from = series_.slices[k];
@@ -52,8 +58,9 @@ class Filling {
             return fail(slice.error());
         if (slice->size != ivec2(series_.geometry.size) || slice->identity != from.identity)
             return fail(changedFile(from.file));
-        std::copy(slice->hu.begin(), slice->hu.end(), hu_.begin() + std::ptrdiff_t(k * sliceVoxels_));
-        include(*slice, k);
+        std::ranges::copy(slice->hu, read_->slice(int(k)).begin());
+        if (!include(*slice, k) || !lowersPadding_)
+            read_->arrive(int(k));
         clipped_ += slice->clipped;
         lossy_ += slice->hasLost;
         mended_ += slice->isMended;
@@ -91,11 +98,12 @@ class Filling {
 
     /// Slices that were blended have other voxels than those that were read, and other ranges.
     Volume finish() {
+        Voxels hu = read_->take();
         if (series_.blends.empty() && !(lowersPadding_ && ranges_.padding > 0))
-            return Volume(series_.geometry, std::move(hu_), std::move(flags_), codes(), ranges_);
-        FlaggedVoxels voxels{std::move(hu_), std::move(flags_)};
+            return Volume(series_.geometry, std::move(hu), std::move(flags_), codes(), ranges_);
+        FlaggedVoxels voxels{std::move(hu), std::move(flags_)};
         if (!series_.blends.empty())
-            voxels = blended(voxels, sliceVoxels_, series_.blends);
+            voxels = blended(voxels, sliceVoxels(), series_.blends);
         if (lowersPadding_ && !ranges_.measured.empty())
             for (std::size_t i = 0; i < voxels.padding.size(); ++i)
                 if (voxels.padding[i])
@@ -104,14 +112,27 @@ class Filling {
     }
 
   private:
+    /// Returns the grid of the slices that are read; those that are resampled from them have another.
+    static VolumeGeometry readGrid(const Series& series) {
+        VolumeGeometry grid = series.geometry;
+        grid.size.z = int(series.slices.size());
+        return grid;
+    }
+
+    std::size_t sliceVoxels() const {
+        return std::size_t(series_.geometry.size.x) * std::size_t(series_.geometry.size.y);
+    }
+
     /// Takes up the ranges of slice k, and flags its padding. Slices share words of flags, so one is flagged at a time.
-    void include(const DecodedSlice& slice, std::size_t k) {
+    /// Returns whether there is padding.
+    bool include(const DecodedSlice& slice, std::size_t k) {
         const std::lock_guard lock(mutex_);
         ranges_.include(slice.ranges);
         if (slice.padding.empty())
-            return;
-        flags_.resize(hu_.size(), false);
-        copyRuns(slice.padding, flags_.begin() + std::ptrdiff_t(k * sliceVoxels_));
+            return false;
+        flags_.resize(sliceVoxels() * series_.slices.size(), false);
+        copyRuns(slice.padding, flags_.begin() + std::ptrdiff_t(k * sliceVoxels()));
+        return true;
     }
 
     /// Returns one word for each kind of note, and the unit of values that are no HU, noted or not.
@@ -141,8 +162,7 @@ class Filling {
     const Padding padding_;
     const bool lowersPadding_;  ///< whether padding gets the lowest value in the end, since air has none that is known
     OpenImages images_;
-    const std::size_t sliceVoxels_;
-    Voxels hu_;
+    const std::shared_ptr<ArrivingVolume> read_;
     ValueRanges ranges_;                               ///< guarded by mutex_
     std::vector<bool> flags_;                          ///< padding, guarded by mutex_; empty: there is none so far
     std::atomic<std::size_t> clipped_ = 0;             ///< voxels
@@ -151,13 +171,24 @@ class Filling {
     std::optional<Error> error_;
 };
 
-Result<Volume> fill(const Series& series, Padding padding, const Progress& progress, std::vector<Note>* notes) {
+/// Returns the slice that is read as number `i` of `count`: the middle one, which is seen first, then its neighbours,
+/// outwards to both ends.
+std::size_t outwards(std::size_t i, std::size_t count) {
+    const std::size_t middle = count / 2;
+    return i % 2 == 1 ? middle - (i + 1) / 2 : middle + i / 2;
+}
+
+Result<Volume> fill(const Series& series, Padding padding, const Progress& progress, std::vector<Note>* notes,
+                    const OnArrival& onArrival) {
     Filling filling(series, padding);
+    if (onArrival && series.blends.empty())
+        onArrival(filling.arriving());
     const Progress untilFailure = [&](double fraction, std::string_view step) {
         return progress(fraction, step) && !filling.failed();
     };
-    const auto loadOne = [&](std::size_t k, const GoOn& goOn) { filling.loadSlice(k, goOn); };
-    const bool complete = onAllCores(series.slices.size(), loadOne, untilFailure, "reading slices");
+    const std::size_t count = series.slices.size();
+    const auto loadOne = [&](std::size_t i, const GoOn& goOn) { filling.loadSlice(outwards(i, count), goOn); };
+    const bool complete = onAllCores(count, loadOne, untilFailure, "reading slices");
     if (filling.failed())
         return filling.error();
     if (!complete)
@@ -171,7 +202,8 @@ Result<Volume> fill(const Series& series, Padding padding, const Progress& progr
 
 }  // namespace
 
-Result<Volume> loadSeries(const Series& series, Padding padding, const Progress& progress, std::vector<Note>* notes) {
+Result<Volume> loadSeries(const Series& series, Padding padding, const Progress& progress, std::vector<Note>* notes,
+                          const OnArrival& onArrival) {
     const ivec3 size = series.geometry.size;
     if (padding == Padding::maskAsAir && !series.verdict.loadable())
         return Error{series.verdict.reason, series.series.description, phrase("Choose another series.")};
@@ -184,7 +216,7 @@ Result<Volume> loadSeries(const Series& series, Padding padding, const Progress&
     if (needed > freeBytes())
         return outOfMemory(series, needed);
     try {
-        return fill(series, padding, progress, notes);
+        return fill(series, padding, progress, notes, onArrival);
     } catch (const std::bad_alloc&) {
         return outOfMemory(series, needed);
     }

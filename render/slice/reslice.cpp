@@ -143,8 +143,14 @@ void fillTile(const FlatGrid& grid, const IndexSlab& slab, SlabKind kind, const 
 
 std::optional<SliceImage> reslice(const Volume& volume, const SlicePlane& plane, const Slab& slab,
                                   const std::stop_token& stop, std::vector<float> memory) {
-    const FlatGrid grid = flatGrid(volume.voxels().data(), volume.size());
-    const IndexSlab inIndex(volume.geometry(), plane, slab);
+    return reslice(volume.geometry(), volume.voxels(), plane, slab, stop, std::move(memory));
+}
+
+std::optional<SliceImage> reslice(const VolumeGeometry& geometry, std::span<const std::int16_t> voxels,
+                                  const SlicePlane& plane, const Slab& slab, const std::stop_token& stop,
+                                  std::vector<float> memory) {
+    const FlatGrid grid = flatGrid(voxels.data(), geometry.size);
+    const IndexSlab inIndex(geometry, plane, slab);
     const auto fill = lanesCanRead(grid) ? fillTile<FloatLanes> : fillTile<float>;
     SliceImage image{plane, slab, std::move(memory)};
     image.hu.resize(std::size_t(plane.size.x) * std::size_t(plane.size.y));

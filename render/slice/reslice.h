@@ -4,7 +4,9 @@
 /// Places are computed in double at the first of every 64 pixels of a row and rounded there to 2^-20 of a voxel, so
 /// that voxel centres are met; from there on in float, at most 1e-5 voxels off. They are the same on every machine.
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -41,5 +43,9 @@ struct SliceImage {
 /// saves up to half of the time while one slice follows another.
 std::optional<SliceImage> reslice(const Volume& volume, const SlicePlane& plane, const Slab& slab = {},
                                   const std::stop_token& stop = {}, std::vector<float> memory = {});
+/// Returns the slice of `voxels` on the grid `geometry`, x fastest, then y, then z.
+std::optional<SliceImage> reslice(const VolumeGeometry& geometry, std::span<const std::int16_t> voxels,
+                                  const SlicePlane& plane, const Slab& slab, const std::stop_token& stop,
+                                  std::vector<float> memory);
 
 }  // namespace pdr

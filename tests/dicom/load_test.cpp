@@ -5,11 +5,16 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <fstream>
+#include <mutex>
+#include <thread>
 
 #include "dicom/import.h"
+#include "tests/support/dicom/memory_source.h"
 #include "tests/support/dicom/slice_folder.h"
+#include "tests/support/patience.h"
 
 using namespace pdr;
 using namespace pdr::dicom;
@@ -27,6 +32,37 @@ struct Exchange {
     }
 };
 Exchange* underWay = nullptr;
+
+/// Objects in memory that calls a function whenever one is opened.
+class WatchedSource : public test::MemorySource {
+  public:
+    mutable std::function<void(const std::string&)> opening = [](const std::string&) {};
+
+    Result<NamedBytes> open(const std::filesystem::path& name) const override {
+        opening(name.string());
+        return MemorySource::open(name);
+    }
+};
+
+/// A scanned stack of `count` slices in memory; slice k holds the value k.
+struct WatchedStack {
+    explicit WatchedStack(int count, const std::function<void(test::SliceFile&)>& change = {}) {
+        const test::SliceFolder folder;
+        folder.addStack(count, {.size = {8, 8}}, "s", [&](int k, test::SliceFile& slice) {
+            slice.raw.assign(64, std::uint16_t(k));
+            if (change)
+                change(slice);
+        });
+        const auto written = test::inMemory(folder.path());
+        const auto listing = written->list(noProgress);
+        for (const std::filesystem::path& name : listing->names)
+            source->add(name, *written->open(name)->memory);
+        series = scanSource(source, noProgress)->series.at(0);
+    }
+
+    std::shared_ptr<WatchedSource> source = std::make_shared<WatchedSource>();
+    Series series;
+};
 
 FILE* openAs(const char* function, const char* path, const char* mode) {
     if (underWay)
@@ -202,6 +238,93 @@ class LoadTest : public QObject {
                      refused.error().what.find("needs 26.7 MB of memory, and 20.0") != std::string::npos,
                  refused.error().what.c_str());
         QVERIFY(bool(loadSeries(scan.series[0], Padding::maskAsAir, noProgress)));
+    }
+
+    /// The last slice is held back until all others have arrived.
+    void slicesCanBeLookedAtWhileOthersAreRead() {
+        const WatchedStack stack(30);
+        std::shared_ptr<const ArrivingVolume> arriving;
+        std::vector<ArrivedSlices> seen;
+        std::vector<std::int16_t> values;
+        const std::int16_t* begin = nullptr;
+        stack.source->opening = [&](const std::string& name) {
+            if (name != "s00")
+                return;
+            for (int ms = 0; arriving->arrived() < 29 && ms < test::kPatience; ++ms)
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            arriving->look([&](std::span<const ArrivedSlices> parts) {
+                seen.assign(parts.begin(), parts.end());
+                values.assign(parts[0].voxels.begin(), parts[0].voxels.end());
+                begin = parts[0].voxels.data();
+            });
+        };
+        const auto volume = loadSeries(stack.series, Padding::maskAsAir, noProgress, nullptr,
+                                       [&](std::shared_ptr<const ArrivingVolume> taken) { arriving = taken; });
+        QVERIFY(bool(volume));
+        QCOMPARE(seen.size(), std::size_t(1));
+        QCOMPARE(seen[0].first, 1);
+        QCOMPARE(seen[0].geometry.size, ivec3(8, 8, 29));
+        QCOMPARE(seen[0].geometry.patientFromIndex[3].z, 2.0);
+        QVERIFY(std::ranges::equal(values, volume->voxels().subspan(64)));
+        QCOMPARE(begin, &volume->voxels()[64]);  // they stay where they are
+        QVERIFY(!arriving->look([](std::span<const ArrivedSlices>) {}));
+    }
+
+    /// Views begin with the middle slice.
+    void theMiddleSliceIsReadFirst() {
+        const WatchedStack stack(41);
+        std::vector<std::string> order;
+        std::mutex mutex;
+        stack.source->opening = [&](const std::string& name) {
+            const std::lock_guard lock(mutex);
+            if (std::ranges::find(order, name) == order.end())
+                order.push_back(name);
+        };
+        QVERIFY(bool(loadSeries(stack.series, Padding::maskAsAir, noProgress)));
+        QCOMPARE(order.size(), std::size_t(41));
+        // Several threads begin at once, in no order
+        const std::size_t threads = std::max(1u, std::thread::hardware_concurrency());
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            const int fromMiddle = std::abs(std::stoi(order[i].substr(1)) - 20);
+            QVERIFY2(std::size_t(2 * fromMiddle) <= i + 2 * threads, order[i].c_str());
+        }
+    }
+
+    void whatArrivedOfAFailureIsGone_data() {
+        QTest::addColumn<bool>("cancels");
+        QTest::newRow("a file is gone") << false;
+        QTest::newRow("cancelled") << true;
+    }
+    void whatArrivedOfAFailureIsGone() {
+        QFETCH(bool, cancels);
+        const WatchedStack stack(30);
+        if (!cancels)
+            stack.source->remove("s07");
+        std::shared_ptr<const ArrivingVolume> arriving;
+        const auto volume = loadSeries(
+            stack.series, Padding::maskAsAir, [&](double, std::string_view) { return !cancels; }, nullptr,
+            [&](std::shared_ptr<const ArrivingVolume> taken) { arriving = taken; });
+        QVERIFY(!volume);
+        QVERIFY(arriving);
+        QVERIFY(!arriving->look([](std::span<const ArrivedSlices>) {}));
+    }
+
+    /// Padding of values that are no HU gets the lowest of all values in the end: a slice with it would change.
+    void slicesThatWillChangeDoNotArrive() {
+        const WatchedStack stack(6, [](test::SliceFile& slice) {
+            slice.raw[5] = 63536;
+            slice.change = [](DcmDataset& data) {
+                data.putAndInsertString(DCM_Modality, "MR");
+                data.putAndInsertUint16(DCM_PixelPaddingValue, 63536);
+            };
+        });
+        QVERIFY(!stack.series.unit.isHu);
+        std::shared_ptr<const ArrivingVolume> arriving;
+        const auto volume = loadSeries(stack.series, Padding::maskAsAir, noProgress, nullptr,
+                                       [&](std::shared_ptr<const ArrivingVolume> taken) { arriving = taken; });
+        QVERIFY2(volume, volume ? "" : volume.error().text().c_str());
+        QCOMPARE(volume->paddingCount(), std::size_t(6));
+        QCOMPARE(arriving->arrived(), 0);
     }
 };
 
