@@ -46,7 +46,7 @@ constexpr const char* kHelp =
     "  pdrender-cli help COMMAND                              explain a command; the same as COMMAND --help\n"
     "  pdrender-cli --version                                 say which version this is\n"
     "\n"
-    "FOLDER may also be a ZIP archive of DICOM files, or a volume as NIfTI, NRRD or MetaImage.\n"
+    "FOLDER may also be a ZIP archive of DICOM or volume files, or one volume: NIfTI, NRRD or MetaImage.\n"
     "Exit codes: 0 done, 1 error, 2 wrong usage.\n";
 
 int usageError(const QString& what) {

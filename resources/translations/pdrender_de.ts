@@ -2812,8 +2812,8 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>OpenEXR mit dem Fehler jedes Pixels (*.exr)</translation>
     </message>
     <message>
-        <source>Opens a ZIP archive of DICOM files, or a volume as NIfTI, NRRD or MetaImage.</source>
-        <translation>Öffnet ein ZIP-Archiv mit DICOM-Dateien oder ein Volumen als NIfTI, NRRD oder MetaImage.</translation>
+        <source>Opens a ZIP archive of DICOM or volume files, or one volume: NIfTI, NRRD or MetaImage.</source>
+        <translation>Öffnet ein ZIP-Archiv mit DICOM- oder Volumendateien oder ein einzelnes Volumen: NIfTI, NRRD oder MetaImage.</translation>
     </message>
     <message>
         <source>Opens a folder of DICOM files.</source>
@@ -4352,8 +4352,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Zoomen</translation>
     </message>
     <message>
-        <source>a ZIP archive of DICOM files, or a volume as NIfTI, NRRD or MetaImage</source>
-        <translation>ein ZIP-Archiv mit DICOM-Dateien oder ein Volumen als NIfTI, NRRD oder MetaImage</translation>
+        <source>a ZIP archive of DICOM or volume files, or one volume: NIfTI, NRRD or MetaImage</source>
+        <translation>ein ZIP-Archiv mit DICOM- oder Volumendateien oder ein einzelnes Volumen: NIfTI, NRRD oder MetaImage</translation>
     </message>
     <message>
         <source>a box, a plane or a drawn line cuts into the volume</source>
@@ -4388,8 +4388,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>eine Datei dieses Namens ist im Weg</translation>
     </message>
     <message>
-        <source>a folder of DICOM files, or one of the files: its CT series are listed</source>
-        <translation>ein Ordner mit DICOM-Dateien oder eine der Dateien: seine CT-Serien werden aufgelistet</translation>
+        <source>a folder of DICOM files, or one of the files: its series are listed</source>
+        <translation>ein Ordner mit DICOM-Dateien oder eine der Dateien: seine Serien werden aufgelistet</translation>
     </message>
     <message>
         <source>a frame took no time</source>

@@ -2812,8 +2812,8 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>OpenEXR con el error de cada píxel (*.exr)</translation>
     </message>
     <message>
-        <source>Opens a ZIP archive of DICOM files, or a volume as NIfTI, NRRD or MetaImage.</source>
-        <translation>Abre un archivo ZIP con archivos DICOM, o un volumen como NIfTI, NRRD o MetaImage.</translation>
+        <source>Opens a ZIP archive of DICOM or volume files, or one volume: NIfTI, NRRD or MetaImage.</source>
+        <translation>Abre un archivo ZIP con archivos DICOM o de volumen, o un solo volumen: NIfTI, NRRD o MetaImage.</translation>
     </message>
     <message>
         <source>Opens a folder of DICOM files.</source>
@@ -4352,8 +4352,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>a ZIP archive of DICOM files, or a volume as NIfTI, NRRD or MetaImage</source>
-        <translation>un archivo ZIP con archivos DICOM, o un volumen como NIfTI, NRRD o MetaImage</translation>
+        <source>a ZIP archive of DICOM or volume files, or one volume: NIfTI, NRRD or MetaImage</source>
+        <translation>un archivo ZIP con archivos DICOM o de volumen, o un solo volumen: NIfTI, NRRD o MetaImage</translation>
     </message>
     <message>
         <source>a box, a plane or a drawn line cuts into the volume</source>
@@ -4388,8 +4388,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>un archivo con este nombre estorba</translation>
     </message>
     <message>
-        <source>a folder of DICOM files, or one of the files: its CT series are listed</source>
-        <translation>una carpeta de archivos DICOM, o uno de ellos: se listan sus series de TC</translation>
+        <source>a folder of DICOM files, or one of the files: its series are listed</source>
+        <translation>una carpeta de archivos DICOM, o uno de ellos: se listan sus series</translation>
     </message>
     <message>
         <source>a frame took no time</source>

@@ -48,8 +48,8 @@ StartPanel::StartPanel(QWidget* parent) : QFrame(parent) {
     column->addWidget(&plans_.box);
     column->addWidget(&folders_.box);
     column->addWidget(quiet(tr("What can be dropped on the window:")));
-    for (const QString& what : {tr("a folder of DICOM files, or one of the files: its CT series are listed"),
-                                tr("a ZIP archive of DICOM files, or a volume as NIfTI, NRRD or MetaImage"),
+    for (const QString& what : {tr("a folder of DICOM files, or one of the files: its series are listed"),
+                                tr("a ZIP archive of DICOM or volume files, or one volume: NIfTI, NRRD or MetaImage"),
                                 tr("a plan (.plan.json), once its scan is open"),
                                 tr("an OpenEXR environment image, which then lights the scan")})
         column->addWidget(quiet(QString(QChar(0x2022)) + ' ' + what));

@@ -127,7 +127,7 @@ void describe(const WindowActions& actions) {
     for (const auto& [action, name, toolTip] : std::initializer_list<Sentence>{
              {actions.open, "open", Texts::tr("Opens a folder of DICOM files.")},
              {actions.openFile, "openFile",
-              Texts::tr("Opens a ZIP archive of DICOM files, or a volume as NIfTI, NRRD or MetaImage.")},
+              Texts::tr("Opens a ZIP archive of DICOM or volume files, or one volume: NIfTI, NRRD or MetaImage.")},
              {actions.save, "save", Texts::tr("Saves the image as PNG or EXR, as shown or rendered at any size.")},
              {actions.openPlan, "openPlan", Texts::tr("Opens what was set and measured on this scan before.")},
              {actions.savePlan, "savePlan",
