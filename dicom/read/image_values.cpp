@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "dicom/read/item_values.h"
 
@@ -22,6 +23,21 @@ std::optional<VoiFunction> voiFunction(const std::string& name) {
     if (name == "SIGMOID")
         return VoiFunction::sigmoid;
     return {};
+}
+
+/// Fills the table of values (PS3.3, C.11.1.1) and their unit; none if it holds another number of them than it states.
+void readTable(DcmItem& item, ValueMeaning& meaning) {
+    constexpr unsigned long kMost = 1 << 16;  // stated as 0
+    long int stated = 0, first = 0;
+    const Uint16* values = nullptr;
+    unsigned long count = 0;
+    if (item.findAndGetLongInt(DCM_LUTDescriptor, stated, 0).bad() ||
+        item.findAndGetLongInt(DCM_LUTDescriptor, first, 1).bad() ||
+        item.findAndGetUint16Array(DCM_LUTData, values, &count).bad() || !values || count == 0 || count > kMost ||
+        count % kMost != static_cast<unsigned long>(stated) % kMost)
+        return;
+    meaning.table = std::make_shared<const ValueTable>(ValueTable{int(first), {values, values + count}});
+    meaning.unit = text(item, DCM_ModalityLUTType);
 }
 
 }  // namespace
@@ -49,6 +65,10 @@ void readRescale(DcmItem& item, ValueMeaning& meaning) {
                               (!intercept && item.tagExistsWithValue(DCM_RescaleIntercept));
     meaning.unit = text(item, DCM_RescaleType);
     meaning.isByTable = item.tagExists(DCM_ModalityLUTSequence);
+    meaning.table.reset();
+    DcmItem* table = nullptr;
+    if (meaning.isByTable && item.findAndGetSequenceItem(DCM_ModalityLUTSequence, table, 0).good())
+        readTable(*table, meaning);
 }
 
 void readUnitName(DcmItem& item, ValueMeaning& meaning) {

@@ -11,7 +11,7 @@ namespace pdr::dicom {
 /// Fills position, directions and spacing as far as `item` states them.
 void readPlane(DcmItem& item, SliceHeader& header);
 
-/// Fills slope, intercept and unit, and whether a table gives the values.
+/// Fills slope, intercept and unit, or the table that gives the values and its unit.
 void readRescale(DcmItem& item, ValueMeaning& meaning);
 
 /// Fills the name of the unit of values that are no HU: that of a real-world value mapping in `item` (PS3.3,

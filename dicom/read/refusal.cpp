@@ -30,9 +30,10 @@ bool soundFormat(const SliceHeader& header) {
 }
 
 /// Returns whether images of another modality than CT can be slices of a volume, and say where they lie: exports of
-/// cone-beam scanners (OT), 3D angiography (XA), MR, PET and SPECT. Labels and doses are none.
+/// cone-beam scanners (OT), 3D angiography (XA), MR, PET, SPECT, and what does not say its modality. Labels and doses
+/// are none.
 bool isOtherVolume(const SliceHeader& header) {
-    constexpr std::array<std::string_view, 5> kModalities{"OT", "XA", "MR", "PT", "NM"};
+    constexpr std::array<std::string_view, 6> kModalities{"OT", "XA", "MR", "PT", "NM", ""};
     return std::ranges::find(kModalities, header.series.modality) != kModalities.end() && header.position &&
            header.rowDirection && header.columnDirection && header.spacingMm;
 }
@@ -50,7 +51,7 @@ bool isInHu(const SliceHeader& header) {
     const std::string& modality = header.series.modality;
     if (!meaning.quantity.empty())
         return false;
-    if (modality == "OT" || modality == "XA")
+    if (modality == "OT" || modality == "XA" || modality.empty())
         return namesHu(meaning.unit);
     if (modality != "CT")
         return false;
@@ -76,7 +77,7 @@ std::optional<Refusal> refusePixels(const SliceHeader& header) {
     if (!canDecode(header.transferSyntaxUid) || isOutOfReach)
         return unreadable(phrase("its pixels are coded as %1, which this version cannot read",
                                  transferSyntaxName(header.transferSyntaxUid)));
-    if (header.meaning.isByTable)
+    if (header.meaning.isByTable && !header.meaning.table)
         return unreadable(phrase("a table gives its values (Modality LUT Sequence), which this version cannot read"));
     if (header.frames != 1 && !header.hasFrameGroups)
         return unreadable(phrase("it holds %1 frames in one file, and does not say where they lie", header.frames));

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,11 +24,18 @@ struct PixelFormat {
     std::string photometric;
 };
 
+/// Values in a table (Modality LUT Sequence) instead of a rescale.
+struct ValueTable {
+    int first = 0;                      ///< the stored number of the first value; smaller ones have that value, too
+    std::vector<std::uint16_t> values;  ///< at least one; larger numbers have the last
+};
+
 /// The meaning of a stored number: a value, in Hounsfield units or not, or "nothing was measured here".
 struct ValueMeaning {
-    std::optional<double> slope, intercept;         ///< value = stored * slope + intercept
+    std::optional<double> slope, intercept;         ///< value = slope * (stored, or what the table has) + intercept
     std::string unit;                               ///< RescaleType: "HU", or empty if nothing is stated
-    bool isByTable = false;                         ///< a table (Modality LUT Sequence) gives the values
+    bool isByTable = false;                         ///< whether a table gives the values
+    std::shared_ptr<const ValueTable> table;        ///< what gives them; null: nothing, or a broken table
     bool rescaleIsBroken = false;                   ///< stated, but not a finite number, or a slope of 0
     std::string quantity;                           ///< what they are instead ("RCBF, ml/100ml/s"); empty: not said
     std::string name;                               ///< unit of values that are no HU ("BQML"); empty: not said

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <type_traits>
 
 namespace pdr::dicom {
@@ -95,14 +96,28 @@ class Rescale {
     double slope_, intercept_;
 };
 
+/// The value in a table for each stored number.
+class Lookup {
+  public:
+    /// `table` must outlive this.
+    explicit Lookup(const ValueTable& table) : values_(table.values), first_(table.first) {}
+
+    double of(double stored) const {
+        return values_[std::size_t(std::clamp(stored - first_, 0.0, double(values_.size() - 1)))];
+    }
+
+  private:
+    std::span<const std::uint16_t> values_;
+    double first_;
+};
+
 /// Returns the range of values that were measured, before they are rounded; see sliceOf().
-template <class NumberOf, class IsPadding>
-ValueRange measuredRange(const NumberOf numberOf, const IsPadding isPadding, const Rescale& rescale,
-                         std::size_t count) {
+template <class NumberOf, class IsPadding, class ValueOf>
+ValueRange measuredRange(const NumberOf numberOf, const IsPadding isPadding, const ValueOf valueOf, std::size_t count) {
     ValueRange range = ValueRange::none();
     for (std::size_t i = 0; i < count; ++i)
         if (const double number = numberOf(i); !isPadding(number))
-            range.include(rescale.valueOf(number));
+            range.include(valueOf(number));
     return range;
 }
 
@@ -150,15 +165,23 @@ DecodedSlice sliceOf(const SliceHeader& header, const Decoding& decoding, Paddin
     slice.hu.resize(std::size_t(header.columns) * std::size_t(header.rows));
     slice.padding.resize(slice.hu.size());
     const auto convertBy = [&](auto huOf) { convert(numberOf, isPadding, huOf, padding, slice); };
+    const auto measureBy = [&](auto valueOf) {
+        slice.values = measuredRange(numberOf, isPadding, valueOf, slice.hu.size());
+    };
     const Rescale rescale(header.meaning);
-    const std::optional<int> shift = rescale.shift();
     constexpr bool kIsWhole = std::is_same_v<decltype(numberOf(0)), int>;
-    if (kIsWhole && shift)
+    if (header.meaning.table) {
+        const Lookup table(*header.meaning.table);
+        convertBy([=](auto number) { return rescale.of(table.of(number)); });
+        if (!kIsWhole)
+            measureBy([=](double number) { return rescale.valueOf(table.of(number)); });
+    } else if (const std::optional<int> shift = rescale.shift(); kIsWhole && shift) {
         convertBy([add = *shift](auto number) { return int(number) + add; });
-    else
+    } else {
         convertBy([rescale](auto number) { return rescale.of(number); });
-    if constexpr (!kIsWhole)
-        slice.values = measuredRange(numberOf, isPadding, rescale, slice.hu.size());
+        if (!kIsWhole)
+            measureBy([rescale](double number) { return rescale.valueOf(number); });
+    }
     if (slice.ranges.padding == 0)
         slice.padding = {};
     return slice;

@@ -19,7 +19,7 @@ void noteMeaning(const Slices& slices, const FittedUnit& fitted, std::vector<Not
     std::set<std::string> frames, studies;
     for (const SliceHeader* slice : slices) {
         studies.insert(slice->study.uid);
-        withoutRescale += !slice->meaning.slope || !slice->meaning.intercept;
+        withoutRescale += !slice->meaning.isByTable && (!slice->meaning.slope || !slice->meaning.intercept);
         frames.insert(slice->frameOfReferenceUid);
     }
     const bool isHu = fitted.unit.isHu;

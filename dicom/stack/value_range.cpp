@@ -26,7 +26,12 @@ bool isWide(const SliceHeader& slice) {
 ValueRange possibleValues(const SliceHeader& slice) {
     const double slope = slice.meaning.slope.value_or(1), intercept = slice.meaning.intercept.value_or(0);
     const double count = std::exp2(slice.format.bitsStored), lowest = slice.format.isSigned ? -count / 2 : 0;
-    const double first = slope * lowest + intercept, last = slope * (lowest + count - 1) + intercept;
+    double first = lowest, last = lowest + count - 1;
+    if (const ValueTable* table = slice.meaning.table.get()) {
+        const auto [least, most] = std::ranges::minmax_element(table->values);
+        first = *least, last = *most;
+    }
+    first = slope * first + intercept, last = slope * last + intercept;
     return {std::min(first, last), std::max(first, last), isWhole(slope) && isWhole(intercept)};
 }
 

@@ -86,6 +86,10 @@ class SeriesUnitTest : public QObject {
                                            << "HU" << true;
         QTest::newRow("angiography") << "XA"
                                      << "US" << false;
+        QTest::newRow("no modality, in HU") << ""
+                                            << "HU" << true;
+        QTest::newRow("no modality") << ""
+                                     << "" << false;
         QTest::newRow("MR that calls itself HU") << "MR"
                                                  << "HU" << false;
         QTest::newRow("PET that calls itself HU") << "PT"
@@ -121,7 +125,7 @@ class SeriesUnitTest : public QObject {
 
     /// Labels, doses and images without a place are no volumes of values.
     void othersAreRefusedAsBefore() {
-        for (const char* name : {"SEG", "RTDOSE", "US", "CR", ""}) {
+        for (const char* name : {"SEG", "RTDOSE", "US", "CR"}) {
             const test::SliceFolder folder;
             QCOMPARE(scanned(folder, {.change = modality(name)}).verdict.stack, Stack::notCt);
         }
@@ -187,6 +191,39 @@ class SeriesUnitTest : public QObject {
             const double value = stored * slope.toDouble() + intercept.toDouble();
             const double error = std::abs(unitOf(volume).valueOf(volume.voxels()[i]) - value);
             QVERIFY2(error <= 1e-10 * 65536, qPrintable(QString("%1 of %2").arg(error).arg(value)));
+        }
+    }
+
+    /// A table may give the values; numbers beyond its ends have those there.
+    void valuesOfATable() {
+        const std::vector<std::uint16_t> values{7, 40000, 300};
+        for (const char* type : {"OD", "HU"}) {
+            const test::SliceFolder folder;
+            const Series series = scanned(folder, {.change = [&](DcmDataset& data) {
+                                              delete data.remove(DCM_RescaleSlope);
+                                              delete data.remove(DCM_RescaleIntercept);
+                                              DcmItem& table = test::itemIn(data, DCM_ModalityLUTSequence);
+                                              auto* descriptor =
+                                                  new DcmUnsignedShort(DcmTag(DCM_LUTDescriptor, EVR_US));
+                                              const Uint16 numbers[]{3, 2, 16};
+                                              descriptor->putUint16Array(numbers, 3);
+                                              table.insert(descriptor, true);
+                                              table.putAndInsertString(DCM_ModalityLUTType, type);
+                                              auto* data16 = new DcmOtherByteOtherWord(DcmTag(DCM_LUTData, EVR_OW));
+                                              data16->putUint16Array(values.data(), 3);
+                                              table.insert(data16, true);
+                                          }});
+            QVERIFY2(series.verdict.loadable(), series.verdict.reason.c_str());
+            QVERIFY(!hasNote(series, "rounded") && !hasNote(series, "rescale"));
+            const Volume volume = loaded(series);
+            const ValueUnit unit = unitOf(volume);
+            QCOMPARE(unit.isHu, type == std::string("HU"));
+            if (!unit.isHu)
+                QCOMPARE(unit.name, std::string("OD"));
+            for (int i = 0; i < 12; ++i) {
+                const double value = values[std::size_t(std::clamp(i - 2, 0, 2))];
+                QCOMPARE(unit.valueOf(volume.voxels()[std::size_t(i)]), unit.isHu ? std::min(value, 32767.) : value);
+            }
         }
     }
 

@@ -88,10 +88,7 @@ class WideValuesTest : public QObject {
                 data.putAndInsertString(DCM_Modality, "MR");
                 data.putAndInsertString(DCM_RescaleSlope, slope.toLatin1());
                 data.putAndInsertString(DCM_RescaleIntercept, "2");
-                std::vector<double> pixels(12, numbers[1]);
-                if (k == 2)  // the other slices do not tell the range
-                    std::ranges::copy(numbers, pixels.begin());
-                putWide(data, stored, pixels);
+                putWide(data, stored, std::vector<double>(12, numbers[k]));  // no slice alone tells the range
             };
         });
         const Series series = folder.scan().series.at(0);
@@ -102,7 +99,7 @@ class WideValuesTest : public QObject {
         QVERIFY(volume.remarks().find("clipped") == std::string::npos);
         for (int i = 0; i < 3; ++i) {
             const double value = numbers[i] * slope.toDouble() + 2;
-            const double error = std::abs(unitOf(volume).valueOf(volume.voxels()[24 + std::size_t(i)]) - value);
+            const double error = std::abs(unitOf(volume).valueOf(volume.voxels()[12 * std::size_t(i)]) - value);
             QVERIFY2(error <= (isExact ? 0 : series.unit.step / 2 * 1.000001),
                      qPrintable(QString("%1 of %2").arg(error).arg(value)));
         }
@@ -110,22 +107,22 @@ class WideValuesTest : public QObject {
 
     /// What is no number was not measured, and must not widen the steps.
     void whatIsNoNumberHasNoPartInTheRange() {
-        const test::SliceFolder folder;
-        folder.addStack(3, {.change = [](DcmDataset& data) {
-                            data.putAndInsertString(DCM_Modality, "MR");
-                            std::vector<double> pixels(12, 3);
-                            pixels[0] = NAN;
-                            pixels[1] = INFINITY;
-                            pixels[2] = -1e30;
-                            putWide(data, Stored::twice, pixels);
-                            data.putAndInsertFloat64(DCM_DoubleFloatPixelPaddingValue, -1e30);
-                        }});
-        const Series series = folder.scan().series.at(0);
-        QCOMPARE(series.unit, ValueUnit::other(""));
-        const Volume volume = loaded(series);
-        for (std::size_t i = 0; i < 4; ++i) {
-            QCOMPARE(volume.isPadding(i), i < 3);
-            QCOMPARE(int(volume.voxels()[i]), 3);
+        constexpr double kPadding = -1e30;
+        for (const double none : {double(NAN), double(INFINITY), kPadding}) {
+            const test::SliceFolder folder;
+            folder.addStack(3, {.change = [&](DcmDataset& data) {
+                                data.putAndInsertString(DCM_Modality, "MR");
+                                std::vector<double> pixels(12, 3);
+                                pixels[0] = none;
+                                putWide(data, Stored::twice, pixels);
+                                data.putAndInsertFloat64(DCM_DoubleFloatPixelPaddingValue, kPadding);
+                            }});
+            const Series series = folder.scan().series.at(0);
+            QCOMPARE(series.unit, ValueUnit::other(""));
+            const Volume volume = loaded(series);
+            QVERIFY(volume.isPadding(0) && !volume.isPadding(1));
+            QCOMPARE(int(volume.voxels()[0]), 3);
+            QCOMPARE(int(volume.voxels()[1]), 3);
         }
     }
 
