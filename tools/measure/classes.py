@@ -2,8 +2,9 @@
 """Which classes of CT load, with the right geometry and the right voxels.
 
 classes.py [--build build/release] [--only WORD] [--keep FOLDER]
-Writes each class of class_series.py as a series of 24 slices, asks `pdrender-cli info --json` for it, and prints what it
-says beside the truth, which is known by construction: the values of every voxel, by their checksum, and the grid. A row that is not as it should be is marked, and the exit code is 1 then. Needs DCMTK's programs, numpy, and pydicom with
+Writes each class of class_series.py as a series of 24 slices, asks `pdrender-cli info --json` for it, and prints what
+it says beside the truth, which is known by construction: the values of every voxel, by their checksum, and the grid. A
+row that is not as it should be is marked, and the exit code is 1 then. Needs DCMTK's programs, numpy, and pydicom with
 pylibjpeg-openjpeg for JPEG 2000. SimpleITK, where it is installed, reads the same folders for comparison."""
 import argparse
 import contextlib
