@@ -44,6 +44,11 @@ Colours coloursOf(ivec2 size) {
     return {Plane(size), Plane(size), Plane(size)};
 }
 
+std::size_t bytesOf(const Colours& colours) {
+    const auto size = colours[0].size();
+    return colours.size() * sizeof(float) * std::size_t(size.x) * std::size_t(size.y);
+}
+
 Plane luminance(const Colours& colours) {
     return combined([](float r, float g, float b) { return 0.2126f * r + 0.7152f * g + 0.0722f * b; }, colours[0],
                     colours[1], colours[2]);

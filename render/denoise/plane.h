@@ -41,6 +41,8 @@ class Plane {
 /// The three channels of an image, linear Rec. 709.
 using Colours = std::array<Plane, 3>;
 Colours coloursOf(ivec2 size);
+/// Returns the memory that the pixels take.
+std::size_t bytesOf(const Colours& colours);
 
 /// Calls work(first row, row after the last) for bands of some rows each, on many threads; no band begins after a stop
 /// request.

@@ -8,7 +8,7 @@
 #include "render/base/result.h"
 #include "render/base/tile.h"
 #include "render/device/accumulator.h"
-#include "render/film/display/guided_image.h"
+#include "render/film/display/enlarged_film.h"
 #include "render/scene/schedule.h"
 
 namespace pdr {

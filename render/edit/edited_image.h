@@ -15,22 +15,9 @@
 #include <stop_token>
 #include <utility>
 
-#include "render/edit/first_samples.h"
-#include "render/film/error/smoothing_judgement.h"
+#include "render/edit/kept_image.h"
 
 namespace pdr {
-
-/// The image of a scene that is edited.
-struct KeptImage {
-    std::uint64_t samples = 0;  ///< samples that every pixel has; at least 2
-    SmoothHalves halves;        ///< its denoised halves; radiance
-    FirstSamples first;
-};
-
-/// Returns the image of `noisy`, a film with `samples` samples in every pixel, whose first ones are `first` and whose
-/// halves are `denoised`, as denoisedHalves() returns them.
-std::shared_ptr<const KeptImage> keptImage(const NoisyFilm& noisy, const SmoothHalves& denoised, std::uint64_t samples,
-                                           const FirstSamples& first);
 
 class EditedImage {
   public:

@@ -10,6 +10,22 @@ namespace {
 /// An upper bound on radiance: anything brighter is far beyond white. Its square is still finite.
 constexpr double kBrightest = 1e15;
 
+/// Pixels of a half of the first sample that share their noise: a sample counts for its own pixel and for a quarter of
+/// each around it, by which the variance of a sum of pixels is 2 of a sample's, and their mean variance 5 / 8.
+constexpr float kChessboardAlike = 3.2f;
+
+/// Returns the radius of the box that smooths images of `mark` samples: 1, 4, 16, 64.
+int radiusOf(std::uint64_t mark) {
+    return mark <= 1 ? 5 : mark <= 4 ? 3 : mark <= 16 ? 2 : 1;
+}
+
+denoise::Colours smoothed(const denoise::Colours& image, int radius) {
+    denoise::Colours out;
+    for (std::size_t c = 0; c < 3; ++c)
+        out[c] = denoise::boxed(denoise::boxed(image[c], radius), radius);
+    return out;
+}
+
 void set(denoise::Colours& colours, ivec2 at, dvec3 radiance) {
     for (int c = 0; c < 3; ++c)
         colours[c].row(at.y)[at.x] = float(std::min(radiance[c], kBrightest));
@@ -64,6 +80,14 @@ HalfImages halfImagesOf(const Film& film) {
     return film.samplesPerPixel() < 2 ? onChessboard(halves.even) : halves;
 }
 
+HalfImages smoothed(const HalfImages& halves, std::uint64_t mark) {
+    return {smoothed(halves.even, radiusOf(mark)), smoothed(halves.odd, radiusOf(mark))};
+}
+
+float pixelsAlike(std::uint64_t mark) {
+    return mark > 1 ? 1 : kChessboardAlike;
+}
+
 denoise::Colours meanOf(const denoise::Colours& a, const denoise::Colours& b) {
     denoise::Colours mean;
     for (std::size_t c = 0; c < 3; ++c)
@@ -90,6 +114,13 @@ void FirstSamples::keep(const Film& film) {
 std::shared_ptr<const HalfImages> FirstSamples::at(std::uint64_t mark) const {
     const auto found = std::ranges::find(kMarks, mark);
     return found == kMarks.end() ? nullptr : kept_[std::size_t(found - kMarks.begin())];
+}
+
+std::size_t FirstSamples::bytes() const {
+    std::size_t sum = 0;
+    for (const auto& halves : kept_)
+        sum += halves ? denoise::bytesOf(halves->even) + denoise::bytesOf(halves->odd) : 0;
+    return sum;
 }
 
 std::uint64_t FirstSamples::lastShared(const FirstSamples& other, std::uint64_t samples) const {

@@ -22,6 +22,13 @@ struct HalfImages {
 /// half takes every other pixel, and in between the mean of the four around it.
 HalfImages halfImagesOf(const Film& film);
 
+/// Returns the halves of an image of `mark` samples without most of their noise: each is smoothed by a box, twice,
+/// which is nearly a Gaussian, the narrower the more samples there are.
+HalfImages smoothed(const HalfImages& halves, std::uint64_t mark);
+
+/// Returns the pixels of a half of `mark` samples that share their noise; 1: each has its own.
+float pixelsAlike(std::uint64_t mark);
+
 /// Returns the mean of two images.
 denoise::Colours meanOf(const denoise::Colours& a, const denoise::Colours& b);
 
@@ -39,6 +46,8 @@ class FirstSamples {
     void keep(const Film& film);
     /// Returns the image after `mark` samples; null if it was not kept.
     std::shared_ptr<const HalfImages> at(std::uint64_t mark) const;
+    /// Returns the memory that the images take.
+    std::size_t bytes() const;
     /// Returns the last mark, at most `samples`, that this and `other` have kept; 0 without any.
     std::uint64_t lastShared(const FirstSamples& other, std::uint64_t samples) const;
 

@@ -46,15 +46,36 @@ Plane shareOfSecond(const SmoothHalves& first, const SmoothHalves& second, const
     const Plane apart = sumOf(agreementOf(first.even, second.even, second.even, importance),
                               agreementOf(first.odd, second.odd, second.odd, importance));
     // The noise of the mean over the square is that of its pixels over their number
-    constexpr float kPixels = (2 * kRadius + 1) * (2 * kRadius + 1);
-    const auto share = [alike](float agreeing, float variance, float whole) {
+    const ivec2 square = glm::min(ivec2(2 * kRadius + 1), importance.size());
+    const auto pixels = float(square.x * square.y);
+    const auto share = [alike, pixels](float agreeing, float variance, float whole) {
         if (agreeing <= 0 || whole <= 0)
             return 0.0f;
         return std::min(agreeing / whole, 1.0f) *
-               std::max(1 - kSure * alike * variance / (kPixels * agreeing * agreeing), 0.0f);
+               std::max(1 - kSure * alike * variance / (pixels * agreeing * agreeing), 0.0f);
     };
     return combined(share, denoise::boxed(agreement, kRadius), denoise::boxed(noise, kRadius),
                     denoise::boxed(apart, kRadius));
+}
+
+Plane shareOfChange(const SmoothHalves& old, const SmoothHalves& laid, float dim) {
+    const Plane importance = combined(
+        [dim](float a, float b) {
+            const float light = (a + b) / 2 + dim;
+            return 1 / (light * light);
+        },
+        denoise::luminance(old.even), denoise::luminance(old.odd));
+    Plane agreement(importance.size()), apart = agreement;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const Plane even = combined([](float a, float b) { return b - a; }, old.even[c], laid.even[c]);
+        const Plane odd = combined([](float a, float b) { return b - a; }, old.odd[c], laid.odd[c]);
+        agreement = combined([](float sum, float i, float a, float b) { return sum + i * a * b; }, agreement,
+                             importance, even, odd);
+        apart = combined([](float sum, float i, float a, float b) { return sum + i * (a + b) * (a + b) / 4; }, apart,
+                         importance, even, odd);
+    }
+    return combined([](float agreeing, float all) { return agreeing > 0 ? std::min(agreeing / all, 1.0f) : 0; },
+                    denoise::boxed(agreement, kRadius), denoise::boxed(apart, kRadius));
 }
 
 denoise::Colours mixed(const Plane& share, const denoise::Colours& first, const denoise::Colours& second) {

@@ -13,7 +13,7 @@ void DisplayPipeline::reset(bool isEmpty) {
     waiting_.clear();
     guide_ = nullptr;
     guideSought_ = false;
-    guided_ = nullptr;
+    larger_ = nullptr;
 }
 
 void DisplayPipeline::markShown() {
@@ -35,14 +35,27 @@ bool DisplayPipeline::findGuide(FilmOnDevice& place, int finer, const std::stop_
 }
 
 Result<DisplayPipeline::Images> DisplayPipeline::makeOnGuide(FilmOnDevice& place, const Display& asked, bool adds) {
-    if (adds || !guided_) {
+    return enlarge(place, asked, adds, [this](std::shared_ptr<const Film> film) {
+        return EnlargedFilm::onGuide(std::move(film), *guide_);
+    });
+}
+
+Result<DisplayPipeline::Images> DisplayPipeline::makeLarger(FilmOnDevice& place, const Display& asked, bool adds,
+                                                            const std::function<denoise::Colours()>& radiance) {
+    return enlarge(place, asked, adds,
+                   [&](std::shared_ptr<const Film> film) { return EnlargedFilm(std::move(film), radiance()); });
+}
+
+Result<DisplayPipeline::Images> DisplayPipeline::enlarge(FilmOnDevice& place, const Display& asked, bool adds,
+                                                         const Enlarge& enlarge) {
+    if (adds || !larger_) {
         Result<std::shared_ptr<const Film>> film = place.film()->film();
         if (!film)
             return film.error();
-        guided_ = std::make_shared<const GuidedFilm>(*std::move(film), *guide_);
+        larger_ = std::make_shared<const EnlargedFilm>(enlarge(*std::move(film)));
     }
     Images images;
-    images.push_back({guided_->image({asked.exposure, true}), asked, guided_->size()});
+    images.push_back({larger_->image({asked.exposure, true}), asked, larger_->size()});
     return images;
 }
 
@@ -72,7 +85,7 @@ Result<DisplayPipeline::Images> DisplayPipeline::takeAllBut(FilmOnDevice& place,
 }
 
 void DisplayPipeline::keepCoarser(std::shared_ptr<const Film> film) {
-    coarser_ = Coarser{std::move(film), guided_, {}};
+    coarser_ = Coarser{std::move(film), larger_, {}};
 }
 
 std::optional<std::uint64_t> DisplayPipeline::coarserSamples() const {
@@ -81,11 +94,11 @@ std::optional<std::uint64_t> DisplayPipeline::coarserSamples() const {
 
 std::optional<DisplayedImage> DisplayPipeline::coarserImage(const Display& asked, const Display& display,
                                                             const std::stop_token& stop) {
-    const bool isGuided = display.denoised && coarser_->guided;
-    Image image = isGuided ? coarser_->guided->image(display) : coarser_->images.image(*coarser_->film, display, stop);
+    const bool isLarger = display.denoised && coarser_->larger;
+    Image image = isLarger ? coarser_->larger->image(display) : coarser_->images.image(*coarser_->film, display, stop);
     if (stop.stop_requested())
         return std::nullopt;
-    return DisplayedImage{std::move(image), asked, isGuided ? coarser_->guided->size() : coarser_->film->size()};
+    return DisplayedImage{std::move(image), asked, isLarger ? coarser_->larger->size() : coarser_->film->size()};
 }
 
 }  // namespace pdr

@@ -4,13 +4,14 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
 #include <vector>
 
 #include "render/base/result.h"
-#include "render/film/display/guided_image.h"
+#include "render/film/display/enlarged_film.h"
 #include "render/session/film_on_device.h"
 
 namespace pdr {
@@ -55,6 +56,9 @@ class DisplayPipeline {
     /// Draws the film on its guide and returns that image; a coarse film has no images in flight. `adds`: the film
     /// holds more samples than when it was last drawn.
     Result<Images> makeOnGuide(FilmOnDevice& place, const Display& asked, bool adds);
+    /// Returns the coarse film's image in more pixels, as makeOnGuide() does; `radiance` computes it.
+    Result<Images> makeLarger(FilmOnDevice& place, const Display& asked, bool adds,
+                              const std::function<denoise::Colours()>& radiance);
     /// Requests an image with `display`, in answer to `asked`, and returns the images that are due: all, or, if not
     /// `atOnce`, all except those that may stay in flight. A denoised image that was interrupted is not among them.
     Result<Images> make(FilmOnDevice& place, const Display& asked, const Display& display, bool atOnce,
@@ -75,9 +79,12 @@ class DisplayPipeline {
                                                const std::stop_token& stop);
 
   private:
+    using Enlarge = std::function<EnlargedFilm(std::shared_ptr<const Film>)>;
+    Result<Images> enlarge(FilmOnDevice& place, const Display& asked, bool adds, const Enlarge& enlarge);
+
     struct Coarser {
         std::shared_ptr<const Film> film;
-        std::shared_ptr<const GuidedFilm> guided;  ///< the film drawn on its guide; null if it has none
+        std::shared_ptr<const EnlargedFilm> larger;  ///< the film in more pixels; null: it was not shown so
         Development images;
     };
 
@@ -85,7 +92,7 @@ class DisplayPipeline {
     std::deque<Display> waiting_;                          ///< displays of the images in flight, oldest first
     std::shared_ptr<const denoise::Guide> guide_;          ///< null: none, or not yet
     bool guideSought_ = false;                             ///< the guide has been requested from the device
-    std::shared_ptr<const GuidedFilm> guided_;  ///< the film on its guide, as last shown; null if not shown so
+    std::shared_ptr<const EnlargedFilm> larger_;  ///< the film in more pixels, as last shown; null if not shown so
     std::optional<Coarser> coarser_;
 };
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "render/scene/scene.h"
-
 namespace pdr {
 namespace {
 
@@ -32,9 +30,11 @@ void EditedView::follow(const Scene& current, const Scene& next) {
     const bool hasFirst = newest_ && newest_->first.at(FirstSamples::kMarks.front());
     const bool isBetter = hasFirst && (!edited_ || newest_->samples >= kEnoughToReplace ||
                                        2 * newest_->samples >= edited_->old().samples);
-    if (isBetter)
+    if (isBetter) {
         edited_.emplace(newest_);
-    else if (edited_)
+        oldScene_ = current;
+        coarse_.clear();
+    } else if (edited_)
         edited_.emplace(edited_->shareOld());
     startOver();
 }
@@ -48,9 +48,41 @@ void EditedView::startOver() {
 bool EditedView::letGo(std::uint64_t samples) {
     if (!edited_ || samples < std::min(edited_->old().samples, kEnoughAlone))
         return false;
-    edited_.reset();
-    shown_ = nullptr;
+    dropOld();
     return true;
+}
+
+void EditedView::dropOld() {
+    edited_.reset();
+    oldScene_.reset();
+    coarse_.clear();
+    shown_ = nullptr;
+}
+
+std::size_t EditedView::ForNext::bytes() const {
+    return first.bytes() + (image ? image->bytes() : 0);
+}
+
+void EditedView::comeBack(const ForNext& kept) {
+    first_ = kept.first;
+    newest_ = kept.image;
+    if (newest_)
+        dropOld();
+}
+
+const CoarseEdit* EditedView::coarseOf(ivec2 size) const {
+    const auto found = std::ranges::find(coarse_, size, &CoarseEdit::size);
+    return found == coarse_.end() ? nullptr : &*found;
+}
+
+bool EditedView::helpsCoarse(ivec2 size, std::uint64_t samples) const {
+    const CoarseEdit* coarse = coarseOf(size);
+    return coarse != nullptr && coarse->lastMark(first_, samples) > 0;
+}
+
+denoise::Colours EditedView::coarseRadiance(ivec2 size, std::uint64_t samples) const {
+    const CoarseEdit& coarse = *coarseOf(size);
+    return coarse.radiance(first_, coarse.lastMark(first_, samples));
 }
 
 void EditedView::keepFirst(FilmOnDevice& place, const SampleCounts& samples) {

@@ -24,23 +24,24 @@ double pixelsOf(const Tile& tile) {
 void FrameScheduler::chooseFirst(ivec2 size, bool moving) {
     divider_ = ladder_.first(size);
     passing_ = moving;
+    ofEdit_ = false;
 }
 
-void FrameScheduler::chooseEdited(ivec2 size, bool moving) {
-    if (!ladder_.editIsInTime(size))
-        return chooseFirst(size, moving);
-    divider_ = 1;
-    passing_ = false;
+void FrameScheduler::chooseEdited(ivec2 size) {
+    chooseFull();
+    ofEdit_ = !ladder_.editIsInTime(size);
+    if (ofEdit_)
+        divider_ = ladder_.forEdit(size);
 }
 
 void FrameScheduler::chooseFiner() {
-    divider_ = ResolutionLadder::next(divider_);
-    passing_ = false;
+    divider_ = ofEdit_ ? 1 : ResolutionLadder::next(divider_);
+    passing_ = ofEdit_ = false;
 }
 
 void FrameScheduler::chooseFull() {
     divider_ = 1;
-    passing_ = false;
+    passing_ = ofEdit_ = false;
 }
 
 void FrameScheduler::reset(TileProgress progress) {
@@ -83,11 +84,16 @@ std::uint64_t FrameScheduler::leftToMark() const {
     return FirstSamples::leftToMark(sweep_.partSamples());
 }
 
+/// Returns the part of a coarse frame's time that its samples may take [s].
+double FrameScheduler::secondsForSamples() const {
+    return ofEdit_ ? ladder_.secondsForEdit() : ladder_.secondsForSamples(pixels());
+}
+
 /// Returns how many iterations to request at once. The first iteration of a first image shows how many are in time.
 std::uint32_t FrameScheduler::launch(const Demand& demand) const {
     if (hurries(demand) && done_.n == 0)
         return 1;
-    const double seconds = hurries(demand) ? ladder_.secondsForSamples(pixels()) - done_.seconds : kLaunchSeconds;
+    const double seconds = hurries(demand) ? secondsForSamples() - done_.seconds : kLaunchSeconds;
     const std::uint32_t all = wanted(demand), left = all > done_.n ? all - done_.n : 1;
     const double speed = done_.n > 0 && done_.seconds > 0 ? done_.n / done_.seconds : ladder_.speed() / partPixels();
     const auto most = double(demand.keepsFirst ? std::min<std::uint64_t>(left, leftToMark()) : left);
@@ -109,7 +115,7 @@ std::uint32_t FrameScheduler::wanted(const Demand& demand) const {
 }
 
 bool FrameScheduler::isComplete(const Demand& demand) const {
-    const bool isLate = hurries(demand) && done_.seconds >= ladder_.secondsForSamples(pixels());
+    const bool isLate = hurries(demand) && done_.seconds >= secondsForSamples();
     return !sweep_.isHalfMade() && (done_.n >= wanted(demand) || isLate);
 }
 
@@ -131,7 +137,9 @@ void FrameScheduler::addImage(const TimedImage& image) {
         timer_.addFrame(n, seconds, image.displaySeconds);
         ladder_.addFrame(n * pixels(), seconds);
     }
-    if (image.isEdit)
+    if (image.isEdit && ofEdit_)
+        ladder_.addCoarseEditDisplay(image.displaySeconds);
+    else if (image.isEdit)
         ladder_.addEditedDisplay(pixels(), image.displaySeconds);
     else if (image.isOnGuide)
         ladder_.addGuidedDisplay(pixels(), image.displaySeconds);

@@ -49,14 +49,18 @@ class FrameScheduler {
     /// Chooses the first film of a scene whose full film has `size` pixels. `moving`: the user drags.
     void chooseFirst(ivec2 size, bool moving);
     /// Chooses the first film after an edit whose image is made with the one before: the full film if one sample of
-    /// each pixel comes in time, also while the user drags.
-    void chooseEdited(ivec2 size, bool moving);
-    /// Chooses the next finer film of the same scene.
+    /// each pixel comes in time, else a coarse film for the change alone.
+    void chooseEdited(ivec2 size);
+    /// Chooses the next finer film of the same scene; after the coarse film of an edit the full one, whose image is as
+    /// good from the first sample.
     void chooseFiner();
     /// Chooses the full film of a scene at rest.
     void chooseFull();
     int divider() const { return divider_; }  ///< see ResolutionLadder
     bool isCoarse() const { return divider_ > 1 || passing_; }
+    /// Returns whether the film is coarse and tells the change of an edit, with the same random numbers as all such
+    /// films of its size.
+    bool isCoarseEdit() const { return ofEdit_; }
     /// Records how long a film took to begin [s].
     void addBeginning(double seconds) { ladder_.addBeginning(seconds); }
     /// Starts with a film of that progress, and forgets the times of images. How coarse it is and what is known of the
@@ -101,6 +105,7 @@ class FrameScheduler {
     double pixels() const;
     double partPixels() const;
     bool hurries(const Demand& demand) const { return isCoarse() && !demand.replaced; }
+    double secondsForSamples() const;
     std::uint32_t launch(const Demand& demand) const;
     std::uint64_t leftToMark() const;
 
@@ -109,6 +114,7 @@ class FrameScheduler {
     FrameTimer timer_;
     int divider_ = 1;
     bool passing_ = false;  ///< the film was begun during a drag, with random numbers of its own
+    bool ofEdit_ = false;   ///< see isCoarseEdit()
 
     Sweep sweep_;
     Iterations done_;     ///< iterations of the current frame

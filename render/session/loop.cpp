@@ -119,9 +119,11 @@ bool Session::Loop::begin(const RenderCommands::SceneOrder& order, const std::st
     if (!moving_ && comeBack(stop))
         return true;
     if (edits_.hasOld() && smooths(commands.display()))
-        scheduler_.chooseEdited(scene_.film, moving_);
+        scheduler_.chooseEdited(scene_.film);
     else
         scheduler_.chooseFirst(scene_.film, moving_);
+    if (scheduler_.isCoarseEdit())
+        (void)renderBefore();  // without it, the image is made as if there were no old one; a lost device fails below
     beginFilm();
     return false;
 }
@@ -131,7 +133,7 @@ void Session::Loop::beginFilm() {
     goOnFrom(nullptr);
     quality_.startOver(coarse());
     const double start = clock_();
-    if (const Result<void> begun = place_.begin(dividedScene()); !begun)
+    if (const Result<void> begun = place_.begin(divided(scene_)); !begun)
         return failedOnDevice(begun.error());
     scheduler_.reset(TileProgress(wholeImage(place_.size())));
     scheduler_.addBeginning(clock_() - start);
@@ -147,12 +149,13 @@ void Session::Loop::beginFiner() {
     beginFilm();
 }
 
-Scene Session::Loop::dividedScene() const {
-    Scene scene = scene_;
+/// Returns `scene` as it is rendered, of fewer pixels and with other random numbers if the film is coarse.
+Scene Session::Loop::divided(Scene scene) const {
     if (!coarse())
         return scene;
     scene.film = dividedFilm(scene.film, scheduler_.divider());
-    scene.seed ^= mixBits(scene.revision);  // otherwise the noise pattern would stand still on a moving image
+    // Otherwise the noise pattern would stand still on a moving image. What an edit changes is seen with one pattern.
+    scene.seed ^= mixBits(scheduler_.isCoarseEdit() ? edits_.oldScene().revision : scene.revision);
     return scene;
 }
 

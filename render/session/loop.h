@@ -43,6 +43,7 @@ class Session::Loop {
     // Parts of work(). Errors: the device's.
     Result<void> accumulate(const FrameBudget& pace, const std::stop_token& stop);
     Result<void> show(const RenderCommands::Iteration& step, bool adds);
+    Result<void> renderBefore();
     Result<DisplayPipeline::Images> makeEdited(const Display& asked, const Display& display, bool adds,
                                                const std::stop_token& stop);
     Result<void> showCoarser(const RenderCommands::Iteration& step);
@@ -65,7 +66,7 @@ class Session::Loop {
     bool showReturning();
     KeptScene keptScene() const;
     Result<bool> moveTo(Result<std::unique_ptr<Device>> device, std::shared_ptr<const Film> from);
-    Scene dividedScene() const;
+    Scene divided(Scene scene) const;
 
     // A device that fails or refuses.
     void recover(const Text& reason);
@@ -90,10 +91,12 @@ class Session::Loop {
     /// on that at once.
     bool givesWay() const { return !display_.awaitsFirst() || (display_.hasCoarser() && !coarse()); }
     /// Returns whether the image after the first samples is kept, for the next edit.
-    bool keepsFirst() const { return !coarse() && EditedView::canKeep(scene_); }
+    bool keepsFirst() const { return (!coarse() || scheduler_.isCoarseEdit()) && EditedView::canKeep(scene_); }
     /// Returns whether the image is made with the one before the edit.
     bool showsEdit(const Display& display) const {
-        return display.denoised && !coarse() && edits_.helps(scheduler_.samples().least);
+        const std::uint64_t samples = scheduler_.samples().least;
+        return display.denoised && (scheduler_.isCoarseEdit() ? edits_.helpsCoarse(place_.size(), samples)
+                                                              : !coarse() && edits_.helps(samples));
     }
     /// Returns whether there is a denoised image whose error can be judged.
     bool canJudge() { return !coarse() && !moving_ && smooths(commands.display()); }

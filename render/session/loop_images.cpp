@@ -52,24 +52,10 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
                                         : Result<void>();
 }
 
-/// Returns the images in flight, and that of the edited scene.
-Result<DisplayPipeline::Images> Session::Loop::makeEdited(const Display& asked, const Display& display, bool adds,
-                                                          const std::stop_token& stop) {
-    Result<DisplayPipeline::Images> images = display_.takeAllBut(place_, 0);
-    if (!images)
-        return images;
-    Result<DisplayedImage> made = edits_.image(place_, display, adds, stop);
-    if (!made)
-        return made.error();
-    made->display = asked;
-    images->push_back(*std::move(made));
-    return images;
-}
-
 /// Judges the error of the denoised image, if one is shown at rest and this is due. A change of brightness interrupts
 /// it.
 Result<void> Session::Loop::judge(const RenderCommands::Iteration& step) {
-    if (edits_.letGo(partSamples()))
+    if (!coarse() && edits_.letGo(partSamples()))
         quality_.denoised().clear();  // it was the image made with the old one
     if (!canJudge() || !quality_.isJudgementDue(partSamples(), step.render) || step.detour.stop_requested())
         return {};

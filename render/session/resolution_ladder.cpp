@@ -43,6 +43,16 @@ bool ResolutionLadder::editIsInTime(ivec2 size) const {
     return beginning_.median() + double(size.x) * size.y * (1 / speed() + display) <= kEditSeconds;
 }
 
+double ResolutionLadder::secondsForEdit() const {
+    const double left = kCoarseEditSeconds - beginning_.median() - coarseEditSeconds_.median();
+    return std::max(left, kLeast * kCoarseEditSeconds);
+}
+
+int ResolutionLadder::forEdit(ivec2 size) const {
+    const double affordable = std::max(secondsForEdit() * speed() / kSamples, 1.0);
+    return std::clamp(int(std::ceil(std::sqrt(double(size.x) * size.y / affordable))), 2, kCoarsest);
+}
+
 int ResolutionLadder::first(ivec2 size) const {
     const double pixels = double(size.x) * size.y, samples = kSamples / speed();
     if (pixels * (samples + displaySeconds_.median()) <= secondsForPixels())

@@ -16,9 +16,11 @@ class ResolutionLadder {
   public:
     /// Time from the edit to the end of making its image; as much again may pass until it is on the screen.
     static constexpr double kFrameSeconds = 0.05;
-    /// Time from an edit to its first image where that is as sharp as the one before: one image a little later is
-    /// easier to follow than a coarse one in time.
+    /// Time from an edit to its first image where all of its pixels are sampled.
     static constexpr double kEditSeconds = 0.12;
+    /// Time from an edit to the end of making its image from coarse films (edit/coarse_edit.h): a hand that moves waits
+    /// for two such images at most.
+    static constexpr double kCoarseEditSeconds = 0.035;
     /// Samples per pixel of a first image: fewer pixels with less noise are easier to follow.
     static constexpr std::uint32_t kSamples = 4;
     static constexpr int kCoarsest = 24;
@@ -40,6 +42,10 @@ class ResolutionLadder {
     /// Records that the first image after an edit, of so many pixels and made with the one before, took `seconds`.
     void addEditedDisplay(double pixels, double seconds) { editedSeconds_.add(seconds / pixels); }
 
+    /// Records that the image of a coarse film, laid on the full one before an edit, took `seconds`. Most of them are
+    /// for the pixels of the full image.
+    void addCoarseEditDisplay(double seconds) { coarseEditSeconds_.add(seconds); }
+
     /// Returns whether one sample for each of `size` pixels, and their image with the one before an edit, come in time.
     bool editIsInTime(ivec2 size) const;
     /// Returns the recent samples per second; a guess before the first frame.
@@ -48,6 +54,10 @@ class ResolutionLadder {
     double secondsForSamples(double pixels) const;
     /// Returns the first divider for a full film of `size` pixels.
     int first(ivec2 size) const;
+    /// Returns the part of an edit's time that is left for the samples of its coarse film [s].
+    double secondsForEdit() const;
+    /// Returns the divider of the coarse film after an edit of an image of `size` pixels, at least 2.
+    int forEdit(ivec2 size) const;
     /// Returns the next finer divider, half of this one. All such steps together cost a third of the full film's first
     /// image.
     static int next(int divider) { return divider > 1 ? divider / 2 : 1; }
@@ -60,6 +70,7 @@ class ResolutionLadder {
     Recent beginning_{kRecent}, speed_{kRecent};
     Recent displaySeconds_{kRecent}, guidedSeconds_{kRecent};  ///< per pixel of a film
     Recent editedSeconds_{kRecent};                            ///< per pixel of an image made with the one before
+    Recent coarseEditSeconds_{kRecent};                        ///< per image
 };
 
 /// Returns the size of the film with that divider: at least 1 x 1, and no larger than the full film over the divider.

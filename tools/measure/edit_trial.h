@@ -9,7 +9,9 @@
 #include <optional>
 
 #include "render/device/device.h"
+#include "render/edit/coarse_edit.h"
 #include "render/edit/edited_image.h"
+#include "render/film/display/enlarged_film.h"
 #include "render/film/display/tone_map.h"
 #include "render/scene/look.h"
 #include "render/scene/scene.h"
@@ -45,6 +47,16 @@ inline std::optional<Look> editedLook(Look look, const QString& edit) {
     else
         return std::nullopt;
     return look;
+}
+
+/// A cut as an option names it: cut:10 cuts away what is nearer to the eye than a plane 10 mm before the middle of the
+/// view.
+inline std::optional<Clip> editedClip(Clip clip, const Camera& camera, const QString& edit) {
+    if (edit.section(':', 0, 0) != "cut")
+        return std::nullopt;
+    const dvec3 toEye = -camera.forward();
+    clip.planes.push_back({camera.targetMm + edit.section(':', 1).toDouble() * toEye, toEye});
+    return clip;
 }
 
 /// A film of a scene, and its first samples.
@@ -83,8 +95,10 @@ class EditTrial {
         SampledScene then{*startFilm(*device, before), {}};
         const std::shared_ptr<const KeptImage> kept = keptImageOf(then, samples);
         const std::shared_ptr<const Film> oldFilm = then.at(samples);
-        old_ = shown(*oldFilm, meanOf(kept->halves.even, kept->halves.odd), 1);
+        old_ = shown(*oldFilm, kept->all, 1);
         then.live.reset();
+        for (const int divider : {3, 4, 6, 8})
+            runCoarse(before, after, kept, divider, threads);
         add("old image", samples, old_);
         SampledScene now{*startFilm(*device, after), {}};
         EditedImage edited(kept);
@@ -103,6 +117,31 @@ class EditTrial {
             add("shown", mark, shown(*film, edited.radiance(*film, now.first, {}), 1), said);
         }
         return rows_;
+    }
+
+    /// Adds the images of films of 1 / `divider` of the width: on a guide, and with the change laid on the old image.
+    void runCoarse(Scene before, Scene after, const std::shared_ptr<const KeptImage>& kept, int divider, int threads) {
+        constexpr int kSamples = 4, kFiner = 4;
+        const std::unique_ptr<Device> device = makeCpuDevice(threads);
+        const ivec2 size = before.film / divider;
+        before.film = after.film = size;
+        before.seed = after.seed = before.seed + 99'000'099;
+        SampledScene then{*startFilm(*device, before), {}};
+        (void)then.at(kSamples);
+        SampledScene now{*startFilm(*device, after), {}};
+        const std::shared_ptr<const Film> film = now.at(kSamples);
+        const QByteArray way = QByteArray::number(size.x) + " pixels, ";
+        const auto add = [&](const char* kind, const QImage& image) {
+            this->add(way + kind, kSamples,
+                      image.scaled(truth_.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+        };
+        if (const auto guide = device->guide(std::min(divider, kFiner), {})) {
+            const EnlargedFilm guided = EnlargedFilm::onGuide(film, *guide);
+            add("guided", drawn(guided.image(display_).rgba, guided.size()));
+        }
+        for (const std::uint64_t mark : {1, 4})
+            add(mark == 1 ? "laid 1" : "laid",
+                shown(*film, CoarseEdit(kept, size, then.first).radiance(now.first, mark), 1));
     }
 
     /// Prints and returns the errors of the window's image after so many seconds; `frame`: null if there was none.
@@ -129,15 +168,17 @@ class EditTrial {
 
   private:
     QImage shown(const Film& film, const denoise::Colours& radiance, double unit) const {
-        const Image image = denoisedImageOf(film, radiance, unit, display_);
-        return QImage(image.rgba.data(), film.size().x, film.size().y, 4 * film.size().x, QImage::Format_RGBA8888)
+        return drawn(denoisedImageOf(film, radiance, unit, display_).rgba, radiance[0].size());
+    }
+    static QImage drawn(const std::vector<std::uint8_t>& rgba, ivec2 size) {
+        return QImage(rgba.data(), size.x, size.y, 4 * size.x, QImage::Format_RGBA8888)
             .convertToFormat(QImage::Format_RGB32);
     }
     void add(const char* kind, std::uint64_t samples, const QImage& image,
              const std::optional<DenoisedError>& said = std::nullopt) {
         const int levels = levelsOff(image, truth_, *tissue_);
         const double change = changeError(image, old_, truth_);
-        std::printf("%-12s %4llu samples  95 %% of the tissue within %3d levels  change off by %.2f", kind,
+        std::printf("%-20s %4llu samples  95 %% of the tissue within %3d levels  change off by %.2f", kind,
                     (unsigned long long)samples, levels, change);
         std::printf(said ? "  said: %.1f, at most %.1f\n" : "\n", said ? said->levels : 0,
                     said ? said->levelsAtMost : 0);

@@ -166,12 +166,14 @@ bool waitForFilm(Desktop& desktop, int samples) {
 int runEdit(Desktop& desktop, const Plan& plan) {
     desktop.document().setView(StandardView::anterior);
     const auto look = editedLook(desktop.document().setup().look, plan.edit);
-    if (!look || !waitForFilm(desktop, plan.film)) {
+    const auto clip = editedClip(desktop.document().scene().clip, desktop.document().scene().camera, plan.edit);
+    if ((!look && !clip) || !waitForFilm(desktop, plan.film)) {
         std::printf("no such edit, or no film of %d samples\n", plan.film);
         return 1;
     }
     const Scene before = desktop.document().scene();
-    const auto shown = shownAfter(desktop, [&] { desktop.document().setLook(*look); });
+    const auto shown =
+        shownAfter(desktop, [&] { look ? desktop.document().setLook(*look) : desktop.document().setClip(*clip); });
     const Display display{desktop.document().display().exposure, true};
     const Scene after = desktop.document().scene();
     desktop.bridge().setPaused(true);
@@ -253,7 +255,7 @@ int main(int argc, char** argv) {
     parser.addOption({"look", "part of its name", "NAME", "Bone"});
     parser.addOption({"reference", "samples of the reference", "N", "256"});
     parser.addOption({"threads", "0: one per core", "N", "0"});
-    parser.addOption({"edit", "edit the look: node:30, curve:20, opacity:0.9, albedo:0.9 or lights:3", "EDIT"});
+    parser.addOption({"edit", "edit the look: node:30, curve:20, opacity:0.9, albedo:0.9, lights:3 or cut:10", "EDIT"});
     parser.addOption({"film", "samples of the film before the edit", "N", "256"});
     parser.addOption({"json", "write the figures of an edit", "FILE"});
     parser.addHelpOption();

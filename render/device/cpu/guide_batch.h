@@ -5,7 +5,7 @@
 
 #include "render/base/tile.h"
 #include "render/device/cpu/flight_batch.h"
-#include "render/film/display/guided_image.h"
+#include "render/film/display/enlarged_film.h"
 #include "render/kernel/transport/camera_ray.h"
 #include "render/kernel/transport/unshadowed.h"
 

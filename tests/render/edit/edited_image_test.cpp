@@ -2,7 +2,7 @@
 
 #include "render/edit/edited_image.h"
 #include "render/edit/mixture.h"
-#include "tests/support/scenes/noisy_films.h"
+#include "tests/support/scenes/growing_films.h"
 
 using namespace pdr;
 using namespace pdr::test;
@@ -10,49 +10,6 @@ using namespace pdr::test;
 namespace {
 
 constexpr ivec2 kSize{160, 128};
-
-/// Discs on a grid before a ground that is brighter on one side.
-double discs(int x, int y) {
-    const double ground = 0.1 + 0.002 * x;
-    return std::hypot(x % 32 - 16, y % 32 - 16) < 8 ? 5 * ground : ground;
-}
-
-/// The discs after an edit: light that has changed slowly over the image, by a fifth at most.
-double edited(int x, int y) {
-    return discs(x, y) * (1 + 0.2 * std::sin(x / 25.0) * std::cos(y / 20.0));
-}
-
-/// A film that grows, and its first samples.
-struct Growing {
-    Truth truth;
-    std::uint64_t seed;
-    /// Part of the noise that is not that of the other films of this seed: an edit changes some paths.
-    double own = 0;
-    Film film{kSize, 1};
-    FirstSamples first;
-
-    Growing& to(std::uint64_t samples) {
-        while (film.samplesPerPixel() < samples) {
-            const std::uint64_t had = film.samplesPerPixel(), left = FirstSamples::leftToMark(had);
-            grow(
-                film, std::min(samples, left < samples - had ? had + left : samples),
-                [&](std::size_t pixel, std::uint64_t sample) { return value(pixel, sample); },
-                [](std::size_t) { return kSeenTissue | kSeenChance; });
-            first.keep(film);
-        }
-        return *this;
-    }
-    double value(std::size_t pixel, std::uint64_t sample) const {
-        const bool other = chance(seed + 77, pixel, sample) < own;
-        return truth(int(pixel) % kSize.x, int(pixel) / kSize.x) *
-               -std::log1p(-chance(other ? seed + 1000 : seed, pixel, sample));
-    }
-};
-
-std::shared_ptr<const KeptImage> kept(const Growing& growing) {
-    const NoisyFilm noisy = noisyFilm(growing.film);
-    return keptImage(noisy, denoisedHalves(noisy, {}), growing.film.samplesPerPixel(), growing.first);
-}
 
 /// Returns the root mean square of the relative error.
 double errorOf(const denoise::Colours& image, const Truth& truth, double unit = 1) {

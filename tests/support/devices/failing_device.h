@@ -26,6 +26,7 @@ struct Mishaps {
     std::atomic<bool> tooSmall = false;  ///< uploads are refused, and nothing else
 
     std::atomic<double> iterationSeconds = 0;  ///< minimum time of an iteration of a whole image
+    std::atomic<double> sampleSeconds = 0;     ///< and of a sample of one pixel
     std::atomic<double> displaySeconds = 0;    ///< minimum time of an image from resolve() to readback()
     int maxInFlight = 1;                       ///< > 1: accumulate() and resolve() return at once, and readback() waits
     std::shared_ptr<FakeClock> clock;          ///< clock that these durations advance; null: the wall clock
@@ -70,7 +71,8 @@ class FailingAccumulator final : public Accumulator {
             return well;
         Result<void> accumulated = film_->accumulate(region, n, stop);
         const double part = double(region.width) * region.height / (double(area().width) * area().height);
-        spend(n * part * mishaps_->iterationSeconds, stop);
+        const double samples = n * double(region.width) * region.height;
+        spend(n * part * mishaps_->iterationSeconds + samples * mishaps_->sampleSeconds, stop);
         mishaps_->brokenOff = stop.stop_requested();
         return accumulated;
     }

@@ -1,0 +1,131 @@
+/// The image after an edit from films of few pixels: as sharp as the one before, and no worse than the new film alone.
+
+#include <QTest>
+
+#include "render/denoise/resampled.h"
+#include "render/edit/coarse_edit.h"
+#include "render/edit/light_change.h"
+#include "tests/support/scenes/growing_films.h"
+
+using namespace pdr;
+using namespace pdr::test;
+using denoise::Colours, denoise::Plane;
+
+namespace {
+
+constexpr ivec2 kSize{160, 128};
+constexpr int kDivider = 4;
+constexpr std::uint64_t kSamples = 4;
+
+/// Returns what a film of 1 / kDivider of the width sees: the mean over the pixels that each of its own covers.
+Truth seenCoarse(const Truth& truth) {
+    return [truth](int x, int y) {
+        double sum = 0;
+        for (int v = 0; v < kDivider; ++v)
+            for (int u = 0; u < kDivider; ++u)
+                sum += truth(kDivider * x + u, kDivider * y + v);
+        return sum / (kDivider * kDivider);
+    };
+}
+
+Growing coarse(const Truth& truth, double own = 0) {
+    return {seenCoarse(truth), 4711, own, kSize / kDivider};
+}
+
+/// Returns the root mean square of the relative error of the parts of the image that `counts` names.
+double errorOf(const Colours& image, const Truth& truth, const std::function<bool(int, int)>& counts = {}) {
+    double squares = 0;
+    int pixels = 0;
+    for (int y = 0; y < kSize.y; ++y)
+        for (int x = 0; x < kSize.x; ++x)
+            if (!counts || counts(x, y)) {
+                const double off = double(image[1].row(y)[x]) / truth(x, y) - 1;
+                squares += off * off;
+                ++pixels;
+            }
+    return std::sqrt(squares / pixels);
+}
+
+/// The old image of many samples, and the images of an edit from coarse films.
+struct Edit {
+    Growing then{discs, 11}, was = coarse(discs), is;
+    CoarseEdit image;
+
+    Edit(const Truth& before, const Truth& after, double own)
+        : then{before, 11},
+          was(coarse(before)),
+          is(coarse(after, own)),
+          image(kept(then.to(256)), kSize / kDivider, was.to(kSamples).first) {
+        is.to(kSamples);
+    }
+    Colours radiance(std::uint64_t mark = kSamples) const { return image.radiance(is.first, mark); }
+    /// Returns the coarse film alone, smoothed and enlarged.
+    Colours alone() const {
+        const HalfImages halves = smoothed(*is.first.at(kSamples), kSamples);
+        Colours image = meanOf(halves.even, halves.odd);
+        for (Plane& plane : image)
+            plane = denoise::enlarged(plane, kSize);
+        return image;
+    }
+};
+
+}  // namespace
+
+class CoarseEditTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    /// Each sample of the film lies in one of sixteen pixels.
+    void aCoarseChangeIsLaidOnTheSharpImage_data() {
+        QTest::addColumn<int>("mark");
+        QTest::newRow("1") << 1;
+        QTest::newRow("4") << 4;
+    }
+    void aCoarseChangeIsLaidOnTheSharpImage() {
+        QFETCH(int, mark);
+        const Edit edit(discs, edited, 0.1);
+        const Colours shown = edit.radiance(std::uint64_t(mark));
+        QCOMPARE(shown[0].size(), kSize);
+        const double off = errorOf(shown, edited), alone = errorOf(edit.alone(), edited);
+        const double unchanged = errorOf(kept(edit.then)->all, edited);
+        qInfo("mark %d: off by %.4f; alone %.4f, old image %.4f", mark, off, alone, unchanged);
+        QVERIFY2(off < 0.2 * alone, qPrintable(QString::number(off / alone)));
+        QVERIFY2(off < (mark == 1 ? 1.0 : 0.75) * unchanged, qPrintable(QString::number(off / unchanged)));
+    }
+
+    void noChangeLeavesTheImageAsItIs() {
+        const Edit edit(discs, discs, 0);
+        const Colours shown = edit.radiance(), old = kept(edit.then)->all;
+        for (int y = 0; y < kSize.y; ++y)
+            for (int x = 0; x < kSize.x; ++x)
+                QCOMPARE(shown[2].row(y)[x], old[2].row(y)[x]);
+    }
+
+    /// Light where the old image was dark is that of the new film, as when a cut uncovers what was hidden.
+    void whatWasDarkIsShownByTheNewFilm() {
+        const auto dark = [](int x, int) { return x < 80 ? 1e-4 : 1.0; };
+        const auto uncovered = [](int x, int) { return x < 80 ? 0.5 : 1.0; };
+        const Colours shown = Edit(dark, uncovered, 0.3).radiance();
+        QVERIFY(errorOf(shown, uncovered, [](int x, int) { return x < 60; }) < 0.2);
+    }
+
+    /// What differs by chance alone is not shown as a change.
+    void chanceChangesLittle() {
+        const Edit edit(discs, discs, 0.3);
+        const double off = errorOf(edit.radiance(), discs), unchanged = errorOf(kept(edit.then)->all, discs);
+        qInfo("off by %.4f, old image %.4f", off, unchanged);
+        QVERIFY2(off < 1.35 * unchanged, qPrintable(QString::number(off / unchanged)));
+    }
+
+    /// A scene that has nothing in common with the old one is shown no worse than without the old image.
+    void aForeignImageDoesNoHarm() {
+        const auto foreign = [](int x, int y) { return discs(y + 9, x + 21) * (x % 50 < 25 ? 3 : 0.3); };
+        const Edit edit(foreign, discs, 1);
+        const double off = errorOf(edit.radiance(), discs), alone = errorOf(edit.alone(), discs);
+        qInfo("off by %.4f; alone %.4f", off, alone);
+        QVERIFY2(off < 1.05 * alone, qPrintable(QString::number(off / alone)));
+    }
+};
+
+QTEST_GUILESS_MAIN(CoarseEditTest)
+#include "coarse_edit_test.moc"
