@@ -13,10 +13,30 @@ Document::Document(std::vector<NamedLook> looks) : looks_(std::move(looks)) {
     plan_.image.clip = {};
 }
 
+void Document::arrive(std::shared_ptr<const ArrivingVolume> volume, const GreyWindow& window) {
+    const Plan before = plan_;
+    closeVolume();
+    arriving_ = std::move(volume);
+    wasSeen_ = false;
+    firstWindow_ = window;
+    plan_.navigation = firstNavigation(arriving_->geometry());
+    report(before, Changes::arrival);
+}
+
+void Document::seeArrived() {
+    wasSeen_ = true;
+}
+
+/// Returns what slices show at first of a scan with that body.
+Navigation Document::firstNavigation(const VolumeGeometry& bodyBox) const {
+    return {.crosshairMm = bodyBox.centreMm(), .window = firstWindow_, .layout = plan_.navigation.layout};
+}
+
 void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenTable& table,
                     const std::optional<segment::Findings>& findings, std::shared_ptr<const HiddenVoxels> hidden,
                     const GreyWindow& window) {
     const Plan before = plan_;
+    const bool wasSeen = std::exchange(arriving_, nullptr) && wasSeen_;
     closeVolume();
     volume_ = std::move(volume);
     table_ = table;
@@ -27,7 +47,9 @@ void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenT
     fitLooksTo(findings);
     plan_.image.camera = cameraOf(firstView(framed().box), {});
     plan_.measurements.clear();
-    plan_.navigation = {.crosshairMm = table_.bodyBox.centreMm(), .window = window, .layout = plan_.navigation.layout};
+    firstWindow_ = window;
+    if (!wasSeen)
+        plan_.navigation = firstNavigation(table_.bodyBox);
     show(false);
     report(before, Changes::series | Changes::looks);
 }
@@ -94,7 +116,9 @@ void Document::close() {
 
 void Document::closeVolume() {
     // From here on there is no volume, so that a job that is cancelled by closing() makes no scene of it
-    if (const std::shared_ptr<const Volume> volume = std::exchange(volume_, nullptr))
+    const std::shared_ptr<const Volume> volume = std::exchange(volume_, nullptr);
+    const std::shared_ptr<const ArrivingVolume> arriving = std::exchange(arriving_, nullptr);
+    if (volume || arriving)
         emit closing();
     plan_.image = withoutCutOf(look());
     history_.forget();

@@ -14,6 +14,7 @@
 #include "render/scene/fit_view.h"
 #include "render/segment/body_parts.h"
 #include "render/segment/hidden_table.h"
+#include "render/volume/arriving_volume.h"
 
 namespace pdr::app {
 
@@ -40,6 +41,10 @@ class Document : public QObject {
     const Plan& plan() const { return plan_; }
     const ImageSetup& setup() const { return plan_.image; }
     bool hasVolume() const { return volume_ != nullptr; }
+    /// The volume that is being read, of which slices can be seen already; null: none is.
+    const std::shared_ptr<const ArrivingVolume>& arriving() const { return arriving_; }
+    /// The grey window that the slices began with.
+    const GreyWindow& firstWindow() const { return firstWindow_; }
     /// The scene that is rendered. Without a volume its content is meaningless.
     const Scene& scene() const { return scene_; }
     /// Whether there is a table, or anything else hidden with it, that can be shown or hidden.
@@ -64,10 +69,16 @@ class Document : public QObject {
     void edit(Plan plan, Changes gesture = Changes::none, bool moving = false);
 
   public slots:
+    /// Shows the slices of a volume while it is read, through `window` at first. There is no volume yet: nothing can be
+    /// rendered or measured. Ends with open() of the same volume once it is complete, or with close().
+    void arrive(std::shared_ptr<const pdr::ArrivingVolume> volume, const pdr::GreyWindow& window);
+    /// Reports that slices of the arriving volume are on the screen: they stay where they are when it opens.
+    void seeArrived();
     /// Opens `volume`, a scan without its table, uncut and seen from the side that firstView() chooses. The look stays
     /// as it is, or becomes the first one that suits the scan if it does not. The previous volume cannot be restored.
     /// `table`: what was hidden. `findings`: what the volume holds, as far as it is known. `hidden`: the voxels of the
-    /// table; null if nothing is hidden. `window`: the grey window that the slices begin with.
+    /// table; null if nothing is hidden. `window`: the grey window that the slices begin with. Slices that
+    /// were seen while the volume arrived stay as they are.
     void open(std::shared_ptr<const pdr::Volume> volume, const pdr::segment::HiddenTable& table,
               const std::optional<pdr::segment::Findings>& findings = {},
               std::shared_ptr<const pdr::app::HiddenVoxels> hidden = {}, const pdr::GreyWindow& window = {});
@@ -147,6 +158,7 @@ class Document : public QObject {
 
   private:
     void closeVolume();
+    Navigation firstNavigation(const VolumeGeometry& bodyBox) const;
     void remember(Changes gesture = Changes::none, bool moving = false);
     template <typename Field>
     void setField(Field ImageSetup::*field, const Field& value, Changes gesture = Changes::none, bool moving = false);
@@ -163,7 +175,10 @@ class Document : public QObject {
     void fitLooksTo(const std::optional<segment::Findings>& findings);
 
     FittedLooks looks_;
-    std::shared_ptr<const Volume> volume_;           ///< the scan without its table
+    std::shared_ptr<const Volume> volume_;            ///< the scan without its table
+    std::shared_ptr<const ArrivingVolume> arriving_;  ///< null once it is open
+    bool wasSeen_ = false;                            ///< whether slices of it were on the screen
+    GreyWindow firstWindow_;
     segment::HiddenTable table_;                     ///< the table that was detected in the scan, and the body's box
     std::shared_ptr<const HiddenVoxels> hidden_;     ///< voxels of the table; null if there is none
     mutable std::weak_ptr<const Volume> withTable_;  ///< the scan with its table, as long as someone holds it

@@ -37,12 +37,16 @@ Progress BackgroundJob::progressOf(const std::stop_token& stop) {
             return true;
         sinceShown.start();
         const QString text = ui::inWords(std::string(step));
-        QMetaObject::invokeMethod(this, [this, stop, fraction, text] {
-            if (!stop.stop_requested())
-                emit progressed(fraction, text);
-        });
+        report(stop, [this, fraction, text] { emit progressed(fraction, text); });
         return true;
     };
+}
+
+void BackgroundJob::report(const std::stop_token& stop, std::function<void()> event) {
+    QMetaObject::invokeMethod(this, [stop, event = std::move(event)] {
+        if (!stop.stop_requested())
+            event();
+    });
 }
 
 void BackgroundJob::start(Work work) {

@@ -48,6 +48,10 @@ class BackgroundJob : public QObject {
 
     QThread& thread() { return thread_; }
 
+    /// Calls `event` on the caller's thread, unless the job that `stop` belongs to was cancelled by then. For work that
+    /// reports more than its progress.
+    void report(const std::stop_token& stop, std::function<void()> event);
+
   private:
     Progress progressOf(const std::stop_token& stop);
     std::function<void()> resultOf(const Work& work, const Progress& progress, const std::stop_token& stop);

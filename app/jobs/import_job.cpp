@@ -47,12 +47,15 @@ void ImportJob::loadSeries(int index) {
     if (index < 0 || index >= int(scan_.series.size()))
         return;
     start([this, index, series = scan_.series[std::size_t(index)], before = lastLoaded_, patience = patience_](
-              const Progress& progress, const std::stop_token&) -> std::function<void()> {
+              const Progress& progress, const std::stop_token& stop) -> std::function<void()> {
         // Wait for the memory of the previous volume
         if (auto freed = waitUntilFreed(before, patience, progress); !freed)
             return failure(freed.error());
         // Read the series, and hide its table
-        auto seen = seenSeries(series, progress);
+        const dicom::OnArrival onArrival = [this, index, &stop](std::shared_ptr<const ArrivingVolume> volume) {
+            report(stop, [this, index, volume = std::move(volume)] { emit arriving(volume, index); });
+        };
+        auto seen = seenSeries(series, progress, onArrival);
         if (!seen)
             return failure(seen.error());
         const segment::Findings findings = segment::findingsOn(*seen->volume, seen->table.bodyBox);

@@ -10,6 +10,7 @@
 #include "dicom/series.h"
 #include "render/segment/findings.h"
 #include "render/segment/hidden_table.h"
+#include "render/volume/arriving_volume.h"
 
 namespace pdr::app {
 
@@ -35,6 +36,9 @@ class ImportJob : public BackgroundJob {
 
   signals:
     void scanned(const pdr::dicom::ScanResult& scan, const QString& folder);
+    /// `volume`: what loadSeries() reads series `index` into. Its slices can be looked at until the job ends. Not
+    /// emitted if the slices have to be resampled, or lie in a volume file.
+    void arriving(std::shared_ptr<const pdr::ArrivingVolume> volume, int index);
     /// `volume`: the scan without its `table`, on which the patient lies. `findings`: what that volume holds. `hidden`:
     /// the voxels that it lacks; null if there are none.
     void loaded(std::shared_ptr<const pdr::Volume> volume, int index, const pdr::segment::HiddenTable& table,

@@ -8,6 +8,18 @@
 namespace pdr::app {
 namespace {
 
+/// Hatches the pixels of what has not arrived: nothing that a scan shows looks like that.
+void hatch(const SliceImage& slice, QImage& image) {
+    constexpr QRgb kLine = 0xff3a4256, kGround = 0xff181c26;
+    constexpr int kPeriod = 12, kWidth = 2;
+    for (int y = 0; y < image.height(); ++y) {
+        auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
+        for (int x = 0; x < image.width(); ++x)
+            if (slice.at({x, y}) == kNotArrived)
+                row[x] = (x + y) % kPeriod < kWidth ? kLine : kGround;
+    }
+}
+
 /// Returns the pixels in the format that the window's thread paints without conversion.
 QImage greyImage(const SliceImage& slice, const GreyWindow& window) {
     // What lies outside the scan is clearly no tissue, which is grey. In memory, blue comes first in this format.
@@ -56,7 +68,7 @@ void SliceJob::make(Request request) {
 }
 
 QImage SliceJob::madeNow(const Request& request) {
-    return greyImage(*reslice(*request.volume, planeOf(request)), request.window);
+    return greyImage(*reslice(request.scan, planeOf(request)), request.window);
 }
 
 void SliceJob::drop() {
@@ -68,10 +80,12 @@ void SliceJob::drop() {
 void SliceJob::begin(Request request) {
     start([this, request = std::move(request), memory = memory_](const Progress&,
                                                                  const std::stop_token& stop) -> std::function<void()> {
-        auto slice = reslice(*request.volume, planeOf(request), {}, stop, std::move(*memory));
+        auto slice = reslice(request.scan, planeOf(request), stop, std::move(*memory));
         if (!slice)
             return [] {};
-        const QImage grey = greyImage(*slice, request.window);
+        QImage grey = greyImage(*slice, request.window);
+        if (request.scan.arriving())
+            hatch(*slice, grey);
         *memory = std::move(slice->hu);
         return [this, grey, plane = request.plane, window = request.window] { emit made(grey, plane, window); };
     });

@@ -7,8 +7,9 @@
 #include <optional>
 
 #include "app/jobs/background_job.h"
+#include "app/scan/sliced_scan.h"
 #include "render/slice/grey_window.h"
-#include "render/slice/reslice.h"
+#include "render/slice/slice_plane.h"
 
 namespace pdr::app {
 
@@ -16,9 +17,9 @@ class SliceJob : public BackgroundJob {
     Q_OBJECT
 
   public:
-    /// What to compute: the slice of `volume` on `plane`, seen through `window`.
+    /// What to compute: the slice of `scan` on `plane`, seen through `window`.
     struct Request {
-        std::shared_ptr<const Volume> volume;
+        SlicedScan scan;
         SlicePlane plane;
         GreyWindow window;
         bool coarse = false;  ///< at half the resolution, for a quarter of the work
@@ -30,13 +31,14 @@ class SliceJob : public BackgroundJob {
     /// A request that equals the newest one, or asks for a coarse slice where that asks for the same in full, does
     /// nothing.
     void make(Request request);
-    /// Returns the pixels of a slice, computed on the calling thread.
+    /// Returns the pixels of a slice of a complete volume, computed on the calling thread.
     static QImage madeNow(const Request& request);
     /// Drops all requests and releases their volumes, once the work in progress has ended.
     void drop();
 
   signals:
-    /// `grey`: the pixels of `plane`, row by row from the top; a coarse one holds those of halved(plane).
+    /// `grey`: the pixels of `plane`, row by row from the top; a coarse one holds those of halved(plane). What has not
+    /// arrived is hatched.
     void made(const QImage& grey, const pdr::SlicePlane& plane, const pdr::GreyWindow& window);
 
   private:

@@ -38,6 +38,7 @@ enum class Changes : unsigned {
     layout = 1 << 20,  ///< which views are shown, and where
     // What a document holds beside its plan
     series = 1 << 16,   ///< a volume has been opened or closed
+    arrival = 1 << 21,  ///< a volume is being read, and its slices can be seen
     looks = 1 << 17,    ///< the list of looks
     mask = 1 << 18,     ///< the mask of the visible part has arrived
     display = 1 << 19,  ///< whether the image is shown denoised

@@ -62,10 +62,10 @@ QString PlaceMenuPresenter::textOf(const LayersUnder& under) const {
     if (under.seen != SeenAt::place || !document().hasVolume())
         return ui::sentence(layersText(under));
     const dvec3 place = under.layers.front().placeMm;
-    const Volume& volume = *document().seen();
-    const double voxel = huAt(volume, place);
+    const SlicedScan scan = document().seen();
+    const double voxel = huAt(scan, place);
     return std::isnan(voxel) ? placeText(place)
-                             : Texts::tr("%1 at %2").arg(ui::valueText(unitOf(volume), voxel), placeText(place));
+                             : Texts::tr("%1 at %2").arg(ui::valueText(scan.unit(), voxel), placeText(place));
 }
 
 }  // namespace pdr::app

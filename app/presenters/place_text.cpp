@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "render/slice/reslice.h"
 #include "ui/text/language.h"
 
 namespace pdr::app {
@@ -20,9 +19,9 @@ QString placeText(dvec3 placeMm) {
            " mm";
 }
 
-double huAt(const Volume& volume, dvec3 placeMm) {
-    const SlicePlane pixel = SlicePlane::around(placeMm, {1, 0, 0}, {0, 1, 0}, 1, ivec2(1));
-    return double(reslice(volume, pixel)->hu.front());
+double huAt(const SlicedScan& scan, dvec3 placeMm) {
+    const auto pixel = reslice(scan, SlicePlane::around(placeMm, {1, 0, 0}, {0, 1, 0}, 1, ivec2(1)));
+    return pixel ? double(pixel->hu.front()) : double(kNotArrived);
 }
 
 }  // namespace pdr::app

@@ -3,14 +3,15 @@
 
 #include <QString>
 
-#include "render/volume/volume.h"
+#include "app/scan/sliced_scan.h"
 
 namespace pdr::app {
 
 /// Returns a place in the patient (LPS) [mm] by the letters of its sides, "L 12.5  P 30.0  H 4.0 mm".
 QString placeText(dvec3 placeMm);
 
-/// Returns the HU at a place, as the renderer meets it; NaN outside of the volume.
-double huAt(const Volume& volume, dvec3 placeMm);
+/// Returns the HU at a place, as the renderer meets it; NaN outside of the volume, and kNotArrived where it has not
+/// arrived yet.
+double huAt(const SlicedScan& scan, dvec3 placeMm);
 
 }  // namespace pdr::app

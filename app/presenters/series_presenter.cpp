@@ -55,6 +55,7 @@ void SeriesPresenter::connectImport() {
         showError(error);
     });
     connect(&import_, &ImportJob::scanned, this, &SeriesPresenter::showScan);
+    connect(&import_, &ImportJob::arriving, this, &SeriesPresenter::showArriving);
     connect(&import_, &ImportJob::loaded, this, &SeriesPresenter::showVolume);
     connect(&images_, &SeriesImages::made, panel_, &ui::SeriesPanel::setImage);
 }
@@ -117,6 +118,16 @@ void SeriesPresenter::load(int index) {
     import_.loadSeries(index);
 }
 
+/// Lets slices be looked at while the others are read, unless only the complete volume says which window suits it.
+void SeriesPresenter::showArriving(std::shared_ptr<const ArrivingVolume> volume, int index) {
+    const dicom::Series& series = import_.scan().series[std::size_t(index)];
+    const std::optional<GreyWindow>& stated = series.window.window;
+    if (!stated && !series.unit.isHu)
+        return;
+    showSubject(index);
+    document().arrive(std::move(volume), stated ? inVoxels(*stated, series.unit) : GreyWindow());
+}
+
 void SeriesPresenter::showVolume(std::shared_ptr<const Volume> volume, int index, const segment::HiddenTable& table,
                                  const segment::Findings& findings, std::shared_ptr<const HiddenVoxels> hidden) {
     const dicom::Series& series = import_.scan().series[std::size_t(index)];
@@ -126,13 +137,19 @@ void SeriesPresenter::showVolume(std::shared_ptr<const Volume> volume, int index
         message.showNotice(notes);
     if (hidden)
         message.offer(ui::MainWindow::tr("Show"), [this] { document().setTable(Table::shown); });
-    window().setSubject(ui::windowSubject(series), ui::seriesNumber(series));
-    panel_->setCurrent(index);
-    window().setPatient(ui::patientLines(series), {panel_->numberedPatient()});
+    showSubject(index);
     window().start().hide();
     window().viewport().setMessage(ui::MainWindow::tr("Preparing %1...").arg(ui::seriesNumber(series)));
     const GreyWindow seen = firstWindow(*volume, series.window.window);
     document().open(std::move(volume), table, findings, std::move(hidden), seen);
+}
+
+/// Says whose series it is of which slices or the image are shown.
+void SeriesPresenter::showSubject(int index) {
+    const dicom::Series& series = import_.scan().series[std::size_t(index)];
+    panel_->setCurrent(index);
+    window().setSubject(ui::windowSubject(series), ui::seriesNumber(series));
+    window().setPatient(ui::patientLines(series), {panel_->numberedPatient()});
 }
 
 void SeriesPresenter::showProgress(double, const QString& step) {
@@ -140,8 +157,13 @@ void SeriesPresenter::showProgress(double, const QString& step) {
     window().viewport().setMessage(ui::sentence(step.toStdString()));
 }
 
-/// Shows that reading has ended without a volume.
+/// Shows that reading has ended without a volume. What was shown of it meanwhile goes.
 void SeriesPresenter::showEnd() {
+    if (document().arriving()) {
+        close();
+        window().status().showForAWhile(
+            ui::MainWindow::tr("The series was not read to its end; its slices are shown no longer."));
+    }
     window().viewport().setMessage({});
     window().start().setVisible(!document().hasVolume());
     panel_->setCurrent(panel_->current());

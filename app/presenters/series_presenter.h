@@ -30,6 +30,8 @@ class SeriesPresenter : public Presenter {
     void showChoice(const dicom::ScanResult& scan, const QString& folder);
     void showRecentFolders();
     void load(int index);
+    void showArriving(std::shared_ptr<const ArrivingVolume> volume, int index);
+    void showSubject(int index);
     void showVolume(std::shared_ptr<const Volume> volume, int index, const segment::HiddenTable& table,
                     const segment::Findings& findings, std::shared_ptr<const HiddenVoxels> hidden);
     void showProgress(double fraction, const QString& step);

@@ -66,6 +66,8 @@ SlicesPresenter::SlicesPresenter(const Workspace& workspace) : Presenter(workspa
     atRest_.setSingleShot(true);
     atRest_.setInterval(kAtRest);
     connect(&atRest_, &QTimer::timeout, this, [this] { requestAll(false); });
+    arrival_.emplace(this->workspace(), view(AnatomicalPlane::axial));
+    connect(&*arrival_, &ArrivalWatch::more, this, &SlicesPresenter::showArrived);
     window().addMenu(ui::MainWindow::tr("Slices"), [this](QMenu& menu) { fillMenu(menu); });
 }
 
@@ -121,7 +123,7 @@ void SlicesPresenter::connectSlice(Slice& slice) {
     });
     connect(view, &ui::SliceView::nudged, this, [this, &slice](QPoint voxels) {
         if (slice.stack)
-            document().moveCrosshair(nudged(*slice.stack, volume_->geometry(), document().plan().navigation.crosshairMm,
+            document().moveCrosshair(nudged(*slice.stack, scan_.geometry(), document().plan().navigation.crosshairMm,
                                             {voxels.x(), voxels.y()}));
     });
     connect(view, &ui::SliceView::panned, this, [this, &slice](dvec2 mm) {
@@ -146,7 +148,7 @@ void SlicesPresenter::connectSlice(Slice& slice) {
 
 /// Opens the context menu of a slice: its window, what can be measured on it, and its view.
 void SlicesPresenter::openMenu(Slice& slice, QPoint place) {
-    if (!volume_)
+    if (!scan_.volume())
         return;
     auto* menu = new QMenu(slice.view);
     menu->setObjectName("sliceMenu");
@@ -167,8 +169,8 @@ void SlicesPresenter::openMenu(Slice& slice, QPoint place) {
 /// Copies what the view shows. A slice that is still coarse is made in full first.
 void SlicesPresenter::copy(Slice& slice) {
     const std::optional<ui::ShownSlice>& shown = slice.view->slice();
-    if (shown && shown->isCoarse() && volume_) {
-        const SliceJob::Request full{volume_, shown->plane, document().plan().navigation.window};
+    if (shown && shown->isCoarse() && scan_.volume()) {
+        const SliceJob::Request full{scan_, shown->plane, document().plan().navigation.window};
         show(slice, SliceJob::madeNow(full), full.plane, full.window);
     }
     QGuiApplication::clipboard()->setPixmap(slice.view->grab());
@@ -214,36 +216,53 @@ void SlicesPresenter::showDocument(Changes changes) {
     if (has(changes, Changes::series)) {
         offerWindows_->setEnabled(document().hasVolume());
         offerPresets(*windows_, !document().hasVolume() || unitOf(*document().seen()).isHu);
-        statedWindow_ = document().plan().navigation.window;
+        const bool hasArrived = document().hasVolume() && scan_.arriving();  // its slices stay until they are replaced
         for (Slice& slice : slices_)
-            slice.view->clear();
+            if (!hasArrived)
+                slice.view->clear();
+        arrival_->end();
     }
-    if (has(changes, Changes::series | Changes::table)) {
-        volume_ = document().hasVolume() ? document().seen() : nullptr;
-        for (Slice& slice : slices_)
-            slice.stack = volume_ ? std::optional(SliceStack(volume_->geometry(), slice.view->plane())) : std::nullopt;
+    if (has(changes, Changes::series | Changes::table))
+        setScan(document().hasVolume() ? SlicedScan(document().seen()) : SlicedScan());
+    if (has(changes, Changes::arrival)) {
+        setScan(document().arriving());
+        arrival_->begin();
     }
     if (has(changes, Changes::layout))
         showLayout(document().plan().navigation.layout);
-    if (!has(changes, Changes::series | Changes::table | Changes::navigation))
+    if (!has(changes, Changes::series | Changes::arrival | Changes::table | Changes::navigation))
         return;
     for (Slice& slice : slices_)
         slice.view->setCrosshair(document().plan().navigation.crosshairMm);
     // A single step is shown in full at once: only what follows it soon is a move.
-    const bool moves = !has(changes, Changes::series | Changes::table);
+    const bool moves = !has(changes, Changes::series | Changes::arrival | Changes::table);
     requestAll(moves && atRest_.isActive());
     if (moves)
         atRest_.start();
 }
 
+/// Takes the scan whose slices are shown.
+void SlicesPresenter::setScan(SlicedScan scan) {
+    scan_ = std::move(scan);
+    for (Slice& slice : slices_)
+        slice.stack = scan_ ? std::optional(SliceStack(scan_.geometry(), slice.view->plane())) : std::nullopt;
+}
+
+/// Shows what has arrived since the last time.
+void SlicesPresenter::showArrived() {
+    scan_ = SlicedScan(document().arriving());
+    requestAll(false);
+}
+
 void SlicesPresenter::releaseVolume() {
     atRest_.stop();
+    arrival_->end();
     bridge().setYielding(false);
     for (Slice& slice : slices_) {
         slice.job.drop();
         slice.stack.reset();
     }
-    volume_.reset();
+    scan_ = {};
 }
 
 /// Returns the plane that the view of `slice` shows; none without a volume.
@@ -259,10 +278,11 @@ std::optional<SlicePlane> SlicesPresenter::planeOf(const Slice& slice) const {
 /// Returns whether it is.
 bool SlicesPresenter::request(Slice& slice, bool moving) {
     const auto plane = planeOf(slice);
-    if (!plane || !volume_ || !slice.view->isVisible())
+    const bool isEmpty = scan_.arriving() && scan_.arriving()->arrived() == 0;  // its first slice comes at once
+    if (!plane || !scan_ || isEmpty || !slice.view->isVisible())
         return false;
     const bool coarse = moving && plane->size.x * plane->size.y > kMostMovingPixels;
-    slice.job.make({volume_, *plane, document().plan().navigation.window, coarse});
+    slice.job.make({scan_, *plane, document().plan().navigation.window, coarse});
     return coarse;
 }
 
@@ -277,6 +297,8 @@ void SlicesPresenter::requestAll(bool moving) {
 void SlicesPresenter::show(Slice& slice, const QImage& grey, const SlicePlane& plane, const GreyWindow& window) {
     if (!slice.stack)
         return;
+    if (scan_.arriving())
+        document().seeArrived();
     ui::ShownSlice shown{grey, plane, textsOf(slice, plane, window)};
     for (const Slice& other : slices_) {
         if (&other == &slice || !other.stack)
@@ -289,34 +311,41 @@ void SlicesPresenter::show(Slice& slice, const QImage& grey, const SlicePlane& p
 
 QStringList SlicesPresenter::textsOf(const Slice& slice, const SlicePlane& plane, const GreyWindow& window) const {
     const int index = nearestSlice(*slice.stack, plane.middleMm());
-    const ValueUnit unit = volume_ ? unitOf(*volume_) : ValueUnit();
+    const ValueUnit unit = scan_ ? scan_.unit() : ValueUnit();
     const GreyWindow values = inValues(window, unit);
     const int decimals = unit.decimals();
-    return {nameOf(slice.view->plane(), index + 1, slice.stack->count()),
-            Texts::tr("Window %1 / %2 %3")
-                .arg(ui::number(values.centre, decimals), ui::number(values.width, decimals), ui::unitName(unit))};
+    QStringList texts{
+        nameOf(slice.view->plane(), index + 1, slice.stack->count()),
+        Texts::tr("Window %1 / %2 %3")
+            .arg(ui::number(values.centre, decimals), ui::number(values.width, decimals), ui::unitName(unit))};
+    if (const auto& arriving = scan_.arriving())
+        texts << Texts::tr("%1 of %2 slices read; hatched: not read yet")
+                     .arg(arriving->arrived())
+                     .arg(arriving->geometry().size.z);
+    return texts;
 }
 
 /// Shows the value and the place under the pointer. The value is that of the renderer there.
 void SlicesPresenter::showPointed(Slice& slice, const std::optional<dvec3>& placeMm) {
     const auto plane = planeOf(slice);
-    if (!placeMm || !plane || !volume_)
+    if (!placeMm || !plane || !scan_)
         return slice.view->setPointed({});
-    const double voxel = huAt(*volume_, *placeMm);
-    slice.view->setPointed(
-        std::isnan(voxel) ? Texts::tr("outside the scan")
-                          : Texts::tr("%1 at %2").arg(ui::valueText(unitOf(*volume_), voxel), placeText(*placeMm)));
+    const double voxel = huAt(scan_, *placeMm);
+    slice.view->setPointed(std::isnan(voxel) ? Texts::tr("outside the scan")
+                           : voxel == kNotArrived
+                               ? Texts::tr("not read yet")
+                               : Texts::tr("%1 at %2").arg(ui::valueText(scan_.unit(), voxel), placeText(*placeMm)));
 }
 
 /// Chooses the window of a digit: a preset, the window of the files (9), or the whole range (0).
 void SlicesPresenter::chooseWindow(char key) {
-    if (!volume_)
+    if (!scan_ || (key == '0' && !scan_.volume()))
         return;
-    if (key >= '1' && key <= '8' && !unitOf(*volume_).isHu)
+    if (key >= '1' && key <= '8' && !scan_.unit().isHu)
         return window().status().showForAWhile(whyNoPresets());
     const GreyWindow& current = document().plan().navigation.window;
-    setWindow(key == '9'   ? statedWindow_
-              : key == '0' ? wholeRange(*volume_)
+    setWindow(key == '9'   ? document().firstWindow()
+              : key == '0' ? wholeRange(*scan_.volume())
                            : presetAfter(key, current).value_or(current));
 }
 

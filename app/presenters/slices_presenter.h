@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/jobs/slice_job.h"
+#include "app/presenters/arrival_watch.h"
 #include "app/presenters/presenter.h"
 #include "app/presenters/slice_framing.h"
 #include "ui/slices/slice_view.h"
@@ -33,7 +34,7 @@ class SlicesPresenter : public Presenter {
     struct Slice {
         ui::SliceView* view = nullptr;  ///< owned by the window
         SliceJob job;
-        std::optional<SliceStack> stack;  ///< none without a volume
+        std::optional<SliceStack> stack;  ///< none without a scan
     };
 
     void fillMenu(QMenu& menu);
@@ -44,6 +45,8 @@ class SlicesPresenter : public Presenter {
     void connectSlice(Slice& slice);
     void setLayout(ViewLayout layout);
     void showLayout(ViewLayout layout);
+    void setScan(SlicedScan scan);
+    void showArrived();
     bool request(Slice& slice, bool moving = false);
     void requestAll(bool moving);
     void copy(Slice& slice);
@@ -60,9 +63,9 @@ class SlicesPresenter : public Presenter {
     QAction* offerWindows_ = nullptr;    ///< opens the menu of windows
     std::array<Slice, 3> slices_;        ///< in the order of kAnatomicalPlanes
     std::array<QAction*, 3> layouts_{};  ///< in the order of kViewLayouts
-    std::shared_ptr<const Volume> volume_;
-    QTimer atRest_;            ///< runs while something moves: until nothing has for a while
-    GreyWindow statedWindow_;  ///< the window with which the volume was opened
+    SlicedScan scan_;
+    QTimer atRest_;  ///< runs while something moves: until nothing has for a while
+    std::optional<ArrivalWatch> arrival_;
 };
 
 }  // namespace pdr::app

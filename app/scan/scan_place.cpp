@@ -128,10 +128,10 @@ Result<dicom::ScanResult> scanPlace(const fs::path& path, const Progress& progre
 }
 
 Result<Volume> loadVoxels(const dicom::Series& series, dicom::Padding padding, const Progress& progress,
-                          std::vector<dicom::Note>* notes) {
+                          std::vector<dicom::Note>* notes, const dicom::OnArrival& onArrival) {
     if (dynamic_cast<const GridSource*>(series.source.get()))
         return loadGridSeries(series, progress);
-    return dicom::loadSeries(series, padding, progress, notes);
+    return dicom::loadSeries(series, padding, progress, notes, onArrival);
 }
 
 Result<dicom::DecodedSlice> decodeSliceOf(const dicom::Series& series, const dicom::SliceRef& slice,

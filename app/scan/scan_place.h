@@ -25,7 +25,7 @@ Result<dicom::ScanResult> scanPlace(const std::filesystem::path& path, const Pro
 
 /// Reads the voxels of `series`, which comes from scanPlace(); see dicom::loadSeries().
 Result<Volume> loadVoxels(const dicom::Series& series, dicom::Padding padding, const Progress& progress,
-                          std::vector<dicom::Note>* notes = nullptr);
+                          std::vector<dicom::Note>* notes = nullptr, const dicom::OnArrival& onArrival = {});
 
 /// Decodes one slice of `series`, which comes from scanPlace(); see dicom::decodeSlice() and decodeGridSlice().
 Result<dicom::DecodedSlice> decodeSliceOf(const dicom::Series& series, const dicom::SliceRef& slice,

@@ -7,11 +7,12 @@
 
 namespace pdr::app {
 
-Result<SeenSeries> seenSeries(const dicom::Series& series, const Progress& progress) {
+Result<SeenSeries> seenSeries(const dicom::Series& series, const Progress& progress,
+                              const dicom::OnArrival& onArrival) {
     SeenSeries seen;
     seen.notes = series.verdict.notes;
     // Decoding takes most of the time.
-    auto volume = loadVoxels(series, dicom::Padding::maskAsAir, partOf(progress, 0, 0.7), &seen.notes);
+    auto volume = loadVoxels(series, dicom::Padding::maskAsAir, partOf(progress, 0, 0.7), &seen.notes, onArrival);
     if (!volume)
         return volume.error();
     const auto hidden = std::make_shared<HiddenVoxels>(volume->size().z);

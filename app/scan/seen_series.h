@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/scan/hidden_voxels.h"
+#include "dicom/import.h"
 #include "dicom/series.h"
 #include "render/base/progress.h"
 #include "render/base/result.h"
@@ -19,8 +20,9 @@ struct SeenSeries {
     std::vector<dicom::Note> notes;              ///< what the user should know about how the voxels were read
 };
 
-/// Reads the voxels of `series`, which comes from scanPlace(), and hides the table. Errors: those of loadVoxels();
-/// cancelled().
-Result<SeenSeries> seenSeries(const dicom::Series& series, const Progress& progress);
+/// Reads the voxels of `series`, which comes from scanPlace(), and hides the table. `onArrival`: see loadVoxels().
+/// Errors: those of loadVoxels(); cancelled().
+Result<SeenSeries> seenSeries(const dicom::Series& series, const Progress& progress,
+                              const dicom::OnArrival& onArrival = {});
 
 }  // namespace pdr::app

@@ -296,6 +296,10 @@
         <translation>%1 Rechner haben einen anderen Programmstand und sind ausgeschlossen</translation>
     </message>
     <message>
+        <source>%1 of %2 slices read; hatched: not read yet</source>
+        <translation>%1 von %2 Schichten gelesen; schraffiert: noch nicht gelesen</translation>
+    </message>
+    <message>
         <source>%1 of it touched the skin: check the edge.</source>
         <translation>%1 davon lagen an der Haut an: Den Rand prüfen.</translation>
     </message>
@@ -3850,6 +3854,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>In %1 weiteren hat der Scanner nichts gemessen.</translation>
     </message>
     <message>
+        <source>The series was not read to its end; its slices are shown no longer.</source>
+        <translation>Die Serie wurde nicht zu Ende gelesen; ihre Schichten werden nicht mehr gezeigt.</translation>
+    </message>
+    <message>
         <source>The value that slices show at this place. One place has no ±: a ball has a mean with a ±.</source>
         <translation>Der Wert, den Schichten an diesem Ort zeigen. Ein einzelner Ort hat kein ±: Eine Kugel hat einen Mittelwert mit ±.</translation>
     </message>
@@ -5802,6 +5810,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>not known yet</source>
         <translation>noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>not read yet</source>
+        <translation>noch nicht gelesen</translation>
     </message>
     <message>
         <source>not saved, because %1</source>

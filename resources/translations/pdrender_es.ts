@@ -296,6 +296,10 @@
         <translation>%1 equipos tienen otra versión y quedan excluidos</translation>
     </message>
     <message>
+        <source>%1 of %2 slices read; hatched: not read yet</source>
+        <translation>%1 de %2 cortes leídos; rayado: aún no leído</translation>
+    </message>
+    <message>
         <source>%1 of it touched the skin: check the edge.</source>
         <translation>%1 de ello tocaban la piel: revise el borde.</translation>
     </message>
@@ -3850,6 +3854,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>En %1 más el escáner no midió nada.</translation>
     </message>
     <message>
+        <source>The series was not read to its end; its slices are shown no longer.</source>
+        <translation>La serie no se leyó hasta el final; sus cortes ya no se muestran.</translation>
+    </message>
+    <message>
         <source>The value that slices show at this place. One place has no ±: a ball has a mean with a ±.</source>
         <translation>El valor que muestran los cortes en este punto. Un solo punto no tiene ±: una esfera tiene una media con ±.</translation>
     </message>
@@ -5802,6 +5810,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>not known yet</source>
         <translation>aún no se conoce</translation>
+    </message>
+    <message>
+        <source>not read yet</source>
+        <translation>aún no leído</translation>
     </message>
     <message>
         <source>not saved, because %1</source>

@@ -22,6 +22,8 @@ class ViewGrid : public QWidget {
     ViewLayout layout() const { return layout_; }
     /// Returns whether slices are shown.
     bool showsSlices() const { return layout_ != ViewLayout::image && (!alone_ || alone_ != views_.front()); }
+    /// The view that is shown alone; null: those of the layout are shown.
+    QWidget* alone() const { return alone_; }
     /// Sets the layout. Ends showing one view alone.
     void setLayout(ViewLayout layout);
     /// Shows `view` alone, or all views of the layout again if it is shown alone.

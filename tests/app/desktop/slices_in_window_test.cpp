@@ -176,7 +176,10 @@ class SlicesInWindowTest : public QObject {
         trial_->frames.clear();
         trial_->openAndWait(series_);
         QTRY_VERIFY_WITH_TIMEOUT(view(AnatomicalPlane::axial).slice(), test::kPatience);
-        QVERIFY(glm::length(crosshair() - document().bodyBox().centreMm()) < 1e-9);
+        // Where the body is; but if a slice was on the screen while others were read, it did not move
+        const double fromBody = glm::length(crosshair() - document().bodyBox().centreMm());
+        const double fromScan = glm::length(crosshair() - document().scan()->geometry().centreMm());
+        QVERIFY(std::min(fromBody, fromScan) < 1e-9);
     }
 
     void closingClearsTheSlices() {
