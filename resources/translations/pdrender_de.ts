@@ -344,6 +344,10 @@
         <translation>%1 getrennte Teile bleiben.</translation>
     </message>
     <message>
+        <source>%1 series %2</source>
+        <translation>%1-Serie %2</translation>
+    </message>
+    <message>
         <source>%1 slices</source>
         <translation>%1 Schichten</translation>
     </message>

@@ -344,6 +344,10 @@
         <translation>Se conservan %1 partes separadas.</translation>
     </message>
     <message>
+        <source>%1 series %2</source>
+        <translation>Serie de %1 %2</translation>
+    </message>
+    <message>
         <source>%1 slices</source>
         <translation>%1 cortes</translation>
     </message>

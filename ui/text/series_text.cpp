@@ -46,6 +46,15 @@ bool isFileName(const dicom::Series& series) {
     return !series.slices.empty() && series.slices.front().file.filename() == series.series.description;
 }
 
+/// Returns the modality as clinicians write it; empty: it is CT, which needs no word, or none that DICOM knows.
+QString otherModality(const dicom::Series& series) {
+    static const QRegularExpression code("^[A-Z]{2,5}$");
+    const QString modality = QString::fromStdString(series.series.modality);
+    if (modality == "CT" || !code.match(modality).hasMatch())
+        return {};
+    return modality == "PT" ? QString("PET") : modality;
+}
+
 }  // namespace
 
 QString seriesName(const dicom::Series& series) {
@@ -62,7 +71,9 @@ QString seriesTitle(const dicom::Series& series) {
 }
 
 QString seriesNumber(const dicom::Series& series) {
-    return translated("CT series %1").arg(series.series.number);
+    const QString other = otherModality(series);
+    return other.isEmpty() ? translated("CT series %1").arg(series.series.number)
+                           : translated("%1 series %2").arg(other).arg(series.series.number);
 }
 
 QString windowSubject(const dicom::Series& series) {
@@ -80,7 +91,7 @@ QStringList seriesFacts(const dicom::Series& series) {
                                         : translated("%1 images").arg(images);
     const QString apart = loadable ? number(sliceDrift(series.geometry).gapMm, 2) + " mm" : QString();
     const QString pixels = size.x > 0 ? QString::fromUtf8("%1 × %2").arg(size.x).arg(size.y) : QString();
-    QStringList lines{joined({count, apart}), inWords(series.series.phase),
+    QStringList lines{joined({otherModality(series), count, apart}), inWords(series.series.phase),
                       joined({pixels, inWords(series.series.coding)})};
     lines.removeAll({});
     return lines;

@@ -15,10 +15,10 @@ QString seriesTitle(const dicom::Series& series);
 /// Returns a text for the title bar, which task lists, screenshots and recordings show: the series' title, or "CT
 /// series 3" if there is none, if it contains a part of the patient's name or the ID, or if it is a file's name.
 QString windowSubject(const dicom::Series& series);
-/// Returns "CT series 3", which reveals nothing about the patient.
+/// Returns "CT series 3", or "MR series 3", which reveals nothing about the patient.
 QString seriesNumber(const dicom::Series& series);
 /// Returns lines that describe the images of a series, or as much as is known: "100 slices · 2.50 mm", the
-/// distance of their planes, if it can be loaded; the phase; "512 × 512 · JPEG 2000".
+/// distance of their planes, if it can be loaded, behind a modality other than CT; the phase; "512 × 512 · JPEG 2000".
 QStringList seriesFacts(const dicom::Series& series);
 /// Returns the date and the description of the study of `series`: "2024-01-31 · Follow-up"; the date alone if names are
 /// hidden, since descriptions sometimes contain them. Empty if nothing is stated.

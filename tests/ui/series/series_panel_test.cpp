@@ -37,6 +37,7 @@ class TestSeriesPanel : public QObject {
   private slots:
     void aSeriesIsDescribedInWords();
     void aSeriesWithoutNameOrDateIsStillDescribed();
+    void aModalityOtherThanCtIsNamed();
     void aTitleNamesTheSeriesAndNotThePatient();
     void toReachTheListByTabChoosesNothing();
     void theListShowsAllSeriesAndTheirVerdicts();
@@ -54,6 +55,19 @@ void TestSeriesPanel::aSeriesIsDescribedInWords() {
     QCOMPARE(seriesFacts(series), QStringList({"100 slices · 2.50 mm", "512 × 256"}));
     QCOMPARE(studyText(series, false), "2024-01-31");
     QCOMPARE(patientName(series.patient), "Family, Given");
+}
+
+void TestSeriesPanel::aModalityOtherThanCtIsNamed() {
+    dicom::Series series = threeSeries().series[0];
+    series.series.number = 4;
+    series.series.modality = "PT";
+    QCOMPARE(seriesFacts(series).front(), "PET · 100 slices · 2.50 mm");
+    QCOMPARE(seriesNumber(series), "PET series 4");
+    series.series.modality = "MR";
+    QCOMPARE(seriesFacts(series).front(), "MR · 100 slices · 2.50 mm");
+    QCOMPARE(seriesNumber(series), "MR series 4");
+    series.series.modality = "NIfTI";  // a volume file, whose name says it
+    QCOMPARE(seriesFacts(series).front(), "100 slices · 2.50 mm");
 }
 
 void TestSeriesPanel::aSeriesWithoutNameOrDateIsStillDescribed() {
