@@ -9,12 +9,13 @@ QString unitName(const ValueUnit& unit) {
     return inWords(unitText(unit));
 }
 
-QString valueNumber(const ValueUnit& unit, double voxel) {
-    return number(unit.roundedValueOf(voxel), unit.decimals());
+QString valueNumber(const ValueUnit& unit, double voxel, double part) {
+    const ValueUnit finer{unit.isHu, unit.name, unit.step * part, unit.zero};
+    return number(finer.roundedValueOf(voxel / part), finer.decimals());
 }
 
-QString valueText(const ValueUnit& unit, double voxel) {
-    return valueNumber(unit, voxel) + ' ' + unitName(unit);
+QString valueText(const ValueUnit& unit, double voxel, double part) {
+    return valueNumber(unit, voxel, part) + ' ' + unitName(unit);
 }
 
 }  // namespace pdr::ui

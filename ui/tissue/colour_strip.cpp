@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/text/value_text.h"
 #include "ui/tissue/curve_painter.h"
+#include "ui/tissue/place_step.h"
 #include "ui/widgets/screen_colour.h"
 
 namespace pdr::ui {
@@ -60,7 +60,7 @@ void ColourStrip::setValues(const ValueUnit& values) {
 }
 
 QString ColourStrip::placeText(double voxel) const {
-    return valueText(values_, std::round(voxel));
+    return ui::placeText(view(), values_, voxel);
 }
 
 void ColourStrip::layOut() {
@@ -80,13 +80,13 @@ void ColourStrip::describe() {
 }
 
 CurvePoint ColourStrip::step() const {
-    return {float(std::max(std::round(view().huPerPixel()), 1.0)), 0};
+    return {float(std::max(view().rounded(view().huPerPixel()), view().placeStep())), 0};
 }
 
 QString ColourStrip::tipAt(QPointF place) const {
     const double hu = view().hu(place.x());
     return tr("%1: %2\nDrag stops; Ctrl and click adds one; double click chooses a colour")
-        .arg(placeText(hu), screenColour(albedoAt(stops_, hu)).name());
+        .arg(placeText(view().rounded(hu)), screenColour(albedoAt(stops_, hu)).name());
 }
 
 /// Adds a stop in the colour that the strip has there.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/text/value_text.h"
+#include "ui/tissue/place_step.h"
 
 namespace pdr::ui {
 namespace {
@@ -74,7 +75,7 @@ void CurveEditor::resizeEvent(QResizeEvent*) {
 
 QString CurveEditor::pointText(const CurvePoint& point) const {
     const QString value = numberText(double(point.value) * unit_);
-    const QString place = valueText(values_, std::round(double(point.hu)));
+    const QString place = placeText(view(), values_, double(point.hu));
     return unitText_.isEmpty() ? tr("%1: %2").arg(place, value) : tr("%1: %2 %3").arg(place, value, unitText_);
 }
 
@@ -91,13 +92,13 @@ void CurveEditor::describe() {
 }
 
 CurvePoint CurveEditor::step() const {
-    const double hu = std::max(std::round(view().huPerPixel()), 1.0);
+    const double hu = std::max(view().rounded(view().huPerPixel()), view().placeStep());
     return {float(hu), float(kStep * view().top())};
 }
 
 QString CurveEditor::tipAt(QPointF place) const {
     const double hu = view().hu(place.x());
-    QStringList lines{pointText({float(hu), valueAt(points(), float(hu))})};
+    QStringList lines{pointText({float(view().rounded(hu)), valueAt(points(), float(hu))})};
     if (histogram_ && histogram_->total() > 0)
         lines << tr("%1 % of the voxels lie below")
                      .arg(numberText(100 * histogram_->count(-1e6, hu) / histogram_->total()));

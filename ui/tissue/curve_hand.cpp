@@ -70,7 +70,7 @@ bool CurveHand::press(const PlotView& view, QPointF place, Qt::KeyboardModifiers
     }
     // Add a point
     if (anywhere || (isOnLine(view, place) && !several)) {
-        const auto hu = float(std::round(view.hu(place.x())));
+        const auto hu = float(view.rounded(view.hu(place.x())));
         const float value = anywhere ? float(view.value(place.y())) : valueAt(curve_, hu);
         add({hu, value});
         hold(selection_.front(), place);
@@ -102,7 +102,7 @@ bool CurveHand::drag(const PlotView& view, QPointF place) {
         return false;
     }
     const double hu = double(before_[held_].hu) + (to_.x() - from_.x()) * view.huPerPixel();
-    const double rounded = view.huPerPixel() > 0.2 ? std::round(hu) : hu;
+    const double rounded = view.rounded(hu);
     const bool change = become(
         moved(before_, selection_,
               {float(rounded - double(before_[held_].hu)), float(view.value(to_.y()) - view.value(from_.y()))}, top_));

@@ -27,6 +27,10 @@ void PlotView::pan(double pixels) {
     high_ += by;
 }
 
+double PlotView::placeStep() const {
+    return huPerPixel() > 0.2 ? 1 : std::pow(10, std::floor(std::log10(huPerPixel())));
+}
+
 std::vector<double> roundMarks(double low, double high, int most) {
     if (!(high > low) || most < 1)
         return {};

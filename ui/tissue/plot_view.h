@@ -4,6 +4,7 @@
 
 #include <QPointF>
 #include <QRectF>
+#include <cmath>
 #include <vector>
 
 namespace pdr::ui {
@@ -23,6 +24,11 @@ class PlotView {
     double x(double hu) const { return area_.left() + (hu - low_) / huPerPixel(); }
     double y(double value) const { return area_.bottom() - value / top_ * area_.height(); }
     QPointF at(double hu, double value) const { return {x(hu), y(value)}; }
+    /// Returns the distance of places that can be pointed at [voxels]: 1, or where five pixels do not span a voxel, the
+    /// power of ten below a pixel.
+    double placeStep() const;
+    /// Returns a place rounded to that distance.
+    double rounded(double hu) const { return std::round(hu / placeStep()) * placeStep(); }
     double hu(double x) const { return low_ + (x - area_.left()) * huPerPixel(); }
     double value(double y) const { return (area_.bottom() - y) / area_.height() * top_; }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/text/value_text.h"
+#include "ui/tissue/place_step.h"
 
 namespace pdr::ui {
 
@@ -44,10 +45,17 @@ PointRow::PointRow(QWidget* parent) : QWidget(parent) {
 void PointRow::setValues(const ValueUnit& values) {
     const QSignalBlocker silent(&hu_);
     values_ = values;
-    hu_.setDecimals(values.decimals());
+    setSpan(span_);
     hu_.setRange(values.valueOf(double(kLowestHu)), values.valueOf(double(kHighestHu)));
-    hu_.setSingleStep(values.step);
     hu_.setSuffix(' ' + unitName(values));
+}
+
+void PointRow::setSpan(double voxels) {
+    const QSignalBlocker silent(&hu_);
+    span_ = voxels;
+    const double step = placeStep(values_, voxels);
+    hu_.setDecimals(placeDecimals(values_, step));
+    hu_.setSingleStep(step);
 }
 
 void PointRow::setPoint(const std::optional<CurvePoint>& point, double unit, double highest, const QString& unitText) {

@@ -18,6 +18,8 @@ class PointRow : public QWidget {
 
     /// Sets the unit in which the place of a point is shown; HU at first.
     void setValues(const ValueUnit& values);
+    /// Sets the range that the plot shows [voxels], to which the steps of the place are sized.
+    void setSpan(double voxels);
     /// Shows a point, with its value times `unit`, up to `highest`. None: no point is selected.
     void setPoint(const std::optional<CurvePoint>& point, double unit, double highest, const QString& unitText);
     /// Shows a stop of a colour strip, which has a colour and no value.
@@ -35,6 +37,7 @@ class PointRow : public QWidget {
     void show(bool value, bool colour, bool any);
 
     ValueUnit values_;
+    double span_ = 4096;  ///< [voxels]
     QDoubleSpinBox hu_, value_;
     QToolButton colour_, remove_;
 };

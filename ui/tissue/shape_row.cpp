@@ -4,6 +4,8 @@
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 
+#include "ui/tissue/place_step.h"
+
 namespace pdr::ui {
 namespace {
 
@@ -86,8 +88,9 @@ void ShapeRow::showNumbers(const std::optional<CurveShape>& shape) {
         names_[i].setText(number.name);
         numbers_[i].setAccessibleName(tr("%1 of the curve").arg(number.name));
         numbers_[i].setSuffix(number.unit);
-        numbers_[i].setDecimals(number.decimals);
-        numbers_[i].setSingleStep(ofHundred ? 0.5 : 10 * number.step);
+        const double step = placeStep(values_, span_);
+        numbers_[i].setDecimals(ofHundred ? number.decimals : placeDecimals(values_, step));
+        numbers_[i].setSingleStep(ofHundred ? 0.5 : 10 * step);
         numbers_[i].setRange(number.lowest, number.highest);
         numbers_[i].setValue(values[i] * number.step + number.zero);
     }

@@ -26,6 +26,8 @@ class ShapeRow : public QWidget {
     void setFree();
     /// Sets the unit in which numbers are shown; HU at first.
     void setValues(const ValueUnit& values);
+    /// Sets the range that the plot shows [voxels], to which the steps of the numbers are sized.
+    void setSpan(double voxels) { span_ = voxels; }
     /// Sets the curve from which a chosen shape derives its first numbers, and the histogram. Null: percentiles cannot
     /// be chosen.
     void setBasis(const Curve& curve, std::shared_ptr<const Histogram> histogram);
@@ -44,6 +46,7 @@ class ShapeRow : public QWidget {
     std::array<QDoubleSpinBox, 2> numbers_;
     QList<ShapeNumber> shown_;  ///< what the numbers are
     ValueUnit values_;
+    double span_ = 4096;  ///< [voxels]
     Curve curve_{{0, 0}};
     std::shared_ptr<const Histogram> histogram_;
 };

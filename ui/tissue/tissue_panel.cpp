@@ -187,6 +187,8 @@ void TissuePanel::fit() {
         high = std::max(high, histogram_->percentile(1 - kRare));
     }
     const double room = kAround * (high - low) + 1;
+    point_.setSpan(high - low + 2 * room);
+    shape_.setSpan(high - low + 2 * room);
     editor_.setRange(low - room, high + room);
     strip_.setRange(low - room, high + room);
 }

@@ -24,6 +24,7 @@ class TestTissuePanel : public QObject {
     void densityScalesTheWholeCurve();
     void shapesBecomeFreePointsWhenOneIsMoved();
     void percentilesNeedAHistogram();
+    void stepsFollowTheRangeOfValues();
     void coloursHaveStopsOfTheirOwn();
     void aColourIsChosenAndGivenUp();
     void theOtherCurvesAreEditedAlone();
@@ -166,6 +167,39 @@ void TestTissuePanel::percentilesNeedAHistogram() {
     hand.named<QDoubleSpinBox>("To of the curve")->setValue(75);
     QCOMPARE(hand.last.opacityAt(69.75f), 0.0f);
     QCOMPARE(hand.last.opacityAt(70.25f), 1.0f);
+}
+
+/// Values from 0 to 20 have places between whole numbers, and those of 65,536 voxels no steps of a voxel.
+void TestTissuePanel::stepsFollowTheRangeOfValues() {
+    TissueHand hand;
+    const auto* place = hand.named<QDoubleSpinBox>("Place of the selected point");
+    QCOMPARE(place->singleStep(), 1.0);
+    const auto show = [&](const ValueUnit& unit, std::int16_t highest) {
+        const Volume volume(VolumeGeometry::aligned({2, 1, 1}, dvec3(1), dvec3(0)), Voxels{0, highest});
+        hand.panel.setTransferFunction({1, {{0, 0}, {float(highest), 1}}});
+        hand.panel.setValues(unit);
+        hand.panel.setHistogram(std::make_shared<const Histogram>(volume));
+    };
+    show(ValueUnit::other("g/ml", 20.0 / 32767), 32767);
+    QCOMPARE(place->singleStep(), 0.01);
+    QCOMPARE(place->decimals(), 4);
+    show(ValueUnit::other("g/ml"), 20);
+    QCOMPARE(place->singleStep(), 0.01);
+    QCOMPARE(place->decimals(), 2);
+    hand.choose("Shape of the curve", 2);
+    auto* from = hand.named<QDoubleSpinBox>("From of the curve");
+    QCOMPARE(from->singleStep(), 0.1);
+    from->setValue(3.4);
+    QVERIFY(hand.last.opacityAt(3.3f) == 0 && hand.last.opacityAt(3.5f) == 1);
+    // By hand and by keys
+    show(ValueUnit::other("g/ml"), 20);
+    CurveEditor& editor = hand.panel.editor();
+    QTest::mouseClick(&editor, Qt::LeftButton, Qt::NoModifier, hand.at(7.5, 0.375));
+    QVERIFY(std::abs(place->value() - 7.5) < 0.15 && place->value() != std::round(place->value()));
+    const double before = place->value();
+    QTest::keyClick(&editor, Qt::Key_Right);
+    QVERIFY(place->value() > before && place->value() < before + 0.2);
+    QVERIFY(editor.accessibleDescription().contains(QString::number(place->value(), 'f', 2) + " g/ml"));
 }
 
 void TestTissuePanel::coloursHaveStopsOfTheirOwn() {
