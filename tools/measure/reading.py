@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""How long a folder takes to become voxels, against dcm2niix, and how much memory it takes.
+"""How long a folder takes to become voxels, against dcm2niix and SimpleITK, and how much memory it takes.
 
-reading.py FOLDER [--build build/release] [--rounds 5] [--slices 100 600] [--codings raw jpeg-lossless] [--work FOLDER]
-FOLDER holds one series of raw slices. Longer series are made from it, with further slices between its own, and coded ones
-with DCMTK (dcmodify, dcmcjpeg), in the folder --work, which is kept if it is given. Both programs run in turn, after a
-round that only fills the cache of files; the table has the medians of wall and processor time, and the largest memory.
-dcm2niix writes its file to the same folder, without compressing it."""
+reading.py FOLDER [--build build/release] [--rounds 5] [--slices 100 600] [--codings raw jpeg-2000] [--work FOLDER]
+FOLDER holds one series of raw slices. Longer series are made from it, with further slices between its own, and coded
+ones with DCMTK (dcmodify, dcmcjpeg) or, in JPEG 2000, with pydicom and pylibjpeg-openjpeg, in the folder --work, which
+is kept if it is given. All programs run in turn, after a round that only fills the cache of files; the table has the
+medians of wall and processor time, and the largest memory. dcm2niix writes its file to the same folder, without
+compressing it. SimpleITK is left out where it is not installed."""
 import argparse
 import json
 import os
@@ -14,11 +15,21 @@ import re
 import shutil
 import statistics
 import subprocess
+import sys
 import tempfile
 import time
 
 # Programs that code a file, by the name of the coding.
 CODERS = {"jpeg-lossless": ["dcmcjpeg", "+e1"], "jpeg-ls": ["dcmcjpls"], "rle": ["dcmcrle"]}
+# A program that reads a folder with SimpleITK, and prints its seconds, without those of loading the library.
+SIMPLE_ITK = """
+import sys, time
+import SimpleITK
+def spent(): return time.monotonic(), time.process_time()
+began = spent()
+SimpleITK.ReadImage(SimpleITK.ImageSeriesReader.GetGDCMSeriesFileNames(sys.argv[1]))
+print(*(after - before for before, after in zip(began, spent())))
+"""
 
 
 def run(command):
@@ -55,8 +66,18 @@ def make_series(slices, count, target):
 
 def code_series(raw, coding, target):
     target.mkdir(parents=True)
+    if coding == "jpeg-2000":
+        return code_jpeg_2000(raw, target)
     for file in sorted(raw.iterdir()):
         subprocess.run([*CODERS[coding], file, target / file.name], check=True)
+
+
+def code_jpeg_2000(raw, target):
+    import pydicom
+    for file in sorted(raw.iterdir()):
+        data = pydicom.dcmread(file)
+        data.compress(pydicom.uid.JPEG2000Lossless, generate_instance_uid=False)
+        data.save_as(target / file.name)
 
 
 def ours(options, folder):
@@ -77,19 +98,27 @@ def theirs(folder, work):
     return run(["dcm2niix", "-z", "n", "-b", "n", "-o", written, folder])[1:]
 
 
+def simple_itk(folder):
+    """Wall and processor seconds of SimpleITK; none where it is not installed."""
+    read = subprocess.run([sys.executable, "-c", SIMPLE_ITK, folder], capture_output=True, text=True)
+    return [float(number) for number in read.stdout.split()] or [float("nan")] * 2
+
+
 def row(options, name, folder, work):
-    rounds = [(ours(options, folder), theirs(folder, work)) for _ in range(options.rounds + 1)][1:]
+    rounds = [(ours(options, folder), theirs(folder, work), simple_itk(folder)) for _ in range(options.rounds + 1)][1:]
     middle = lambda values: statistics.median(values)
     our_wall, our_work = (middle(one[0][i] for one in rounds) for i in (0, 1))
     their_wall, their_work = (middle(one[1][i] for one in rounds) for i in (0, 1))
+    itk_wall, itk_work = (middle(one[2][i] for one in rounds) for i in (0, 1))
     peak, voxels = max(one[0][2] for one in rounds), rounds[0][0][3]
-    print(f"{name:20} {our_wall:8.3f} {their_wall:8.3f} {our_wall / their_wall:6.2f} {our_work:8.3f} {their_work:8.3f} "
-          f"{our_work / their_work:6.2f} {peak:7.0f} {voxels:7.0f}", flush=True)
+    print(f"{name:20} {our_wall:8.3f} {their_wall:8.3f} {itk_wall:9.3f} {our_wall / their_wall:6.2f} {our_work:8.3f} "
+          f"{their_work:8.3f} {itk_work:9.3f} {our_work / their_work:6.2f} {peak:7.0f} {voxels:7.0f}", flush=True)
 
 
 def measure(options, work):
-    print(f"{'':20} {'wall [s]':>24} {'processor [s]':>24} {'memory [MB]':>15}")
-    print(f"{'':20} " + f"{'ours':>8} {'dcm2niix':>8} {'ratio':>6} " * 2 + f"{'peak':>7} {'voxels':>7}")
+    print(f"{'':20} {'wall [s]':>34} {'processor [s]':>34} {'memory [MB]':>15}")
+    print(f"{'':20} " + f"{'ours':>8} {'dcm2niix':>8} {'SimpleITK':>9} {'ratio':>6} " * 2 +
+          f"{'peak':>7} {'voxels':>7}")
     slices = sorted(file for file in options.folder.iterdir() if file.is_file())
     for count in options.slices:
         for coding in options.codings:
@@ -107,7 +136,8 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build/release"))
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--slices", type=int, nargs="+", default=[100, 600])
-    parser.add_argument("--codings", nargs="+", default=["raw", "jpeg-lossless"], choices=["raw", *CODERS])
+    parser.add_argument("--codings", nargs="+", default=["raw", "jpeg-lossless", "jpeg-2000"],
+                        choices=["raw", "jpeg-2000", *CODERS])
     parser.add_argument("--work", type=pathlib.Path)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as temporary:
