@@ -54,8 +54,8 @@ Cells foreignIn(const Cells& body, const std::vector<float>& squaredDepths, cons
 }
 
 /// Returns the outline widened by a cell, without other solids.
-Cells shownOf(const Cells& outline, const Cells& solid, const CellGrid& grid) {
-    Cells shown = grown(outline, grid);
+Cells shownOf(const Cells& outline, const Cells& solid, const CellGrid& grid, const Checkpoint& checkpoint) {
+    Cells shown = grown(outline, grid, checkpoint);
     for (std::size_t i = 0; i < shown.size(); ++i)
         shown[i] = shown[i] && (outline[i] || !solid[i]);
     return shown;
@@ -73,7 +73,8 @@ Result<BodyMask> findBody(const Volume& volume, const Progress& progress) {
     const Checkpoint atDepths = checkpointOf(progress, 0.3, kStep);
     const std::vector<float> squaredDepths = squaredDistances(solid, 0, grid, kBallMm, atDepths);
     atDepths();
-    ThickPieces bodies = thickPieces(solid, squaredDepths, grid, kBallMm);
+    ThickPieces bodies = thickPieces(solid, squaredDepths, grid, kBallMm, atDepths);
+    atDepths();
     if (bodies.count == 0)
         return undecided(phrase("nothing is as thick as 20 mm"));
     if (double(countOf(bodies.cells)) < kLeastBody * double(countOf(solid)))
@@ -86,10 +87,11 @@ Result<BodyMask> findBody(const Volume& volume, const Progress& progress) {
         body[i] = body[i] && !mask.cut[i];
     atOutline();
     // Fill the outline, and show it with a cell around
-    mask.body = withHolesFilled(body, grid);
+    mask.body = withHolesFilled(body, grid, atOutline);
     const Cells& outline = mask.body;
     atOutline();
-    mask.shown = shownOf(outline, solid, grid);
+    mask.shown = shownOf(outline, solid, grid, atOutline);
+    atOutline();
     mask.box = boxOf(outline, grid);
     mask.rowEnds = rowEnds(outline, grid);
     mask.parts = bodies.count;

@@ -37,18 +37,21 @@ std::vector<Extent> extentsOf(const Pieces& pieces, const CellGrid& grid) {
 }
 
 /// Returns the body's core: an erosion by 3 mm, without pieces that do not hold the ball.
-Cells eroded(const Cells& body, const std::vector<float>& squaredDepths, const CellGrid& grid) {
+Cells eroded(const Cells& body, const std::vector<float>& squaredDepths, const CellGrid& grid,
+             const Checkpoint& checkpoint) {
     Cells cells(body.size());
     for (std::size_t i = 0; i < body.size(); ++i)
         cells[i] = body[i] && atLeast(squaredDepths[i], kOpeningMm);
-    return thickPieces(cells, squaredDepths, grid, kBallMm).cells;
+    return thickPieces(cells, squaredDepths, grid, kBallMm, checkpoint).cells;
 }
 
 /// Returns the residue of the opening: what lies farther from the core than the erosion took.
 Cells residueOf(const Cells& body, const std::vector<float>& squaredDepths, const CellGrid& grid,
                 const Checkpoint& checkpoint) {
     const double reach = kOpeningMm + 1.01 * grid.longestMm();
-    const std::vector<float> fromCore = squaredDistances(eroded(body, squaredDepths, grid), 1, grid, reach, checkpoint);
+    const std::vector<float> fromCore =
+        squaredDistances(eroded(body, squaredDepths, grid, checkpoint), 1, grid, reach, checkpoint);
+    checkpoint();
     Cells residue(body.size());
     for (std::size_t i = 0; i < body.size(); ++i)
         residue[i] = body[i] && !atMost(fromCore[i], reach);
@@ -72,8 +75,9 @@ Cells without(const Cells& body, const Cells& taken) {
 
 /// Removes enclosed pieces from `foreign`: vessels are long and thin too, but lie inside.
 void keepEnclosed(Cells& foreign, const Pieces& pieces, const std::vector<Extent>& extents, const Cells& body,
-                  const CellGrid& grid) {
-    const Cells outline = withHolesFilled(without(body, cellsOf(pieces, foreign)), grid);
+                  const CellGrid& grid, const Checkpoint& checkpoint) {
+    const Cells outline = withHolesFilled(without(body, cellsOf(pieces, foreign)), grid, checkpoint);
+    checkpoint();
     std::vector<std::size_t> inside(extents.size());
     for (std::size_t i = 0; i < outline.size(); ++i)
         inside[std::size_t(pieces.of[i])] += outline[i];
@@ -94,14 +98,15 @@ Cells touching(const Cells& body, const std::vector<float>& squaredDepths, const
 
     checkpoint();
     // Keep its long pieces that lie outside the rest
-    const Pieces pieces = piecesOf(residue, grid);
+    const Pieces pieces = piecesOf(residue, grid, checkpoint);
     checkpoint();
     const std::vector<Extent> extents = extentsOf(pieces, grid);
+    checkpoint();
     Cells foreign(extents.size());
     for (std::size_t piece = 1; piece < extents.size(); ++piece)
         foreign[piece] = double(extents[piece].cells) * grid.cellMl() >= kResidueMl &&
                          extents[piece].lengthMm(grid.spacingMm) >= kResidueMm;
-    keepEnclosed(foreign, pieces, extents, body, grid);
+    keepEnclosed(foreign, pieces, extents, body, grid, checkpoint);
     return cellsOf(pieces, foreign);
 }
 

@@ -59,7 +59,7 @@ FoundTable tableIn(const Volume& volume, BodyMask mask, const Checkpoint& checkp
     HiddenTable table;
     Outside outside = outsideOf(mask, volume, checkpoint);
     if (outside.highest > kMetalHu) {
-        table.metalMl = showMetal(volume, mask);
+        table.metalMl = showMetal(volume, mask, checkpoint);
         outside = outsideOf(mask, volume, checkpoint);
     }
     table.bodyBox = boxIn(volume, mask);

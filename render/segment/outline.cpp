@@ -1,9 +1,9 @@
 #include "render/segment/outline.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <iterator>
+
+#include "render/segment/for_each_slice.h"
 
 namespace pdr::segment {
 namespace {
@@ -59,19 +59,19 @@ void join(std::uint8_t* to, const std::uint8_t* from, int count) {
 
 }  // namespace
 
-Cells withHolesFilled(const Cells& mask, const CellGrid& grid) {
+Cells withHolesFilled(const Cells& mask, const CellGrid& grid, const Checkpoint& checkpoint) {
     Cells filled(mask.size());
-    tbb::parallel_for(0, grid.size.z, [&](int z) {
+    forEachSlice(grid.size.z, checkpoint, [&](int z) {
         const std::size_t first = grid.index(0, 0, z);
         Flood(&mask[first], ivec2(grid.size), &filled[first]).run();
     });
     return filled;
 }
 
-Cells grown(const Cells& mask, const CellGrid& grid) {
+Cells grown(const Cells& mask, const CellGrid& grid, const Checkpoint& checkpoint) {
     Cells inRows = mask, result(mask.size());
     const ivec3 size = grid.size;
-    tbb::parallel_for(0, size.z, [&](int z) {
+    forEachSlice(size.z, checkpoint, [&](int z) {
         for (int y = 0; y < size.y; ++y) {
             const std::uint8_t* from = &mask[grid.index(0, y, z)];
             std::uint8_t* to = &inRows[grid.index(0, y, z)];
@@ -79,7 +79,7 @@ Cells grown(const Cells& mask, const CellGrid& grid) {
             join(to, from + 1, size.x - 1);
         }
     });
-    tbb::parallel_for(0, size.z, [&](int z) {
+    forEachSlice(size.z, checkpoint, [&](int z) {
         for (int y = 0; y < size.y; ++y)
             for (int k = std::max(0, z - 1); k <= std::min(size.z - 1, z + 1); ++k)
                 for (int j = std::max(0, y - 1); j <= std::min(size.y - 1, y + 1); ++j)

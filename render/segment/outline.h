@@ -2,15 +2,16 @@
 /// Outlines of masks of cells.
 
 #include "render/segment/cell_grid.h"
+#include "render/segment/checkpoint.h"
 
 namespace pdr::segment {
 
 /// Returns `mask` with what it encloses in a slice (constant k), such as lungs: all cells from which no path through
 /// cells that share an edge leads to the border of the slice.
-Cells withHolesFilled(const Cells& mask, const CellGrid& grid);
+Cells withHolesFilled(const Cells& mask, const CellGrid& grid, const Checkpoint& checkpoint = goOn);
 
 /// Returns `mask` with all cells that touch it, also at a corner.
-Cells grown(const Cells& mask, const CellGrid& grid);
+Cells grown(const Cells& mask, const CellGrid& grid, const Checkpoint& checkpoint = goOn);
 
 /// The part of the grid in which the cells of a mask lie: [first, end) along each axis; empty where first is not below
 /// end.

@@ -3,6 +3,7 @@
 /// here, so the metal stays, and with it all that it touches.
 
 #include "render/segment/body_mask.h"
+#include "render/segment/checkpoint.h"
 
 namespace pdr::segment {
 
@@ -10,6 +11,6 @@ namespace pdr::segment {
 /// connected with those or no more than a cell away. The box and the rows' ends of `mask` then include them, and
 /// what of them touched the body no longer counts as cut; the body stays as it is. Never hides anything. Returns the
 /// volume that it shows [ml].
-double showMetal(const Volume& volume, BodyMask& mask);
+double showMetal(const Volume& volume, BodyMask& mask, const Checkpoint& checkpoint);
 
 }  // namespace pdr::segment

@@ -44,13 +44,14 @@ class SameNumbers {
 
 }  // namespace
 
-Pieces piecesOf(const Cells& mask, const CellGrid& grid) {
+Pieces piecesOf(const Cells& mask, const CellGrid& grid, const Checkpoint& checkpoint) {
     Pieces pieces{std::vector<std::int32_t>(grid.count()), 0};
     std::int32_t* of = pieces.of.data();
     const std::size_t row = std::size_t(grid.size.x), slice = grid.sliceCount();
     SameNumbers same;
     std::size_t i = 0;
-    for (int z = 0; z < grid.size.z; ++z)
+    for (int z = 0; z < grid.size.z; ++z) {
+        checkpoint();
         for (int y = 0; y < grid.size.y; ++y)
             for (int x = 0; x < grid.size.x; ++x, ++i) {
                 if (!mask[i])
@@ -62,15 +63,19 @@ Pieces piecesOf(const Cells& mask, const CellGrid& grid) {
                 if (of[i] == 0)
                     of[i] = same.add();
             }
+    }
     const std::vector<std::int32_t> numbers = same.numbered();
+    checkpoint();
     for (std::int32_t& number : pieces.of)
         number = numbers[std::size_t(number)];
     pieces.count = *std::max_element(numbers.begin(), numbers.end());
     return pieces;
 }
 
-Cells piecesWith(const Cells& seeds, double least, const Cells& mask, const CellGrid& grid) {
-    const Pieces pieces = piecesOf(mask, grid);
+Cells piecesWith(const Cells& seeds, double least, const Cells& mask, const CellGrid& grid,
+                 const Checkpoint& checkpoint) {
+    const Pieces pieces = piecesOf(mask, grid, checkpoint);
+    checkpoint();
     std::vector<std::size_t> held(std::size_t(pieces.count) + 1);
     for (std::size_t i = 0; i < mask.size(); ++i)
         held[std::size_t(pieces.of[i])] += seeds[i];
@@ -81,12 +86,14 @@ Cells piecesWith(const Cells& seeds, double least, const Cells& mask, const Cell
 }
 
 ThickPieces thickPieces(const Cells& mask, const std::vector<float>& squaredDepths, const CellGrid& grid,
-                        double radiusMm) {
-    const Pieces pieces = piecesOf(mask, grid);
+                        double radiusMm, const Checkpoint& checkpoint) {
+    const Pieces pieces = piecesOf(mask, grid, checkpoint);
+    checkpoint();
     Cells isThick(std::size_t(pieces.count) + 1);
     for (std::size_t i = 0; i < mask.size(); ++i)
         if (mask[i] && atLeast(squaredDepths[i], radiusMm))
             isThick[std::size_t(pieces.of[i])] = 1;
+    checkpoint();
     ThickPieces thick{Cells(mask.size()), int(std::count(isThick.begin(), isThick.end(), 1))};
     for (std::size_t i = 0; i < mask.size(); ++i)
         thick.cells[i] = isThick[std::size_t(pieces.of[i])];

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/segment/cell_grid.h"
+#include "render/segment/checkpoint.h"
 
 namespace pdr::segment {
 
@@ -12,10 +13,11 @@ struct Pieces {
     int count = 0;                 ///< number of pieces; they are numbered 1 to count, by their first cells
 };
 
-Pieces piecesOf(const Cells& mask, const CellGrid& grid);
+Pieces piecesOf(const Cells& mask, const CellGrid& grid, const Checkpoint& checkpoint = goOn);
 
 /// Returns the pieces of `mask` that hold at least `least` > 0 of the cells of `seeds`.
-Cells piecesWith(const Cells& seeds, double least, const Cells& mask, const CellGrid& grid);
+Cells piecesWith(const Cells& seeds, double least, const Cells& mask, const CellGrid& grid,
+                 const Checkpoint& checkpoint = goOn);
 
 /// The pieces of a mask that hold a ball of some radius, by the squared depths of the mask's cells [mm^2].
 struct ThickPieces {
@@ -23,6 +25,6 @@ struct ThickPieces {
     int count = 0;
 };
 ThickPieces thickPieces(const Cells& mask, const std::vector<float>& squaredDepths, const CellGrid& grid,
-                        double radiusMm);
+                        double radiusMm, const Checkpoint& checkpoint = goOn);
 
 }  // namespace pdr::segment
