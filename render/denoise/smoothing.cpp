@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/denoise/nl_means.h"
 #include "render/denoise/regained.h"
 
 namespace pdr::denoise {
@@ -47,10 +48,13 @@ Plane realVariance(const Plane& variance, const Plane& ratio) {
     return combined([](float presumed, float r) { return presumed * r; }, boxed(variance, kVarianceRadius), ratio);
 }
 
-Colours denoised(const Colours& mean, const Plane& variance, const Plane& ratio, const std::stop_token& stop) {
+Colours denoised(const Colours& mean, const Plane& variance, const Plane& ratio, const std::stop_token& stop,
+                 const Features* features) {
     const Plane noise = realVariance(variance, ratio);
     const Plane counted = combined([](float real) { return real + kLeastVariance; }, noise);
-    Colours out = onScales({mean, luminance(mean), counted}, kScales, stop);
+    const Plane light = luminance(mean);
+    const NoisyImage image{mean, light, counted};
+    Colours out = features != nullptr ? regressed(image, *features, stop) : onScales(image, kScales, stop);
     if (stop.stop_requested())
         return out;
     regain(mean, noise, out, stop);

@@ -1,10 +1,11 @@
 #pragma once
-/// The denoiser: non-local means on four scales, steered by luminance alone. It removes noise and with it
-/// detail that the noise hides, so a denoised image is never measured, and is always shown with its error.
+/// The denoiser: non-local means on four scales, steered by luminance alone, or, where features of the image are known,
+/// regression on them. It removes noise and with it detail that the noise hides, so a denoised image is never measured,
+/// and is always shown with its error.
 ///   noise ratio   real variance over that of independent samples, estimated around each pixel from the two
 ///                 halves of the samples. Without it images of stratified samples are blurred
 
-#include "render/denoise/nl_means.h"
+#include "render/denoise/regression.h"
 
 namespace pdr::denoise {
 
@@ -21,7 +22,8 @@ Plane realVariance(const Plane& variance, const Plane& ratio);
 
 /// Returns `mean` denoised, never below 0. `variance`: presumed for its luminance; where the real one is 0 the image
 /// stays as it is. Radiances should be about 1: less than 0.1 % of that counts as noise. Worthless after a stop
-/// request.
-Colours denoised(const Colours& mean, const Plane& variance, const Plane& ratio, const std::stop_token& stop = {});
+/// request. `features`: of the same image; null: none are known.
+Colours denoised(const Colours& mean, const Plane& variance, const Plane& ratio, const std::stop_token& stop = {},
+                 const Features* features = nullptr);
 
 }  // namespace pdr::denoise

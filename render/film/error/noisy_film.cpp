@@ -118,9 +118,11 @@ NoisyFilm noisyFilm(const Film& film, const std::stop_token& stop) {
     return noisy;
 }
 
-denoise::Colours smoothRadiance(const NoisyFilm& noisy, const std::stop_token& stop) {
+denoise::Colours smoothRadiance(const NoisyFilm& noisy, const std::stop_token& stop,
+                                const denoise::Features* features) {
     const auto tolerated = [](float variance) { return kTolerance * variance; };
-    return denoise::denoised(noisy.all.mean, denoise::combined(tolerated, noisy.all.variance), noisy.ratio, stop);
+    return denoise::denoised(noisy.all.mean, denoise::combined(tolerated, noisy.all.variance), noisy.ratio, stop,
+                             features);
 }
 
 }  // namespace pdr

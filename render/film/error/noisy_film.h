@@ -26,7 +26,8 @@ struct NoisyFilm {
 NoisyFilm noisyFilm(const Film& film, const std::stop_token& stop = {});
 
 /// Returns the denoised radiance of all samples, in units of `noisy.unit`; the denoised view shows it. Worthless after
-/// a stop request.
-denoise::Colours smoothRadiance(const NoisyFilm& noisy, const std::stop_token& stop = {});
+/// a stop request. `features`: see denoise::denoised().
+denoise::Colours smoothRadiance(const NoisyFilm& noisy, const std::stop_token& stop = {},
+                                const denoise::Features* features = nullptr);
 
 }  // namespace pdr

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/base/significance.h"
 #include "render/film/error/judged_levels.h"
@@ -80,6 +81,13 @@ Tile intersection(const Tile& a, const Tile& b) {
     return {x, y, std::max(right - x, 0), std::max(below - y, 0)};
 }
 
+SmoothHalves halvesOn(const denoise::Features* features, const NoisyFilm& noisy, const std::stop_token& stop) {
+    const auto denoised = [&](const NoisyFilm::Part& half) {
+        return denoise::denoised(half.mean, half.variance, noisy.ratio, stop, features);
+    };
+    return {denoised(noisy.even), denoised(noisy.odd)};
+}
+
 /// Returns the sum of what addTile(sums, tile) adds for each tile of kTile x kTile pixels of a region, in an order that
 /// does not depend on the number of threads. `none`: a sum of nothing.
 template <class Sums, class AddTile>
@@ -136,8 +144,13 @@ struct SmoothingJudgement::Sums {
 };
 
 SmoothHalves denoisedHalves(const NoisyFilm& noisy, const std::stop_token& stop) {
-    return {denoise::denoised(noisy.even.mean, noisy.even.variance, noisy.ratio, stop),
-            denoise::denoised(noisy.odd.mean, noisy.odd.variance, noisy.ratio, stop)};
+    return halvesOn(nullptr, noisy, stop);
+}
+
+HalfSmoother smootherOn(std::shared_ptr<const denoise::Features> features) {
+    return [features = std::move(features)](const NoisyFilm& noisy, const std::stop_token& stop) {
+        return halvesOn(features.get(), noisy, stop);
+    };
 }
 
 std::optional<SmoothingJudgement> SmoothingJudgement::of(const Film& film, const HalfSmoother& smoother,

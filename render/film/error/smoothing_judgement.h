@@ -5,6 +5,7 @@
 /// denoised at once, which is what is shown (smoothRadiance), are as good or a little better.
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "render/denoise/lost_lines.h"
@@ -37,6 +38,8 @@ struct SmoothHalves {
 using HalfSmoother = std::function<SmoothHalves(const NoisyFilm&, const std::stop_token&)>;
 /// Returns the halves of `noisy`, each denoised alone.
 SmoothHalves denoisedHalves(const NoisyFilm& noisy, const std::stop_token& stop);
+/// Returns what denoises each half alone, on features that know neither.
+HalfSmoother smootherOn(std::shared_ptr<const denoise::Features> features);
 
 class SmoothingJudgement {
   public:
