@@ -90,9 +90,9 @@ void EditedView::keepFirst(FilmOnDevice& place, const SampleCounts& samples) {
         (void)place.film()->look([&](const Film& film) { first_.keep(film); });  // a lost device fails at its next call
 }
 
-HalfSmoother EditedView::smoother(std::uint64_t samples) {
-    return [this, samples](const NoisyFilm& noisy, const std::stop_token& stop) {
-        SmoothHalves denoised = denoisedHalves(noisy, stop);
+HalfSmoother EditedView::smoother(std::uint64_t samples, HalfSmoother alone) {
+    return [this, samples, alone = std::move(alone)](const NoisyFilm& noisy, const std::stop_token& stop) {
+        SmoothHalves denoised = helps(samples) ? denoisedHalves(noisy, stop) : alone(noisy, stop);
         if (stop.stop_requested())
             return denoised;
         newest_ = keptImage(noisy, denoised, samples, first_);

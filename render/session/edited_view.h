@@ -63,9 +63,9 @@ class EditedView {
 
     /// Keeps the image after the current film's first samples, if it has as many as a mark says.
     void keepFirst(FilmOnDevice& place, const SampleCounts& samples);
-    /// Returns what makes the smooth halves of the current film for its judgement. It keeps the image for the next
-    /// edit.
-    HalfSmoother smoother(std::uint64_t samples);
+    /// Returns what makes the smooth halves of the current film for its judgement, where the old image does not help
+    /// as `alone` does. It keeps the image for the next edit.
+    HalfSmoother smoother(std::uint64_t samples, HalfSmoother alone = denoisedHalves);
     /// Returns the current film's image, made with the old one. `adds`: the film has samples that the last image did
     /// not show. Errors: the device's. Worthless after a stop request.
     Result<DisplayedImage> image(FilmOnDevice& place, const Display& display, bool adds, const std::stop_token& stop);

@@ -202,6 +202,7 @@ void Session::Loop::goOnFrom(std::shared_ptr<const Film> film) {
                      : place_.hasScene() ? TileProgress(wholeImage(place_.size()))
                                          : TileProgress());
     display_.reset(!hasSamples());
+    features_.startOver();
     if (!film)
         edits_.startOver();
     quality_.clear();

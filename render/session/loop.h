@@ -9,6 +9,7 @@
 #include "render/session/checkpoint.h"
 #include "render/session/display_pipeline.h"
 #include "render/session/edited_view.h"
+#include "render/session/featured_view.h"
 #include "render/session/film_on_device.h"
 #include "render/session/frame_scheduler.h"
 #include "render/session/kept_films.h"
@@ -44,7 +45,8 @@ class Session::Loop {
     Result<void> accumulate(const FrameBudget& pace, const std::stop_token& stop);
     Result<void> show(const RenderCommands::Iteration& step, bool adds);
     Result<void> renderBefore();
-    Result<DisplayPipeline::Images> makeEdited(const Display& asked, const Display& display, bool adds,
+    bool findFeatures(const Display& display, const std::stop_token& stop);
+    Result<DisplayPipeline::Images> makeHelped(const Display& asked, const Display& display, bool adds,
                                                const std::stop_token& stop);
     Result<void> showCoarser(const RenderCommands::Iteration& step);
     Result<void> timeDisplay(const Display& display, std::uint32_t n, double frameSeconds);
@@ -98,10 +100,17 @@ class Session::Loop {
         return display.denoised && (scheduler_.isCoarseEdit() ? edits_.helpsCoarse(place_.size(), samples)
                                                               : !coarse() && edits_.helps(samples));
     }
+    /// Returns whether a denoised image of the film, without one before an edit, is made on features where there are
+    /// any.
+    bool seeksFeatures() const {
+        return !coarse() && EditedView::canKeep(scene_) && !edits_.helps(scheduler_.samples().least);
+    }
     /// Returns whether there is a denoised image whose error can be judged.
     bool canJudge() { return !coarse() && !moving_ && smooths(commands.display()); }
     /// Returns whether that image is the film denoised, nothing else.
-    bool judgesFilm() { return canJudge() && !showsEdit(commands.display()); }
+    bool judgesFilm() {
+        return canJudge() && !showsEdit(commands.display()) && !features_.helps(scheduler_.samples().least);
+    }
     /// Returns whether the film is worth keeping for when its scene comes back.
     bool isWorthKeeping() const {
         return place_.film() != nullptr && !coarse() && !display_.awaitsFirst() && hasSamples() &&
@@ -127,6 +136,7 @@ class Session::Loop {
     FrameScheduler scheduler_{clock_};
     DisplayPipeline display_;
     EditedView edits_;
+    FeaturedView features_;
     QualityTracker quality_{clock_};
     BiasTracker bias_{clock_};
     Checkpoint checkpoint_{clock_};

@@ -1,4 +1,4 @@
-/// How images after an edit are made with the one before.
+/// How images are made with more than their film: the image before an edit, or features of the scene.
 
 #include "render/session/loop.h"
 
@@ -26,8 +26,8 @@ Result<void> Session::Loop::renderBefore() {
     return {};
 }
 
-/// Returns the images in flight, and that of the edited scene.
-Result<DisplayPipeline::Images> Session::Loop::makeEdited(const Display& asked, const Display& display, bool adds,
+/// Returns the images in flight, and the image made with the one before the edit or on features.
+Result<DisplayPipeline::Images> Session::Loop::makeHelped(const Display& asked, const Display& display, bool adds,
                                                           const std::stop_token& stop) {
     if (scheduler_.isCoarseEdit())
         return display_.makeLarger(place_, asked, adds,
@@ -35,7 +35,8 @@ Result<DisplayPipeline::Images> Session::Loop::makeEdited(const Display& asked, 
     Result<DisplayPipeline::Images> images = display_.takeAllBut(place_, 0);
     if (!images)
         return images;
-    Result<DisplayedImage> made = edits_.image(place_, display, adds, stop);
+    Result<DisplayedImage> made =
+        showsEdit(display) ? edits_.image(place_, display, adds, stop) : features_.image(place_, display, adds, stop);
     if (!made)
         return made.error();
     made->display = asked;

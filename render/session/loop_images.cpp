@@ -18,14 +18,14 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
     // Make the image
     const bool within = step.render && !adds;  // the current frame continues
     const bool atOnce = display_.isFresh() || coarse() || scheduler_.isTimed() || !adds;
-    const double start = clock_();
     const std::stop_token& stop = step.redisplay || !givesWay() ? step.stop : step.detour;
-    const bool edited = showsEdit(display);
+    const bool edited = showsEdit(display), featured = findFeatures(display, stop);
+    const double start = clock_();
     const bool guided = display.denoised && !edited &&
                         display_.findGuide(place_, ResolutionLadder::finer(scheduler_.divider()), step.stop);
-    Result<DisplayPipeline::Images> images = edited   ? makeEdited(asked, display, adds, stop)
-                                             : guided ? display_.makeOnGuide(place_, asked, adds)
-                                                      : display_.make(place_, asked, display, atOnce, stop);
+    Result<DisplayPipeline::Images> images = edited || featured ? makeHelped(asked, display, adds, stop)
+                                             : guided           ? display_.makeOnGuide(place_, asked, adds)
+                                                                : display_.make(place_, asked, display, atOnce, stop);
     if (!images)
         return images.error();
     if (display.denoised && step.stop.stop_requested())
@@ -52,6 +52,17 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
                                         : Result<void>();
 }
 
+/// Seeks features of the full film where they would help; returns whether its image is made on them. Their time is no
+/// image's, since they are made once.
+bool Session::Loop::findFeatures(const Display& display, const std::stop_token& stop) {
+    if (!display.denoised || !seeksFeatures())
+        return false;
+    const double start = clock_();
+    features_.find(place_, scheduler_.samples().least, stop);
+    quality_.addSeconds(clock_() - start);
+    return features_.helps(scheduler_.samples().least);
+}
+
 /// Judges the error of the denoised image, if one is shown at rest and this is due. A change of brightness interrupts
 /// it.
 Result<void> Session::Loop::judge(const RenderCommands::Iteration& step) {
@@ -59,7 +70,10 @@ Result<void> Session::Loop::judge(const RenderCommands::Iteration& step) {
         quality_.denoised().clear();  // it was the image made with the old one
     if (!canJudge() || !quality_.isJudgementDue(partSamples(), step.render) || step.detour.stop_requested())
         return {};
-    return quality_.judge(*place_.film(), partSamples(), step.detour, edits_.smoother(partSamples()));
+    if (seeksFeatures())
+        features_.find(place_, scheduler_.samples().least, step.detour);
+    return quality_.judge(*place_.film(), partSamples(), step.detour,
+                          edits_.smoother(partSamples(), features_.smoother(scheduler_.samples().least)));
 }
 
 /// Updates the error map, if one is requested, and the status of the region.

@@ -4,10 +4,12 @@
 #include <atomic>
 #include <future>
 
+#include "render/session/featured_view.h"
 #include "render/session/resolution_ladder.h"
 #include "tests/support/devices/failing_device.h"
 #include "tests/support/devices/reel.h"
 #include "tests/support/patience.h"
+#include "tests/support/scenes/featured_images.h"
 #include "tests/support/scenes/images.h"
 #include "tests/support/scenes/tissue_scene.h"
 
@@ -179,7 +181,7 @@ class EditedViewTest : public QObject {
     void inTheEndNothingIsLeftOfTheOldImage() {
         Edited edited;
         edited.session.submit(sceneOf(2), false);
-        edited.waitFor(2, 50);
+        edited.waitFor(2, FeaturedView::kEnoughAlone);
         edited.session.setPaused(true);
         const Result<Film> film = filmOf(edited.session, 2);
         QVERIFY(film);
@@ -198,7 +200,8 @@ class EditedViewTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(edited.reel.full(2), test::kPatience);
         const auto first = edited.reel.of(2).front();
         const Film film = test::render(turned, first->status.samplesPerPixel);
-        QVERIFY(first->rgba == imageOf(film, {kDisplay.exposure, first->denoised}).rgba);
+        QVERIFY(first->denoised);
+        QVERIFY(first->rgba == test::featuredImageOf(film, turned, kDisplay).rgba);
     }
 };
 
