@@ -51,7 +51,7 @@ std::size_t KeptFilm::bytes() const {
     const ivec2 size = film.film->size();
     const std::size_t film = std::size_t(size.x) * std::size_t(size.y) * (sizeof(Moments) + sizeof(PixelSums));
     const std::size_t image = frame ? frame->rgba.size() + (frame->errorMap ? frame->errorMap->bins.size() : 0) : 0;
-    return film + image + quality.bytes();
+    return film + image + quality.bytes() + edits.bytes();
 }
 
 void KeptFilms::keep(std::shared_ptr<const KeptFilm> film) {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "render/scene/scene.h"
+#include "render/session/edited_view.h"
 #include "render/session/film_on_device.h"
 #include "render/session/quality_tracker.h"
 #include "render/session/session.h"
@@ -40,6 +41,7 @@ struct KeptFilm {
     AttestedFilm film;
     std::shared_ptr<const Frame> frame;  ///< last image that was shown of it; null: none
     QualityTracker quality;
+    EditedView::ForNext edits;
 
     /// Returns the memory that it takes.
     std::size_t bytes() const;

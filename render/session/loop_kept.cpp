@@ -17,8 +17,8 @@ void Session::Loop::keepFilm() {
     if (!isWorthKeeping())
         return;
     if (Result<AttestedFilm> film = place_.putAway())
-        kept_.keep(std::make_shared<const KeptFilm>(
-            KeptFilm{keptScene(), *std::move(film), shown_, std::exchange(quality_, QualityTracker(clock_))}));
+        kept_.keep(std::make_shared<const KeptFilm>(KeptFilm{
+            keptScene(), *std::move(film), shown_, std::exchange(quality_, QualityTracker(clock_)), edits_.putAway()}));
     quality_.chooseRegion(commands.region());
 }
 
@@ -36,7 +36,10 @@ bool Session::Loop::comeBack(const std::stop_token& stop) {
     }
     scheduler_.chooseFull();
     goOnFrom(kept->film.film);
+    edits_.comeBack(kept->edits);
     quality_ = kept->quality;
+    if (kept->edits.helped)
+        quality_.denoised().clear();  // it was the image made with an old one
     quality_.chooseRegion(commands.region());
     returning_ = kept->frame;
     display_.markReturned();

@@ -1,7 +1,7 @@
 /// Measures how good the image is soon after an edit, in the real window: the image after 0.1, 1 and 10 seconds,
 /// denoised and raw, against an image of many samples of another seed.
 ///   first_images FOLDER [-o SHEET.jpg] [--reference N] [--threads N] [--look NAME]
-///                [--edit KIND:AMOUNT [--film N] [--json FILE]]
+///                [--edit KIND:AMOUNT [--film N] [--json FILE]] [--window W,H]
 /// FOLDER holds a CT. The edit is a view from the front. Prints a line for each image: its samples and pixels, the
 /// levels of 255 within which 95 % of the tissue are once the image is stretched to the view as the window does,
 /// and the error that the window states. With -o the images are drawn on one sheet: raw above, denoised below, the
@@ -38,6 +38,7 @@ struct Plan {
     int reference, threads;
     QString edit, json;  ///< edit: empty: another view
     int film;
+    QSize window;  ///< empty: the usual size
 };
 
 using Shown = std::shared_ptr<const Frame>;
@@ -204,6 +205,8 @@ int run(const Plan& plan) {
     QTemporaryDir settings;
     Desktop desktop(*bundledLooks(), makeCpuDevice(plan.threads), settings.filePath("settings.ini"), plan.threads);
     desktop.window().show();
+    if (!plan.window.isEmpty())
+        desktop.window().resize(plan.window);
     desktop.open(plan.folder);
     if (!QTest::qWaitFor([&] { return desktop.bridge().lastFrame() && !desktop.bridge().lastFrame()->coarse; },
                          600'000)) {
@@ -257,12 +260,14 @@ int main(int argc, char** argv) {
     parser.addOption({"threads", "0: one per core", "N", "0"});
     parser.addOption({"edit", "edit the look: node:30, curve:20, opacity:0.9, albedo:0.9, lights:3 or cut:10", "EDIT"});
     parser.addOption({"film", "samples of the film before the edit", "N", "256"});
+    parser.addOption({"window", "size of the window", "W,H"});
     parser.addOption({"json", "write the figures of an edit", "FILE"});
     parser.addHelpOption();
     parser.process(application);
     if (parser.positionalArguments().size() != 1)
         parser.showHelp(2);
-    return pdr::app::run({parser.positionalArguments()[0], parser.value("o"), parser.value("look"),
-                          parser.value("reference").toInt(), parser.value("threads").toInt(), parser.value("edit"),
-                          parser.value("json"), parser.value("film").toInt()});
+    return pdr::app::run(
+        {parser.positionalArguments()[0], parser.value("o"), parser.value("look"), parser.value("reference").toInt(),
+         parser.value("threads").toInt(), parser.value("edit"), parser.value("json"), parser.value("film").toInt(),
+         QSize(parser.value("window").section(',', 0, 0).toInt(), parser.value("window").section(',', 1).toInt())});
 }

@@ -93,9 +93,13 @@ struct Edited {
         session.setIterationsPerFrame(40);
         session.submit(sceneOf(1), false);
         session.setStop({.levels = 1e-3});
-        waitFor(1, 40);
+        rest(1, 40);
+    }
+    /// Waits for that many samples, and for the judgement of their image.
+    void rest(std::uint64_t revision, std::uint64_t samples) {
+        waitFor(revision, samples);
         session.setPaused(true);
-        QVERIFY(filmOf(session, 1));  // a film at rest is looked at after its image was judged
+        QVERIFY(filmOf(session, revision));  // a film at rest is looked at after its image was judged
         session.setPaused(false);
     }
     void waitFor(std::uint64_t revision, std::uint64_t samples) {
@@ -189,6 +193,30 @@ class EditedViewTest : public QObject {
         const auto last = edited.reel.of(2).back();
         QCOMPARE(last->status.samplesPerPixel, film->samplesPerPixel());
         QVERIFY(last->rgba == imageOf(*film, {kDisplay.exposure, last->denoised}).rgba);
+    }
+
+    /// An image that undo brings back is the old image of the edit after it.
+    void anEditAfterUndoIsSharpToo() {
+        auto mishaps = std::make_shared<test::Mishaps>();
+        mishaps->clock = std::make_shared<test::FakeClock>();
+        mishaps->iterationSeconds = 0.02;
+        Edited edited(test::failing(mishaps), test::readingOf(mishaps->clock));
+        edited.session.submit(sceneOf(2), false);
+        edited.rest(2, 40);
+        Scene undone = sceneOf(1);
+        undone.revision = 3;
+        edited.session.submit(undone, false);
+        edited.rest(3, 40);
+        QVERIFY(edited.reel.of(3).front()->status.samplesPerPixel >= 40);  // it has come back
+        Scene next = darkened(3);
+        next.revision = 4;
+        edited.session.submit(next, false);
+        QTRY_VERIFY_WITH_TIMEOUT(edited.reel.full(4), test::kPatience);
+        const auto first = edited.reel.of(4).front();
+        QCOMPARE(first->status.samplesPerPixel, std::uint64_t(1));
+        const auto truth = imageOf(test::render(next, 256), kDisplay).rgba;
+        const double alone = apart(imageOf(test::render(next, 1), kDisplay).rgba, truth);
+        QVERIFY(apart(first->rgba, truth) < 0.5 * alone);
     }
 
     /// Another view begins as it always did: the old image is of other places.

@@ -203,6 +203,16 @@ class KeptFilmsTest : public QObject {
         const KeptFilm shown{bare->scene, bare->film, frame, bare->quality};
         QCOMPARE(shown.bytes(), kBytes + 500);
     }
+
+    /// What a film keeps for the next edit counts as its memory.
+    void theFirstSamplesTakeMemoryToo() {
+        KeptFilm film = *filmOf(fullScene(), kSize);
+        film.edits.first.keep(*film.film.film);
+        QCOMPARE(film.bytes(), kBytes + 100 * 2 * 3 * sizeof(float));
+        film.edits.image = keptImage(noisyFilm(*film.film.film), {denoise::coloursOf(kSize), denoise::coloursOf(kSize)},
+                                     1, film.edits.first);
+        QCOMPARE(film.bytes(), kBytes + 100 * 5 * 3 * sizeof(float));
+    }
 };
 
 QTEST_APPLESS_MAIN(KeptFilmsTest)
