@@ -68,7 +68,7 @@ Result<AccuracyImage> measured(const std::string& name, const std::vector<Accura
         return truth.error();
     AccuracyImage image{name, truth->film->samplesPerPixel()};
     if (const auto judgement = SmoothingJudgement::of(*truth->film))
-        image.referenceError = judgement->overAll(work.display.exposure);
+        image.referenceError = judgement->overAll(work.display);
     // Give each way the same time: a crossing of two curves shows only in the time that both cover.
     const double each = (1 - kReferenceShare) * seconds / double(ways.size());
     for (std::size_t i = 0; i < ways.size() && !work.stop.stop_requested(); ++i) {

@@ -28,11 +28,7 @@ ui::Annotate annotateOf(const RenderOptions& options) {
 }
 
 FinalOrder orderOf(const RenderOptions& options, const LoadedScene& work, std::optional<ui::Annotations> annotations) {
-    return {work.scene,
-            {work.display.exposure, options.denoised},
-            options.stops,
-            WhenStopped::keep,
-            options.outputs,
+    return {work.scene, work.display.withDenoised(options.denoised), options.stops, WhenStopped::keep, options.outputs,
             // Mark the image as a preview until it meets the requested error, or the one for planning.
             ui::imagePainter(std::move(annotations), options.stops.levels.value_or(kPlanningLevels))};
 }

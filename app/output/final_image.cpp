@@ -25,13 +25,12 @@ const char* denoisingNote(const FinalOrder& order, JudgedImage& image) {
 /// Measures the bias and writes the files. The device holds another scene afterwards.
 FinalImage finished(const FinalOrder& order, const Film& film, const BatchResult& result, Device& device,
                     const std::stop_token& stop) {
-    const double exposure = double(order.display.exposure);
-    const auto bias = measureBias(order.scene, exposure, device, kBiasTimeShare * result.seconds, stop);
-    const Rendered rendered{result.film, order.display.exposure, result.seconds, device.info().name,
+    const auto bias = measureBias(order.scene, order.display, device, kBiasTimeShare * result.seconds, stop);
+    const Rendered rendered{result.film, order.display, result.seconds, device.info().name,
                             bias ? *bias : MeasuredBiases()};
     const bool keeps = order.whenStopped == WhenStopped::keep;
     const std::stop_token discarded = keeps ? std::stop_token() : stop;
-    const Display display{order.display.exposure, order.display.denoised && anyPng(order.outputs)};
+    const Display display = order.display.withDenoised(order.display.denoised && anyPng(order.outputs));
     JudgedImage image(film, order.scene, display, rendered, discarded);
     const PaintOver paintOver = order.painter ? order.painter(image.shown()) : PaintOver();
     WrittenFiles written =
@@ -55,7 +54,7 @@ Result<FinalImage> renderFinal(const FinalOrder& order, Device& device, const Fi
     if (!film)
         return film.error();
     const auto result =
-        BatchRender(**film, order.stops, {order.display.exposure}, order.whenStopped).run(stop, steps.report);
+        BatchRender(**film, order.stops, order.display.withDenoised(false), order.whenStopped).run(stop, steps.report);
     if (!result)
         return result.error();
     if (order.whenStopped == WhenStopped::discard && stop.stop_requested())

@@ -19,7 +19,7 @@ Result<void> writeImage(const FilmView& view, Display display, const std::option
                         const QString& file, const std::stop_token& stop) {
     const std::filesystem::path path = ui::fromQt(file);
     display.denoised = display.denoised && anyPng({path});
-    const Rendered rendered{view.film.status(display.exposure), display.exposure, view.seconds, view.device, view.bias};
+    const Rendered rendered{view.film.status(display), display, view.seconds, view.device, view.bias};
     JudgedImage image(view.film, view.scene, display, rendered, stop, view.denoised);
     return image.write(path, ui::imagePainter(annotations, view.stop.levels)(image.shown()), stop);
 }

@@ -10,7 +10,7 @@ JudgedImage::JudgedImage(const Film& film, const Scene& scene, const Display& wa
                          const std::stop_token& stop, DenoisedView* onScreen)
     : film_(film),
       scene_(scene),
-      wanted_{wanted.exposure, wanted.denoised && canBeDenoised(scene)},
+      wanted_(wanted.withDenoised(wanted.denoised && canBeDenoised(scene))),
       rendered_(std::move(rendered)),
       denoiser_(onScreen ? onScreen : &own_) {
     if (wanted_.denoised && denoiser_->isStale(film.samplesPerPixel()))

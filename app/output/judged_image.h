@@ -35,7 +35,7 @@ class JudgedImage {
     Result<void> write(const std::filesystem::path& file, const PaintOver& paintOver, const std::stop_token& stop);
 
   private:
-    std::optional<DenoisedError> error() { return denoiser_->error(double(wanted_.exposure)); }
+    std::optional<DenoisedError> error() { return denoiser_->error(wanted_); }
 
     const Film& film_;
     const Scene& scene_;

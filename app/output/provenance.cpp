@@ -53,7 +53,8 @@ std::string skyText(const Environment& environment) {
 
 Provenance provenanceOf(const Scene& scene, const Rendered& rendered) {
     return {.status = rendered.status,
-            .exposure = rendered.exposure,
+            .exposure = rendered.tone.exposure,
+            .toneCurve = toneCurveName(rendered.tone.curve),
             .seconds = rendered.seconds,
             .seed = scene.seed,
             .model = modelName(scene.model),

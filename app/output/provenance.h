@@ -4,6 +4,7 @@
 #include <string>
 
 #include "render/accuracy/bias.h"
+#include "render/film/display.h"
 #include "render/film/file/provenance.h"
 #include "render/scene/schedule.h"
 
@@ -19,8 +20,8 @@ std::string scheduleText(const Schedule& schedule);
 
 /// Facts about an image that its scene does not contain.
 struct Rendered {
-    FilmStatus status;  ///< status on a display of `exposure`
-    float exposure = 1;
+    FilmStatus status;  ///< status on a display of `tone`
+    Tone tone;
     double seconds = 0;
     std::string device;   ///< name of the device: "cpu"
     MeasuredBiases bias;  ///< biases that are known only by measuring

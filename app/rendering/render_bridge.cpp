@@ -11,12 +11,11 @@ namespace pdr::app {
 namespace {
 
 /// Returns the errors of the pixel at `place` and of a square of 1 mm around it in the plane of focus.
-LevelErrorsAt errorsAt(const FilmView& view, QPointF place, float exposure) {
+LevelErrorsAt errorsAt(const FilmView& view, QPointF place, const Tone& tone) {
     const ivec2 size = view.film.size();
     const ivec2 pixel(int(place.x() * size.x), int(place.y() * size.y));
     const int side = int(std::lround(size.y / view.scene.camera.heightInFocusMm()));
-    LevelErrorsAt errors =
-        levelErrorsAt(view.film, glm::clamp(pixel, ivec2(0), size - 1), std::max(side, 1), double(exposure));
+    LevelErrorsAt errors = levelErrorsAt(view.film, glm::clamp(pixel, ivec2(0), size - 1), std::max(side, 1), tone);
     errors.side = side;
     return errors;
 }
@@ -63,10 +62,10 @@ void RenderBridge::setRegion(const std::optional<QRectF>& box) {
 void RenderBridge::askErrorAt(QPointF place) {
     if (!lastFrame_ || lastFrame_->coarse)
         return;
-    lookAtImage([this, place, exposure = display_.exposure](const Result<FilmView>& view) -> std::function<void()> {
+    lookAtImage([this, place, tone = Tone(display_)](const Result<FilmView>& view) -> std::function<void()> {
         if (!view)
             return [] {};
-        return [this, place, errors = errorsAt(*view, place, exposure)] { emit errorFound(place, errors); };
+        return [this, place, errors = errorsAt(*view, place, tone)] { emit errorFound(place, errors); };
     });
 }
 

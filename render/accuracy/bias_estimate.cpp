@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "render/film/tone_curve.h"
+#include "render/film/display_transform.h"
 
 namespace pdr {
 namespace {
@@ -27,18 +27,13 @@ struct Sums {
     double worstSquare() const { return glm::max(squares.x, glm::max(squares.y, squares.z)) / pixels; }
 };
 
-Sums sumsOf(const BiasTile& tile, double exposure) {
-    const float* curve = displayCurve();
+Sums sumsOf(const BiasTile& tile, const DisplayTransform& transform) {
     Sums sums{.pixels = double(tile.size())};
     for (const auto& [biased, exact] : tile) {
         sums.biased += luminance(biased.even + biased.odd);
         sums.exact += luminance(exact.even + exact.odd);
-        for (int c = 0; c < 3; ++c) {
-            const auto level = [&](const dvec3& radiance) {
-                return double(exactLevelOf(curve, float(radiance[c] / exposure)));
-            };
-            sums.squares[c] += (level(biased.even) - level(exact.even)) * (level(biased.odd) - level(exact.odd));
-        }
+        const auto levels = [&](const dvec3& radiance) { return dvec3(transform.exactLevels(radiance)); };
+        sums.squares += (levels(biased.even) - levels(exact.even)) * (levels(biased.odd) - levels(exact.odd));
     }
     return sums;
 }
@@ -55,12 +50,13 @@ double levelsOf(double square) {
 
 }  // namespace
 
-std::optional<MeasuredBias> measuredBias(std::span<const BiasTile> tiles, double exposure) {
+std::optional<MeasuredBias> measuredBias(std::span<const BiasTile> tiles, const Tone& tone) {
+    const DisplayTransform transform = displayTransform(tone);
     std::vector<Sums> known;
     Sums all;
     for (const BiasTile& tile : tiles)
         if (!tile.empty())
-            all.add(known.emplace_back(sumsOf(tile, exposure)));
+            all.add(known.emplace_back(sumsOf(tile, transform)));
     if (known.size() < kBiasTiles || !(all.exact > 0))
         return std::nullopt;
     std::mt19937 random(1);  // fixed seed: a stated bias must not flicker

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "render/film/display.h"
 #include "render/film/moments.h"
 
 namespace pdr {
@@ -33,9 +34,9 @@ struct MeasuredBias {
 /// Number of tiles with tissue below which there is no estimate.
 inline constexpr std::size_t kBiasTiles = 16;
 
-/// Estimates the bias on a display of that exposure. Tiles are drawn with replacement (Efron 1979), so that the
+/// Estimates the bias on a display of that tone. Tiles are drawn with replacement (Efron 1979), so that the
 /// interval covers the noise and the choice of the pixels. Returns nothing if fewer than kBiasTiles tiles have pixels,
 /// or all is black.
-std::optional<MeasuredBias> measuredBias(std::span<const BiasTile> tiles, double exposure);
+std::optional<MeasuredBias> measuredBias(std::span<const BiasTile> tiles, const Tone& tone);
 
 }  // namespace pdr

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "render/film/tone_curve.h"
+#include "render/film/display_transform.h"
 
 namespace pdr {
 namespace {
@@ -99,11 +99,49 @@ Foretold ninetyFifthOf(std::span<const HalfDifferences> pixels, const Sums& sums
     return {value, std::clamp(low, 0.0, value), high};
 }
 
-/// Returns the slope of the tone curve's chord between `a` and `b`: levels per unit of radiance over the exposure.
-float chord(const float* curve, float a, float b) {
+/// Returns the slope of the chord of `curve`, a table's function, between `a` and `b`.
+template <class Curve>
+float chord(const Curve& curve, float a, float b) {
     constexpr float kShortest = 0.02f;  // least length relative to a + b, because the curve is a table
     const float middle = (a + b) / 2, half = glm::max(glm::abs(a - b), kShortest * (a + b)) / 2;
-    return half > 0 ? (exactLevelOf(curve, middle + half) - exactLevelOf(curve, middle - half)) / (2 * half) : 0;
+    return half > 0 ? (curve(middle + half) - curve(middle - half)) / (2 * half) : 0;
+}
+
+/// How the levels of a pixel differ between two images, as a linear function of how their radiances differ: the halves
+/// of the samples are then weighted without bias. A level depends on its own channel and on the largest one.
+struct Chords {
+    vec3 own{0.0f};        ///< levels per unit of the exposure of the own channel
+    vec3 largest{0.0f};    ///< ... of the largest
+    int from = 0, to = 0;  ///< the largest channels of both images
+};
+
+int largestOf(vec3 light) {
+    return light.x >= glm::max(light.y, light.z) ? 0 : light.y >= light.z ? 1 : 2;
+}
+
+/// Returns the chords between the images `a` and `b` of a pixel, in units of the exposure. keepsHue shows of channel x
+/// beside the largest channel p the light s(p) x + w(p), which changes by the mean s times the change of x, and by the
+/// chord of s(p) x + w(p) at the mean x times the change of p; nothing is left over.
+Chords chordsOf(const DisplayTransform& transform, vec3 a, vec3 b) {
+    Chords chords{.from = largestOf(a), .to = largestOf(b)};
+    const float p = a[chords.from], q = b[chords.to];
+    const auto grey = [&](float light) { return exactLevelOf(transform.greys, light); };
+    const auto level = [&](float light) { return exactLevelOfLight(transform.lights, light); };
+    const vec2 hueA = hueAt(transform.hues, p), hueB = hueAt(transform.hues, q);
+    for (int c = 0; c < 3; ++c) {
+        if (transform.curve == ToneCurve::perChannel || (a[c] == p && b[c] == q)) {
+            chords.own[c] = chord(grey, a[c], b[c]);
+            continue;
+        }
+        const auto shown = [&](float largest) {
+            const vec2 hue = hueAt(transform.hues, largest);
+            return hue.x * (a[c] + b[c]) / 2 + hue.y;
+        };
+        const float slope = chord(level, hueA.x * a[c] + hueA.y, hueB.x * b[c] + hueB.y);
+        chords.own[c] = slope * (hueA.x + hueB.x) / 2;
+        chords.largest[c] = slope * chord(shown, p, q);
+    }
+    return chords;
 }
 
 bool shows(const PixelEstimate& pixel) {
@@ -131,7 +169,7 @@ ImageChange changeOf(std::span<const HalfDifferences> pixels) {
 }
 
 ImageChange imageChange(const Film& with, const Film& without, const Display& display) {
-    const float* curve = displayCurve();
+    const DisplayTransform transform = displayTransform(display);
     std::vector<HalfDifferences> pixels;
     for (int y = 0; y < with.size().y; ++y)
         for (int x = 0; x < with.size().x; ++x) {
@@ -140,11 +178,13 @@ ImageChange imageChange(const Film& with, const Film& without, const Display& di
                 continue;
             HalfDifferences& pixel = pixels.emplace_back();
             const double unit = 1 / double(display.exposure);
-            for (int c = 0; c < 3; ++c) {
-                const float slope = chord(curve, float(a.mean[c] * unit), float(b.mean[c] * unit));
-                pixel.even[c] = slope * float((a.halves.even[c] - b.halves.even[c]) * unit);
-                pixel.odd[c] = slope * float((a.halves.odd[c] - b.halves.odd[c]) * unit);
-            }
+            const Chords chords = chordsOf(transform, vec3(a.mean * unit), vec3(b.mean * unit));
+            const auto levels = [&](dvec3 with, dvec3 without) {
+                return chords.own * vec3((with - without) * unit) +
+                       chords.largest * float((with[chords.from] - without[chords.to]) * unit);
+            };
+            pixel.even = levels(a.halves.even, b.halves.even);
+            pixel.odd = levels(a.halves.odd, b.halves.odd);
         }
     return changeOf(pixels);
 }

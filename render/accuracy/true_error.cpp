@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "render/film/display_transform.h"
 #include "render/film/error/noisy_film.h"
-#include "render/film/tone_curve.h"
 
 namespace pdr {
 namespace {
@@ -25,7 +25,7 @@ std::vector<dvec3> radianceOf(const Film& film, bool smooth) {
 
 TrueError trueError(const Film& film, const Display& display, const Film& reference) {
     const std::vector<dvec3> radiance = radianceOf(film, display.denoised);
-    const float* curve = displayCurve();
+    const DisplayTransform transform = displayTransform(display);
     // Compare all tissue pixels
     double squares = 0, mean = 0;
     std::vector<float> levels;
@@ -38,11 +38,8 @@ TrueError trueError(const Film& film, const Display& display, const Film& refere
         const double noise = luminance(truth.halves.even - truth.halves.odd) / 2;
         squares += off * off - noise * noise;
         mean += luminance(truth.mean);
-        float worst = 0;
-        for (int c = 0; c < 3; ++c)
-            worst = std::max(worst, std::fabs(exactLevelOf(curve, float(radiance[i][c] / display.exposure)) -
-                                              exactLevelOf(curve, float(truth.mean[c] / display.exposure))));
-        levels.push_back(worst);
+        const vec3 apart = glm::abs(transform.exactLevels(radiance[i]) - transform.exactLevels(truth.mean));
+        levels.push_back(std::max({apart.x, apart.y, apart.z}));
     }
     // Take the 95th percentile of the levels
     if (levels.empty())

@@ -1,29 +1,26 @@
 #pragma once
 /// The difference between what a display shows and what it would show without noise: |f(m + d) - f(m)| with the tone
 /// curve f, a mean m and a draw d of its error (errorDrawOf), clipped to what a display can show. Not f'(m) d: the
-/// curve is steep in the dark, where that would be wrong by tens of levels. The same numbers on every device.
+/// curve is steep in the dark, where that would be wrong by tens of levels. The three channels of a draw go through
+/// the curve together, since with keepsHue the largest one decides on the others. The same numbers on every device.
 
 #include <cmath>
 #include <cstdint>
 
+#include "render/film/display_transform.h"
 #include "render/film/moments.h"
-#include "render/film/tone_curve.h"
 
 namespace pdr {
 
-/// Returns the error of one channel in levels; `mean` and `draw` are in units of the exposure.
-PDR_HD inline float levelsOff(const float* curve, float mean, float draw) {
-    const float shown = exactLevelOf(curve, mean), other = exactLevelOf(curve, mean + draw);
-    return glm::max(shown - other, other - shown);
+/// Returns the error of each channel in levels; `mean` and `draw` are in units of the exposure.
+PDR_HD inline vec3 channelsOff(const DisplayTransform& transform, vec3 mean, vec3 draw) {
+    return glm::abs(transform.exactLevels(mean) - transform.exactLevels(mean + draw));
 }
 
 /// Returns the error of a pixel's worst channel in levels; `mean` and `draw` are linear radiance.
-PDR_HD inline float levelsOff(const float* curve, dvec3 mean, dvec3 draw, double exposure) {
-    const vec3 shownMean(mean / exposure), shownDraw(draw / exposure);
-    float worst = 0;
-    for (int channel = 0; channel < 3; ++channel)
-        worst = glm::max(worst, levelsOff(curve, shownMean[channel], shownDraw[channel]));
-    return worst;
+PDR_HD inline float levelsOff(const DisplayTransform& transform, dvec3 mean, dvec3 draw) {
+    const vec3 off = channelsOff(transform, vec3(mean / transform.exposure), vec3(draw / transform.exposure));
+    return glm::max(off.x, glm::max(off.y, off.z));
 }
 
 /// The bins in which errors are counted are equally wide in the square root of the error: 1/16 level wide at 1 level,

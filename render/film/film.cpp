@@ -216,23 +216,23 @@ FilmStatus Film::status() const {
 }
 
 template <class Look>
-FilmStatus Film::statusOn(double exposure, const Tile& tile, const Look& look) const {
-    const float* curve = displayCurve();
+FilmStatus Film::statusOn(const Tone& tone, const Tile& tile, const Look& look) const {
+    const DisplayTransform transform = displayTransform(tone);
     const auto [sums, errors] =
         survey(tile, [&](std::size_t pixel, const Moments& known, dvec3 draw, ErrorCounts& counts) {
             if (knowsItsError(known, block_[pixel].seen))
-                ++counts.pixels[errorBinOf(levelsOff(curve, known.mean, draw, exposure))];
+                ++counts.pixels[errorBinOf(levelsOff(transform, known.mean, draw))];
             look(pixel, known);
         });
-    return statusOf(sums, pixelsOf(tile), progress_.counts(tile), health_, {errors, exposure});
+    return statusOf(sums, pixelsOf(tile), progress_.counts(tile), health_, {errors, transform.exposure});
 }
 
-FilmStatus Film::status(double exposure, const PixelLook& look) const {
-    return statusOn(exposure, area(), look);
+FilmStatus Film::status(const Tone& tone, const PixelLook& look) const {
+    return statusOn(tone, area(), look);
 }
 
-FilmStatus Film::status(double exposure, const Tile& tile) const {
-    return statusOn(exposure, tile, [](auto&&...) {});
+FilmStatus Film::status(const Tone& tone, const Tile& tile) const {
+    return statusOn(tone, tile, [](auto&&...) {});
 }
 
 }  // namespace pdr

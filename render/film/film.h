@@ -94,13 +94,13 @@ class Film {
     PixelEstimate pixel(int x, int y) const;
     /// Returns the status without a display: displayError is not known.
     FilmStatus status() const;
-    /// Returns the status on a display of that exposure. On the way `look` is called for each pixel, on many threads,
-    /// with its index and its moments.
-    FilmStatus status(double exposure, const PixelLook& look) const;
-    FilmStatus status(double exposure) const { return status(exposure, area()); }
+    /// Returns the status on a display of that tone. On the way `look` is called for each pixel, on many threads, with
+    /// its index and its moments.
+    FilmStatus status(const Tone& tone, const PixelLook& look) const;
+    FilmStatus status(const Tone& tone) const { return status(tone, area()); }
     /// Returns the status of the pixels of `tile` alone, a part of the film; its samples are those of the cells around
     /// it, its health that of the whole film.
-    FilmStatus status(double exposure, const Tile& tile) const;
+    FilmStatus status(const Tone& tone, const Tile& tile) const;
 
     /// Returns the sample counts and the health; no errors are known.
     FilmStatus counts() const;
@@ -114,7 +114,7 @@ class Film {
     template <class Look>
     std::pair<StatusSums, ErrorCounts> survey(const Tile& tile, const Look& look) const;
     template <class Look>
-    FilmStatus statusOn(double exposure, const Tile& tile, const Look& look) const;
+    FilmStatus statusOn(const Tone& tone, const Tile& tile, const Look& look) const;
     Moments at(std::size_t index) const { return merged(moments_[index], block_[index]); }
     /// Returns the index of the pixel at the corner of `tile`.
     std::size_t indexOf(const Tile& tile) const {

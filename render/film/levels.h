@@ -1,10 +1,11 @@
 #pragma once
-/// Maps radiance to display levels by a search among the radiances at which they begin; the same on every device.
+/// Maps the radiance of one channel to its level by the radiances at which levels begin; the same on every device.
 
 #include <array>
 #include <cstdint>
 
 #include "render/base/portable.h"
+#include "render/film/tone_curve.h"
 
 namespace pdr {
 
@@ -25,6 +26,20 @@ PDR_HD inline std::uint8_t levelOf(const double* thresholds, double radiance, do
     for (int step = (kThresholds + 1) / 2; step > 0; step /= 2)
         if (thresholds[level + step - 1] <= fraction)
             level += step;
+    return std::uint8_t(level);
+}
+
+/// Returns the level of `fraction`, a radiance in units of the exposure, as levelOf() does but without its search:
+/// `curve`, displayCurve(), gives the level or its neighbour.
+PDR_HD inline std::uint8_t levelNear(const double* thresholds, const float* curve, double fraction) {
+    if (!(fraction > 0))
+        return 0;
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): the thresholds decide
+    int level = int(exactLevelOf(curve, float(fraction)) + 0.5f);
+    while (level < kThresholds && thresholds[level] <= fraction)
+        ++level;
+    while (level > 0 && thresholds[level - 1] > fraction)
+        --level;
     return std::uint8_t(level);
 }
 

@@ -16,6 +16,11 @@ namespace {
 /// Share of the tolerance for the sum along a ray; the rest is for what is omitted at its end.
 constexpr double kQuadratureShare = 0.75;
 
+/// Most that a tone curve (film/tone_curve.h) changes of 255 levels, in parts of 255, per relative error of a pixel's
+/// channels, whatever their signs: keepsHue in bright greys, 0.6231, where a channel falls as another rises; perChannel
+/// 0.2305.
+constexpr double kMostPerRelativeError = 0.6232;
+
 /// Error of interpolation in single precision: a few roundings of the largest HU.
 constexpr float kRoundingPerHu = 0x1p-22f;
 
@@ -85,8 +90,7 @@ void flattenClearRange(FlatOptics& optics, const PreparedScene& prepared) {
 }  // namespace
 
 double relativeTolerance(double levels) {
-    // The display value is f(ln L), and the tone map's f rises by at most 0.2305 per unit of ln L.
-    return -expMinusOne(-levels / (255 * 0.2305));
+    return -expMinusOne(-levels / (255 * kMostPerRelativeError));
 }
 
 Majorants highestHu(const CellRanges& ranges, ivec3 volumeSize, const FlatMask& mask) {

@@ -155,7 +155,7 @@ Result<void> BiasLattice::add(const Scene& scene, HalfMeans BothWays::*way, Devi
     return {};
 }
 
-std::optional<MeasuredBias> BiasLattice::measured(double exposure) const {
+std::optional<MeasuredBias> BiasLattice::measured(const Tone& tone) const {
     std::vector<BiasTile> means;
     const double rounds = grows() ? 1 : double(rounds_);
     const auto mean = [&](const HalfMeans& sum) { return HalfMeans{sum.even / rounds, sum.odd / rounds}; };
@@ -165,7 +165,7 @@ std::optional<MeasuredBias> BiasLattice::measured(double exposure) const {
             if (pixel.tissue)
                 tile.push_back({mean(pixel.sums.biased), mean(pixel.sums.exact)});
     }
-    return measuredBias(means, exposure);
+    return measuredBias(means, tone);
 }
 
 }  // namespace pdr

@@ -50,8 +50,8 @@ class BiasLattice {
     /// round that is stopped, or fails with the device's error, does not count.
     Result<void> addRound(Device& device, const std::stop_token& stop);
 
-    /// Returns the bias on a display of that exposure; nothing while too little is known.
-    std::optional<MeasuredBias> measured(double exposure) const;
+    /// Returns the bias on a display of that tone; nothing while too little is known.
+    std::optional<MeasuredBias> measured(const Tone& tone) const;
     /// Returns the samples of each pixel that count so far.
     std::uint64_t samples() const { return samples_; }
 

@@ -36,11 +36,11 @@ BiasMeasurements::BiasMeasurements(const Scene& scene, const BiasFacts& facts) {
         add(&MeasuredBiases::quadrature, withoutTolerance(scene), kMostOfRays);
 }
 
-MeasuredBiases BiasMeasurements::measured(double exposure) const {
+MeasuredBiases BiasMeasurements::measured(const Tone& tone) const {
     MeasuredBiases biases;
     for (const Measurement& each : all_)
         if (each.lattice.samples() > 0)
-            biases.*each.result = each.lattice.measured(exposure);
+            biases.*each.result = each.lattice.measured(tone);
     return biases;
 }
 
@@ -61,7 +61,7 @@ BiasLattice* BiasMeasurements::next(std::uint64_t samples, const MeasuredBiases&
     return next;
 }
 
-Result<MeasuredBiases> measureBias(const Scene& biased, double exposure, Device& device, double seconds,
+Result<MeasuredBiases> measureBias(const Scene& biased, const Tone& tone, Device& device, double seconds,
                                    const std::stop_token& stop) {
     const auto start = std::chrono::steady_clock::now();
     const auto taken = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
@@ -72,7 +72,7 @@ Result<MeasuredBiases> measureBias(const Scene& biased, double exposure, Device&
             break;
         if (auto ok = lattice->addRound(device, stop); !ok)
             return ok.error();
-        known = all.measured(exposure);
+        known = all.measured(tone);
     }
     return known;
 }

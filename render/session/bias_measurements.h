@@ -15,8 +15,8 @@ class BiasMeasurements {
     /// `facts` must be those of `scene`, which must have passed Scene::check().
     BiasMeasurements(const Scene& scene, const BiasFacts& facts);
 
-    /// Returns the biases measured so far, on a display of that exposure.
-    MeasuredBiases measured(double exposure) const;
+    /// Returns the biases measured so far, on a display of that tone.
+    MeasuredBiases measured(const Tone& tone) const;
     /// Returns the lattice of which another round would improve on what is `known` of an image with so many samples;
     /// null if none.
     BiasLattice* next(std::uint64_t samples, const MeasuredBiases& known);
@@ -38,7 +38,7 @@ inline constexpr double kBiasTimeShare = 0.1;
 
 /// Measures the biases of `biased`, in as many rounds as fit `seconds`, but at least one per lattice. After a stop
 /// request, returns what is known so far. Errors: the device's.
-Result<MeasuredBiases> measureBias(const Scene& biased, double exposure, Device& device, double seconds,
+Result<MeasuredBiases> measureBias(const Scene& biased, const Tone& tone, Device& device, double seconds,
                                    const std::stop_token& stop);
 
 }  // namespace pdr

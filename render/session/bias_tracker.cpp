@@ -8,34 +8,34 @@ namespace pdr {
 
 void BiasTracker::clear() {
     measurements_.reset();
-    exposure_ = 0;
+    tone_.reset();
 }
 
 bool BiasTracker::isDue() const {
     return clock_() - measuredAt_ >= seconds_ / kShare;
 }
 
-Result<void> BiasTracker::measure(FilmOnDevice& place, const Scene& scene, std::uint64_t samples, float exposure,
+Result<void> BiasTracker::measure(FilmOnDevice& place, const Scene& scene, std::uint64_t samples, const Tone& tone,
                                   const std::stop_token& stop) {
     if (!measurements_)
         measurements_.emplace(scene, biasFacts(scene, {}, place.info().name));
-    BiasLattice* lattice = measurements_->next(samples, known(exposure));
+    BiasLattice* lattice = measurements_->next(samples, known(tone));
     if (lattice == nullptr)
         return {};
     const double start = clock_();
     Result<void> done = place.lend([&](Device& device) { return lattice->addRound(device, stop); });
     measuredAt_ = clock_();
     seconds_ = measuredAt_ - start;
-    exposure_ = 0;
+    tone_.reset();
     return done;
 }
 
-MeasuredBiases BiasTracker::known(float exposure) {
+MeasuredBiases BiasTracker::known(const Tone& tone) {
     if (!measurements_)
         return {};
-    if (exposure_ != exposure) {
-        exposure_ = exposure;
-        known_ = measurements_->measured(double(exposure));
+    if (tone_ != tone) {
+        tone_ = tone;
+        known_ = measurements_->measured(tone);
     }
     return known_;
 }

@@ -24,12 +24,12 @@ class BiasTracker {
     /// Returns whether measuring has had less than its fraction of the time.
     bool isDue() const;
     /// Measures one round of what is not known well enough of `scene`, the scene of `place`, whose film has so many
-    /// samples in each pixel and is shown at `exposure`. After a stop request the round does not count. Errors: the
+    /// samples in each pixel and is shown with `tone`. After a stop request the round does not count. Errors: the
     /// device's.
-    Result<void> measure(FilmOnDevice& place, const Scene& scene, std::uint64_t samples, float exposure,
+    Result<void> measure(FilmOnDevice& place, const Scene& scene, std::uint64_t samples, const Tone& tone,
                          const std::stop_token& stop);
-    /// Returns the biases measured so far, on a display of that exposure.
-    MeasuredBiases known(float exposure);
+    /// Returns the biases measured so far, on a display of that tone.
+    MeasuredBiases known(const Tone& tone);
 
   private:
     static constexpr double kShare = 0.02;  ///< largest fraction of the time, after the first round
@@ -38,8 +38,8 @@ class BiasTracker {
     std::optional<BiasMeasurements> measurements_;  ///< none before the film's first round
     double measuredAt_ = 0;                         ///< clock time at the end of the last round
     double seconds_ = 0;                            ///< duration of that round
-    MeasuredBiases known_;                          ///< biases on a display of exposure_
-    float exposure_ = 0;                            ///< 0: known_ is outdated
+    MeasuredBiases known_;                          ///< biases on a display of tone_
+    std::optional<Tone> tone_;                      ///< none: known_ is outdated
 };
 
 }  // namespace pdr

@@ -55,7 +55,7 @@ Result<DisplayPipeline::Images> DisplayPipeline::enlarge(FilmOnDevice& place, co
         larger_ = std::make_shared<const EnlargedFilm>(enlarge(*std::move(film)));
     }
     Images images;
-    images.push_back({larger_->image({asked.exposure, true}), asked, larger_->size()});
+    images.push_back({larger_->image(asked), asked, larger_->size()});
     return images;
 }
 

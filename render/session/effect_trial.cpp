@@ -127,8 +127,7 @@ Result<EffectTrial> EffectTrying::trial(const Display& display) const {
     if (!a || !b)
         return a ? b.error() : a.error();
     const PixelLook unseen = [](std::size_t, const Moments&) {};
-    const auto samples =
-        samplesRatio((*a)->status(double(display.exposure), unseen), (*b)->status(double(display.exposure), unseen));
+    const auto samples = samplesRatio((*a)->status(display, unseen), (*b)->status(display, unseen));
     const CostBand share = costs_.share();
     return EffectTrial{costs_.added(), share, imageChange(**a, **b, display),
                        samples ? std::optional(timeWithout(*samples, share)) : std::nullopt};

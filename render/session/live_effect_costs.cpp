@@ -39,7 +39,7 @@ void LiveEffectCosts::watch(EffectsWatch watch) {
 }
 
 void LiveEffectCosts::follow(const Scene& scene, const Display& display) {
-    if (!watch_.look || (scene_ && scene_->revision == scene.revision && display_.exposure == display.exposure))
+    if (!watch_.look || (scene_ && scene_->revision == scene.revision && Tone(display_) == Tone(display)))
         return;
     const bool known = scene_ && differInViewOnly(*scene_, scene);
     const bool news = !known || tried(effectCosts_) > 0;

@@ -55,7 +55,7 @@ void Session::Loop::finish(const RenderCommands::Iteration& step, Result<void> d
     if (done && isLosable && checkpoint_.isDue())
         done = checkpoint_.take(*place_.film());
     if (done && canSnapshot() && step.render && bias_.isDue() && !step.detour.stop_requested())
-        done = bias_.measure(place_, scene_, scheduler_.samples().least, commands.display().exposure, step.detour);
+        done = bias_.measure(place_, scene_, scheduler_.samples().least, commands.display(), step.detour);
     if (!done)
         failedOnDevice(done.error());
 }
@@ -115,7 +115,7 @@ Result<void> Session::Loop::takeSnapshots() {
                             scene_,
                             quality_.seconds() + scheduler_.frameSeconds(),
                             place_.info().name,
-                            bias_.known(commands.display().exposure),
+                            bias_.known(commands.display()),
                             commands.stopRequest().rule,
                             judgesFilm() ? &quality_.denoised() : nullptr};
         const std::uint64_t judged = quality_.denoised().judgedSamples();

@@ -13,8 +13,9 @@ namespace pdr {
 /// shows the previously denoised image on it.
 Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool adds) {
     const Display asked = commands.display();
-    const Display display = quality_.denoised().better(
-        {asked.exposure, smooths(asked), quality_.isSurveyDue(scheduler_.samples().mean, asked.exposure)});
+    Display wanted = asked.withDenoised(smooths(asked));
+    wanted.surveyed = quality_.isSurveyDue(scheduler_.samples().mean, asked);
+    const Display display = quality_.denoised().better(wanted);
     // Make the image
     const bool within = step.render && !adds;  // the current frame continues
     const bool atOnce = display_.isFresh() || coarse() || scheduler_.isTimed() || !adds;
@@ -44,7 +45,7 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
         scheduler_.addImage({taken, displaySeconds, overlaps(), guided, edited});
     // State the quality, then send
     for (DisplayedImage& each : *images)
-        quality_.record(each.image, each.display.exposure, scheduler_.secondsAhead());
+        quality_.record(each.image, each.display, scheduler_.secondsAhead());
     if (Result<void> updated = updateQuality(asked, step.stop); !updated)
         return updated;
     send(*std::move(images), scheduler_.wanted(demand(step.pace)));
@@ -81,17 +82,18 @@ Result<void> Session::Loop::updateQuality(const Display& asked, const std::stop_
     Accumulator& film = *place_.film();
     if (!commands.errorMap())
         quality_.dropErrorMap();
-    else if (Result<void> mapped = quality_.mapErrors(film, partSamples(), asked.exposure, stop); !mapped)
+    else if (Result<void> mapped = quality_.mapErrors(film, partSamples(), asked, stop); !mapped)
         return mapped;
     const std::optional<Tile> region = quality_.region().tile(place_.size());
-    return region ? quality_.lookAtRegion(film, scheduler_.sweep().samplesOf(*region), {asked.exposure, smooths(asked)})
-                  : Result<void>();
+    const Display display = asked.withDenoised(smooths(asked));
+    return region ? quality_.lookAtRegion(film, scheduler_.sweep().samplesOf(*region), display) : Result<void>();
 }
 
 /// Shows the coarser film on another display.
 Result<void> Session::Loop::showCoarser(const RenderCommands::Iteration& step) {
     const Display asked = commands.display();
-    std::optional<DisplayedImage> image = display_.coarserImage(asked, {asked.exposure, smooths(asked)}, step.stop);
+    const Display display = asked.withDenoised(smooths(asked));
+    std::optional<DisplayedImage> image = display_.coarserImage(asked, display, step.stop);
     if (!image)
         return {};
     auto frame = frameOf(*std::move(image), ResolutionLadder::kSamples);
@@ -154,7 +156,7 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedImage image, std::uint32_
     frame->denoised = image.image.denoised;
     quality_.describe(*frame, scheduler_.secondsAhead());
     frame->bias = biasFacts(scene_, frame->status, place_.info().name);
-    frame->bias.measured = bias_.known(frame->display.exposure);
+    frame->bias.measured = bias_.known(frame->display);
     frame->bias.isDenoised = frame->denoised;
     // Add how it was made
     frame->iterationsPerSecond = scheduler_.timer().iterationsPerSecond();

@@ -28,7 +28,7 @@ void QualityTracker::clear() {
     shownOf_ = ErrorOf::film;
     surveyed_ = {};
     history_.clear();
-    historyExposure_ = 0;
+    historyTone_ = Tone(0);
     denoised_.clear();
     judgeSeconds_ = judgedAt_ = 0;
     errorMap_.clear();
@@ -59,16 +59,16 @@ Result<void> QualityTracker::judge(Accumulator& film, std::uint64_t samples, con
     return judged;
 }
 
-bool QualityTracker::isSurveyDue(double meanSamples, float exposure) const {
+bool QualityTracker::isSurveyDue(double meanSamples, const Tone& tone) const {
     const double last = surveyed_.meanSamplesPerPixel, enough = double(kSamplesToEstimate);
     const double next = last < enough ? std::min(2 * last, enough) : kSurveyed * last;
-    return isCoarse_ || !shownError_ || exposure != historyExposure_ || meanSamples >= next;
+    return isCoarse_ || !shownError_ || tone != historyTone_ || meanSamples >= next;
 }
 
 /// Returns how good an image of a film is. `film`: status of the film. The error of a denoised image is that of the
 /// last judgement.
-ShownStatus QualityTracker::shown(const FilmStatus& film, bool isDenoised, float exposure) {
-    return shownStatus(film, isDenoised, isDenoised ? denoised_.error(exposure) : std::nullopt);
+ShownStatus QualityTracker::shown(const FilmStatus& film, bool isDenoised, const Tone& tone) {
+    return shownStatus(film, isDenoised, isDenoised ? denoised_.error(tone) : std::nullopt);
 }
 
 /// Completes the status of an image whose errors were not counted.
@@ -83,23 +83,23 @@ void QualityTracker::completeStatus(Image& image) const {
     status.health = counts.health;
 }
 
-void QualityTracker::record(Image& image, float exposure, double secondsAhead) {
+void QualityTracker::record(Image& image, const Tone& tone, double secondsAhead) {
     completeStatus(image);
     shownError_.reset();
     if (isCoarse_)
         return;
-    const ShownStatus now = shown(image.status, image.denoised, exposure);
+    const ShownStatus now = shown(image.status, image.denoised, tone);
     shownError_ = now.status.displayError;
     shownOf_ = now.of;
     if (!image.surveyed)
         return;
     surveyed_ = image.status;
-    if (std::exchange(historyExposure_, exposure) != exposure)
+    if (std::exchange(historyTone_, tone) != tone)
         history_.forgetErrors();
     history_.add(seconds_ - secondsAhead, image.status, now);
 }
 
-Result<void> QualityTracker::mapErrors(Accumulator& film, std::uint64_t samples, float exposure,
+Result<void> QualityTracker::mapErrors(Accumulator& film, std::uint64_t samples, const Tone& tone,
                                        const std::stop_token& stop) {
     if (isCoarse_) {
         errorMap_.clear();
@@ -108,15 +108,15 @@ Result<void> QualityTracker::mapErrors(Accumulator& film, std::uint64_t samples,
     const bool ofDenoised = shownOf_ == ErrorOf::denoised;
     const double growth = mapSeconds_ <= kBesideShare * seconds_ ? kOftenMapped : kSeldomMapped;
     const std::uint64_t mapped = ofDenoised ? denoised_.judgedSamples() : samples;
-    if (!errorMap_.isDue(shownOf_, mapped, exposure, growth))
+    if (!errorMap_.isDue(shownOf_, mapped, tone, growth))
         return {};
     const double start = clock_();
     Result<void> made = film.look([&](const Film& content) {
-        std::optional<LevelErrorMap> map = ofDenoised ? denoised_.errorMap(double(exposure)) : std::nullopt;
+        std::optional<LevelErrorMap> map = ofDenoised ? denoised_.errorMap(tone) : std::nullopt;
         if (!map)
-            map = levelErrorMap(content, double(exposure), stop);
+            map = levelErrorMap(content, tone, stop);
         if (!stop.stop_requested())
-            errorMap_.keep(*std::move(map), shownOf_, mapped, exposure);
+            errorMap_.keep(*std::move(map), shownOf_, mapped, tone);
     });
     const double spent = clock_() - start;
     seconds_ += spent;
@@ -125,12 +125,11 @@ Result<void> QualityTracker::mapErrors(Accumulator& film, std::uint64_t samples,
 }
 
 Result<void> QualityTracker::lookAtRegion(Accumulator& film, std::uint64_t samples, const Display& display) {
-    if (isCoarse_ || !region_.isDue(samples, display.exposure))
+    if (isCoarse_ || !region_.isDue(samples, display))
         return {};
     const double start = clock_();
     DenoisedView* const denoised = denoised_.better(display).denoised ? &denoised_ : nullptr;
-    Result<void> looked =
-        film.look([&](const Film& content) { region_.look(content, display.exposure, seconds_, denoised); });
+    Result<void> looked = film.look([&](const Film& content) { region_.look(content, display, seconds_, denoised); });
     seconds_ += clock_() - start;
     return looked;
 }
@@ -152,16 +151,16 @@ std::vector<QualityStep> QualityTracker::steps(ErrorOf of, double secondsAhead) 
 }
 
 void QualityTracker::describe(Frame& frame, double secondsAhead) {
-    const float exposure = frame.display.exposure;
+    const Tone tone = frame.display;
     frame.seconds = seconds_;
     frame.errorMap = errorMap_.map();
     if (frame.denoised) {
-        frame.denoisedError = denoised_.error(exposure);
+        frame.denoisedError = denoised_.error(tone);
         frame.lostLines = denoised_.lostLines();
     }
     if (isCoarse_)
         return;
-    const ErrorOf of = shown(frame.status, frame.denoised, exposure).of;
+    const ErrorOf of = shown(frame.status, frame.denoised, tone).of;
     frame.steps = steps(of, secondsAhead);
     frame.history = history_.points(of);
     frame.region = region_.status(frame.stop.levels);

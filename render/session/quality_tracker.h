@@ -45,15 +45,15 @@ class QualityTracker {
     Result<void> judge(Accumulator& film, std::uint64_t samples, const std::stop_token& stop,
                        const HalfSmoother& smoother = denoisedHalves);
 
-    /// Returns whether errors are to be counted for a display of that exposure when pixels have so many samples on
+    /// Returns whether errors are to be counted for a display of that tone when pixels have so many samples on
     /// average. Until then the last counts remain valid.
-    bool isSurveyDue(double meanSamples, float exposure) const;
+    bool isSurveyDue(double meanSamples, const Tone& tone) const;
     /// Completes the status of an image with the errors counted last, and records its error unless the film is coarse.
-    void record(Image& image, float exposure, double secondsAhead);
+    void record(Image& image, const Tone& tone, double secondsAhead);
 
     /// Updates the error map of the image shown last, if it is due; a coarse film has none. Changes nothing after a
     /// stop request. Errors: the device's.
-    Result<void> mapErrors(Accumulator& film, std::uint64_t samples, float exposure, const std::stop_token& stop);
+    Result<void> mapErrors(Accumulator& film, std::uint64_t samples, const Tone& tone, const std::stop_token& stop);
     void dropErrorMap() { errorMap_.clear(); }
 
     /// Sets the region; none: no part of the image takes precedence.
@@ -72,7 +72,7 @@ class QualityTracker {
     void describe(Frame& frame, double secondsAhead);
 
   private:
-    ShownStatus shown(const FilmStatus& film, bool isDenoised, float exposure);
+    ShownStatus shown(const FilmStatus& film, bool isDenoised, const Tone& tone);
     void completeStatus(Image& image) const;
     std::vector<QualityStep> steps(ErrorOf of, double secondsAhead) const;
 
@@ -83,7 +83,7 @@ class QualityTracker {
     ErrorOf shownOf_ = ErrorOf::film;   ///< image that shownError_ describes
     FilmStatus surveyed_;               ///< status of the last image whose errors were counted
     ShownHistory history_;              ///< errors of the full images
-    float historyExposure_ = 0;         ///< exposure at which the errors in history_ were taken
+    Tone historyTone_{0};               ///< tone at which the errors in history_ were taken
     DenoisedView denoised_;
     double judgeSeconds_ = 0;  ///< duration of the last judgement of denoised_
     double judgedAt_ = 0;      ///< seconds_ at the end of that judgement

@@ -37,17 +37,17 @@ std::optional<Tile> RegionView::tile(ivec2 size) const {
     return region_ ? std::optional(tileOf(*region_, size)) : std::nullopt;
 }
 
-bool RegionView::isDue(std::uint64_t samples, float exposure) const {
-    return region_ && (!status_ || exposure != exposure_ || 8 * samples >= 9 * status_->samplesPerPixel);
+bool RegionView::isDue(std::uint64_t samples, const Tone& tone) const {
+    return region_ && (!status_ || tone != tone_ || 8 * samples >= 9 * status_->samplesPerPixel);
 }
 
-void RegionView::look(const Film& film, float exposure, double seconds, DenoisedView* denoised) {
+void RegionView::look(const Film& film, const Tone& tone, double seconds, DenoisedView* denoised) {
     const Tile part = *tile(film.size());
-    const FilmStatus own = film.status(double(exposure), part);
-    const ShownStatus shown = shownStatus(own, denoised, denoised ? denoised->errorOver(part, exposure) : std::nullopt);
+    const FilmStatus own = film.status(tone, part);
+    const ShownStatus shown = shownStatus(own, denoised, denoised ? denoised->errorOver(part, tone) : std::nullopt);
     status_ = shown.status;
     of_ = shown.of;
-    if (std::exchange(exposure_, exposure) != exposure)
+    if (std::exchange(tone_, tone) != tone)
         history_.forgetErrors();
     history_.add(seconds, own, shown);
 }

@@ -43,11 +43,11 @@ class RegionView {
     std::optional<Tile> tile(ivec2 size) const;
 
     /// Returns whether the status is to be updated when each pixel has so many `samples`, on a display of that
-    /// exposure: after each eighth more samples, and at another exposure.
-    bool isDue(std::uint64_t samples, float exposure) const;
+    /// tone: after each eighth more samples, and at another tone.
+    bool isDue(std::uint64_t samples, const Tone& tone) const;
     /// Updates the status after `seconds` of rendering. `denoised`: what is known of the denoised image if that is
     /// shown; else null.
-    void look(const Film& film, float exposure, double seconds, DenoisedView* denoised = nullptr);
+    void look(const Film& film, const Tone& tone, double seconds, DenoisedView* denoised = nullptr);
 
     /// Returns the display levels within which 95 % of the region's tissue is shown; 0 if it has no tissue, or has seen
     /// no light for long; infinite if not known yet.
@@ -64,7 +64,7 @@ class RegionView {
     std::optional<Region> region_;
     std::optional<FilmStatus> status_;
     ErrorOf of_ = ErrorOf::film;  ///< image that its displayError speaks of
-    float exposure_ = 0;          ///< exposure that status_ refers to
+    Tone tone_{0};                ///< tone that status_ refers to
     ShownHistory history_;
 };
 

@@ -113,7 +113,7 @@ class EditTrial {
                 });
             std::optional<DenoisedError> said;
             if (judged)
-                said = judged->overAll(display_.exposure);
+                said = judged->overAll(display_);
             add("shown", mark, shown(*film, edited.radiance(*film, now.first, {}), 1), said);
         }
         return rows_;

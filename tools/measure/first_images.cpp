@@ -175,7 +175,7 @@ int runEdit(Desktop& desktop, const Plan& plan) {
     const Scene before = desktop.document().scene();
     const auto shown =
         shownAfter(desktop, [&] { look ? desktop.document().setLook(*look) : desktop.document().setClip(*clip); });
-    const Display display{desktop.document().display().exposure, true};
+    const Display display = desktop.document().display().withDenoised(true);
     const Scene after = desktop.document().scene();
     desktop.bridge().setPaused(true);
     const auto film = referenceOf(after, plan);
@@ -222,7 +222,7 @@ int run(const Plan& plan) {
     const auto denoised = shownAfterView(desktop);
     desktop.document().setDenoised(false);
     const auto raw = shownAfterView(desktop);
-    const Display display{desktop.document().display().exposure, true};
+    const Display display = desktop.document().display().withDenoised(true);
     const Scene scene = desktop.document().scene();
     desktop.bridge().setPaused(true);
 
@@ -232,7 +232,7 @@ int run(const Plan& plan) {
     const Image best = imageOf(*film, display);
     const QImage truth = imageOf(best.rgba, scene.film);
     QString about = QString("reference: %1 samples, denoised").arg(plan.reference);
-    if (const auto error = SmoothingJudgement::of(*film)->overAll(display.exposure))
+    if (const auto error = SmoothingJudgement::of(*film)->overAll(display))
         about += QString("\nwithin ±%1, at most ±%2").arg(error->levels, 0, 'f', 1).arg(error->levelsAtMost, 0, 'f', 1);
     std::printf("%s, %s: view of %d x %d pixels\n%s\n", qPrintable(plan.folder), qPrintable(plan.look), scene.film.x,
                 scene.film.y, about.toUtf8().constData());

@@ -58,7 +58,7 @@ struct Series {
 };
 
 /// Renders until 0.6 of the error at 64 samples is reached, and all images are there.
-Series grown(Device& device, const Scene& scene, double exposure) {
+Series grown(Device& device, const Scene& scene, const Tone& tone) {
     const auto film = startFilm(device, scene);
     Series series;
     Forecast forecast;
@@ -70,26 +70,26 @@ Series grown(Device& device, const Scene& scene, double exposure) {
             qFatal("cannot be rendered");
         done = next;
         const std::shared_ptr<const Film> known = *(*film)->film();
-        forecast.look(known->status(exposure), kSamples[1]);
+        forecast.look(known->status(tone), kSamples[1]);
         if (std::ranges::find(kSamples, done) != kSamples.end())
-            series.images.push_back(statedImage(*known, exposure));
+            series.images.push_back(statedImage(*known, tone));
     }
     series.foretold = forecast.cameTrue();
     return series;
 }
 
-std::vector<Series> allSeries(Scene scene, double exposure, const Plan& plan) {
+std::vector<Series> allSeries(Scene scene, const Tone& tone, const Plan& plan) {
     const std::unique_ptr<Device> device = makeCpuDevice(plan.threads);
     std::vector<Series> all;
     for (int seed = 1; seed <= plan.seeds; ++seed) {
         scene.seed = std::uint64_t(seed);
         ++scene.revision;
-        all.push_back(grown(*device, scene, exposure));
+        all.push_back(grown(*device, scene, tone));
     }
     return all;
 }
 
-Figures figuresOf(const std::vector<Series>& all, std::size_t step, double exposure) {
+Figures figuresOf(const std::vector<Series>& all, std::size_t step, const Tone& tone) {
     Truth truth(all.front().images.back().light.size());
     for (const Series& one : all)
         truth.add(one.images.back());
@@ -97,9 +97,9 @@ Figures figuresOf(const std::vector<Series>& all, std::size_t step, double expos
     std::vector<const StatedImage*> best;
     for (const Series& one : all)
         best.push_back(&one.images.back());
-    figures.setTruthNoise(best, truth, exposure);
+    figures.setTruthNoise(best, truth, tone);
     for (const Series& one : all) {
-        figures.add(one.images[step], truth.without(one.images.back()), exposure);
+        figures.add(one.images[step], truth.without(one.images.back()), tone);
         if (kSamples[step] == kSamples[1] && one.foretold)
             figures.strip.add(*one.foretold);
     }
@@ -125,12 +125,12 @@ void measure(const Plan& plan, const std::string& volume, const std::string& fol
         return;
     }
     const auto start = std::chrono::steady_clock::now();
-    const auto exposure = double(loaded->display.exposure);
-    const std::vector<Series> all = allSeries(loaded->scene, exposure, plan);
+    const Tone tone = loaded->display;
+    const std::vector<Series> all = allSeries(loaded->scene, tone, plan);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::ofstream out(plan.results, std::ios::app);
     for (std::size_t step = 0; step < kSamples.size(); ++step)
-        out << key << kSamples[step] << "," << plan.seeds << "," << figuresOf(all, step, exposure).text() << ","
+        out << key << kSamples[step] << "," << plan.seeds << "," << figuresOf(all, step, tone).text() << ","
             << std::int64_t(seconds) << std::endl;
 }
 

@@ -45,14 +45,14 @@ inline std::vector<float> shownLevels(const LevelErrorMap& map) {
     return shown;
 }
 
-inline StatedImage statedImage(const Film& film, double exposure) {
-    StatedImage image{.status = film.status(exposure)};
+inline StatedImage statedImage(const Film& film, const Tone& tone) {
+    StatedImage image{.status = film.status(tone)};
     DenoisedView view;
     view.judge(film, film.samplesPerPixel(), {});
-    image.denoisedError = view.error(exposure);
-    if (const auto map = view.errorMap(exposure))
+    image.denoisedError = view.error(tone);
+    if (const auto map = view.errorMap(tone))
         image.denoisedMap = shownLevels(*map);
-    image.map = shownLevels(levelErrorMap(film, exposure));
+    image.map = shownLevels(levelErrorMap(film, tone));
     const NoisyFilm noisy = noisyFilm(film);
     const denoise::Colours denoised = smoothRadiance(noisy), bounds = localErrors(film),
                            errors = likelyErrors(film, wholeImage(film.size()));
@@ -153,19 +153,19 @@ struct Figures {
     Slack slack;
 
     /// Sets truthNoise from the images that the truths are made of, all but one each.
-    void setTruthNoise(const std::vector<const StatedImage*>& best, const Truth& all, double exposure) {
+    void setTruthNoise(const std::vector<const StatedImage*>& best, const Truth& all, const Tone& tone) {
         double sum = 0, pixels = 0;
         for (const StatedImage* image : best) {
             const Truth::Known others = all.without(*image);
             for (std::size_t i = 0; i < image->light.size(); ++i)
                 if (image->tissue[i]) {
-                    const double off = double(levelsOff(image->light[i], others.light[i], exposure));
+                    const double off = double(levelsOff(image->light[i], others.light[i], tone));
                     sum += off * off, ++pixels;
                 }
         }
         truthNoise = pixels > 0 ? sum / pixels / double(best.size()) : 0;
     }
-    void add(const StatedImage& image, const Truth::Known& truth, double exposure) {
+    void add(const StatedImage& image, const Truth::Known& truth, const Tone& tone) {
         std::vector<float> levels;
         std::vector<double> denoisedLevels;
         double square = 0, light = 0;
@@ -174,11 +174,11 @@ struct Figures {
                 unmet.add(!image.tissue[i]);
             if (!image.tissue[i])
                 continue;
-            levels.push_back(levelsOff(image.light[i], truth.light[i], exposure));
+            levels.push_back(levelsOff(image.light[i], truth.light[i], tone));
             const double off = luminance(image.light[i] - truth.light[i]);
             square += off * off, light += luminance(truth.light[i]);
             addPixel(image, truth, i, levels.back());
-            denoisedLevels.push_back(double(levelsOff(image.denoised[i], truth.light[i], exposure)));
+            denoisedLevels.push_back(double(levelsOff(image.denoised[i], truth.light[i], tone)));
             addDenoised(image, i, float(denoisedLevels.back()));
         }
         if (image.denoisedError)
@@ -207,8 +207,8 @@ struct Figures {
     }
 
   private:
-    static float levelsOff(dvec3 light, dvec3 truth, double exposure) {
-        return pdr::levelsOff(displayCurve(), truth, light - truth, exposure);
+    static float levelsOff(dvec3 light, dvec3 truth, const Tone& tone) {
+        return pdr::levelsOff(displayTransform(tone), truth, light - truth);
     }
     void addPixel(const StatedImage& image, const Truth::Known& truth, std::size_t i, float levels) {
         const bool known = std::isfinite(image.error[i].y);

@@ -21,7 +21,7 @@ class MeteredAccumulator final : public Accumulator {
         return done;
     }
     Result<void> resolve(const Display& display, std::stop_token stop) override {
-        const Display raw{display.exposure, false, display.surveyed};
+        const Display raw = display.withDenoised(false);
         if (told_ == Told::status)
             return film_->resolve(raw, std::move(stop));
         return film_->look([&](const Film& film) {

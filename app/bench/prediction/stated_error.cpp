@@ -4,26 +4,23 @@
 #include <memory>
 #include <utility>
 
-#include "render/film/tone_curve.h"
+#include "render/film/display_transform.h"
 
 namespace pdr::bench {
 namespace {
 
 /// Returns the fraction of the tissue that is shown within `levels` of the truth.
 double partWithin(double levels, const Film& film, const Film& truth, float exposure) {
-    const float* curve = displayCurve();
-    const auto level = [&](double radiance) { return exactLevelOf(curve, float(radiance / double(exposure))); };
+    const DisplayTransform transform = displayTransform(exposure);
     double tissue = 0, within = 0;
     for (int y = 0; y < film.size().y; ++y)
         for (int x = 0; x < film.size().x; ++x) {
             const PixelEstimate pixel = film.pixel(x, y), best = truth.pixel(x, y);
             if (!pixel.tissue)
                 continue;
-            bool inside = true;
-            for (int c = 0; c < 3; ++c)
-                inside &= double(std::fabs(level(pixel.mean[c]) - level(best.mean[c]))) <= levels;
+            const dvec3 off(glm::abs(transform.exactLevels(pixel.mean) - transform.exactLevels(best.mean)));
             ++tissue;
-            within += inside;
+            within += glm::all(glm::lessThanEqual(off, dvec3(levels)));
         }
     return tissue > 0 ? within / tissue : 1;
 }

@@ -30,11 +30,11 @@ std::string wallAndProcessor(const Seconds& seconds) {
 class Table {
   public:
     void add(const Film& film, const Film& reference, const Plan& plan) {
-        const Display raw{plan.display.exposure, false}, smooth{plan.display.exposure, true};
-        const FilmStatus status = film.status(plan.display.exposure);
+        const Display raw = plan.display.withDenoised(false), smooth = plan.display.withDenoised(true);
+        const FilmStatus status = film.status(plan.display);
         const TrueError rawError = trueError(film, raw, reference), error = trueError(film, smooth, reference);
         const auto judgement = SmoothingJudgement::of(film);
-        const auto stated = judgement ? judgement->overAll(plan.display.exposure) : std::nullopt;
+        const auto stated = judgement ? judgement->overAll(plan.display) : std::nullopt;
         const Costs costs = costsOf(film, raw, plan.rounds);
         const std::string samples = std::to_string(film.samplesPerPixel());
         relative_.add({samples, percents(rawError.relative), percents(status.relativeError), percents(error.relative),

@@ -32,8 +32,8 @@ Seconds medianOf(std::vector<Seconds> rounds) {
 Costs costsOf(const Film& film, const Display& display, int rounds) {
     std::vector<Seconds> raw, denoised, judgement;
     for (int round = 0; round < rounds; ++round) {
-        raw.push_back(timed([&] { imageOf(film, {display.exposure, false}); }));
-        denoised.push_back(timed([&] { imageOf(film, {display.exposure, true}); }));
+        raw.push_back(timed([&] { imageOf(film, display.withDenoised(false)); }));
+        denoised.push_back(timed([&] { imageOf(film, display.withDenoised(true)); }));
         judgement.push_back(timed([&] { SmoothingJudgement::of(film); }));
     }
     return {medianOf(raw), medianOf(denoised), medianOf(judgement)};

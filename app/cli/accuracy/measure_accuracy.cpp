@@ -67,7 +67,7 @@ AccuracyStep rawStep(const Film& film, const FilmStatus& status, const Film& ref
 AccuracyStep denoisedStep(const Film& film, DenoisedView& view, const Film& reference, double seconds,
                           const Display& display) {
     AccuracyStep step{film.samplesPerPixel(), seconds, trueError(film, display, reference)};
-    if (const auto error = view.error(double(display.exposure)))
+    if (const auto error = view.error(display))
         step.stated = error->levels, step.atMost = error->levelsAtMost;
     return step;
 }
@@ -89,8 +89,8 @@ class Measurement {
         : way_(way),
           reference_(reference),
           plan_(plan),
-          raw_{plan.display.exposure, false},
-          smooth_{plan.display.exposure, true} {
+          raw_(plan.display.withDenoised(false)),
+          smooth_(plan.display.withDenoised(true)) {
         curves_.push_back({.name = way.name, .bias = way.bias});
         if (way.bias.empty() && canBeDenoised(way.scene))
             curves_.push_back({.name = way.name + ", denoised", .missing = "fine detail that noise hides"});
@@ -98,7 +98,7 @@ class Measurement {
 
     /// Adds a step to each curve. Errors: those of files.
     Result<void> add(const Film& film, double seconds) {
-        const FilmStatus status = film.status(double(raw_.exposure));
+        const FilmStatus status = film.status(raw_);
         addRaw(film, status, seconds);
         DenoisedView view;
         if (curves_.size() > 1) {
@@ -107,7 +107,7 @@ class Measurement {
         }
         if (plan_.folder.empty() || curves_.size() < 2 || !keepsImage(film.samplesPerPixel()))
             return {};
-        const Provenance facts = provenanceOf(way_.scene, {status, raw_.exposure, seconds, plan_.device, {}});
+        const Provenance facts = provenanceOf(way_.scene, {status, raw_, seconds, plan_.device, {}});
         if (auto ok = keep("raw_", film, raw_, facts, view, curves_[0].steps.back()); !ok)
             return ok;
         return keep("denoised_", film, smooth_, facts, view, curves_[1].steps.back());
@@ -167,7 +167,7 @@ Result<std::vector<AccuracyCurve>> measureAccuracy(const AccuracyWay& way, const
     // Measure the bias in the time that is left for it
     std::vector<AccuracyCurve> curves = std::move(measurement).curves();
     if (!way.bias.empty()) {
-        const auto bias = measureBias(way.scene, plan.display.exposure, device, kBiasTimeShare * plan.seconds, stop);
+        const auto bias = measureBias(way.scene, plan.display, device, kBiasTimeShare * plan.seconds, stop);
         if (!bias)
             return bias.error();
         curves[0].measuredBias = bias->shortcuts;

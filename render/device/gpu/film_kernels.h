@@ -2,7 +2,6 @@
 /// Kernels from the film to what is copied to the host: display levels, and the sums for its status.
 
 #include "render/device/gpu/trace_kernels.h"
-#include "render/film/levels.h"
 #include "render/film/status_sums.h"
 
 namespace pdr {
@@ -37,9 +36,7 @@ struct ResolveKernel {
     FrameLayout layout;
     const PixelSums* block;
     const Moments* moments;
-    const double* thresholds;
-    const float* curve;
-    double exposure;
+    DisplayTransform transform;  ///< with tables on the device
     std::byte* frame;
     StatusSums* sums;
     ErrorCounts* errors;  ///< kCountPlaces histograms
@@ -54,10 +51,9 @@ struct ResolveKernel {
             const dvec3 draw = errorDrawOf(known);
             mine.add(known, draw, seen);
             if (knowsItsError(known, seen))
-                atomicAddTo(counts.pixels[errorBinOf(levelsOff(curve, known.mean, draw, exposure))], 1u);
+                atomicAddTo(counts.pixels[errorBinOf(levelsOff(transform, known.mean, draw))], 1u);
             auto* rgba = reinterpret_cast<std::uint8_t*>(frame) + layout.pixelsAt() + pixel * 4;
-            for (int channel = 0; channel < 3; ++channel)
-                rgba[channel] = levelOf(thresholds, known.mean[channel], exposure);
+            transform.setLevels(known.mean, rgba);
             rgba[3] = 255;
         }
         sums[index] = mine;

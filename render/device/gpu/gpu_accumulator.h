@@ -81,7 +81,8 @@ class GpuAccumulator final : public Accumulator {
     GpuArray<G, ErrorCounts> errors_{gpu_};
     GpuArray<G, GpuHealth> health_{gpu_};
     GpuArray<G, double> thresholds_{gpu_};
-    GpuArray<G, float> curve_{gpu_};
+    GpuArray<G, float> greys_{gpu_}, lights_{gpu_};  ///< tables of the tone curves
+    GpuArray<G, vec2> hues_{gpu_};
     std::array<Slot, kMaxInFlight> slots_{Slot(gpu_), Slot(gpu_)};
     std::uint64_t shown_ = 0, taken_ = 0;
     Development development_;                      ///< denoises images on the host
@@ -114,7 +115,9 @@ Result<void> GpuAccumulator<G>::restart(const Tile& area, std::uint64_t revision
     gpu_.launch(ForgetFaultsKernel{health_.data()}, 1, GpuStream::compute);
     if (thresholds_.size() == 0) {
         thresholds_.assign(displayThresholds());
-        curve_.assign({displayCurve(), std::size_t(kCurveEntries)});
+        greys_.assign({displayCurve(), std::size_t(GreyTable::kEntries)});
+        hues_.assign({hueCurve(), std::size_t(HueTable::kEntries)});
+        lights_.assign({lightCurve(), std::size_t(LightTable::kEntries)});
     }
     return takeStatus(gpu_);
 }
@@ -159,9 +162,10 @@ Result<void> GpuAccumulator<G>::resolve(const Display& display, std::stop_token 
     slot.samples = progress_.counts();
     slot.exposure = double(display.exposure);
     // Develop the image on the device
+    const DisplayTransform transform{thresholds_.data(), greys_.data(), hues_.data(),
+                                     lights_.data(),     slot.exposure, display.curve};
     std::byte* frame = slot.onDevice.data();
-    gpu_.launch(ResolveKernel{layout_, block_.data(), moments_.data(), thresholds_.data(), curve_.data(), slot.exposure,
-                              frame, sums_.data(), errors_.data()},
+    gpu_.launch(ResolveKernel{layout_, block_.data(), moments_.data(), transform, frame, sums_.data(), errors_.data()},
                 layout_.sums(), GpuStream::compute);
     gpu_.launch(CountErrorsKernel{errors_.data(), frame}, kErrorBins, GpuStream::compute);
     gpu_.launch(FinalizeKernel{layout_, sums_.data(), health_.data(), slot.id, frame}, layout_.totals(),

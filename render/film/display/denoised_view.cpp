@@ -13,7 +13,7 @@ void DenoisedView::judge(const Film& film, std::uint64_t samples, const std::sto
     if (!judgement)
         return;
     judgement_ = std::move(judgement);
-    exposure_ = 0;
+    tone_.reset();
     const std::optional<DenoisedError> linear = judgement_->overAll(1);
     pays_ = !linear || smoothingPays(*linear, film.status());
 }
@@ -23,21 +23,21 @@ Display DenoisedView::better(Display wanted) const {
     return wanted;
 }
 
-std::optional<DenoisedError> DenoisedView::error(double exposure) {
-    if (judgement_ && exposure != exposure_) {
-        error_ = judgement_->overAll(exposure);
-        exposure_ = exposure;
+std::optional<DenoisedError> DenoisedView::error(const Tone& tone) {
+    if (judgement_ && tone != tone_) {
+        error_ = judgement_->overAll(tone);
+        tone_ = tone;
     }
     return error_;
 }
 
-std::optional<DenoisedError> DenoisedView::errorOver(const Tile& part, double exposure) const {
-    return judgement_ ? judgement_->over(part, exposure) : std::nullopt;
+std::optional<DenoisedError> DenoisedView::errorOver(const Tile& part, const Tone& tone) const {
+    return judgement_ ? judgement_->over(part, tone) : std::nullopt;
 }
 
-std::optional<LevelErrorMap> DenoisedView::errorMap(double exposure) {
-    const std::optional<DenoisedError> known = error(exposure);
-    return known ? std::optional(judgement_->errorMap(exposure, known->levelsAtMost)) : std::nullopt;
+std::optional<LevelErrorMap> DenoisedView::errorMap(const Tone& tone) {
+    const std::optional<DenoisedError> known = error(tone);
+    return known ? std::optional(judgement_->errorMap(tone, known->levelsAtMost)) : std::nullopt;
 }
 
 std::vector<denoise::LostLine> DenoisedView::lostLines() const {

@@ -29,13 +29,13 @@ class DenoisedView {
 
     /// Returns `wanted`, without denoising where the raw film is better.
     Display better(Display wanted) const;
-    /// Returns the error of the denoised image at the last judgement, on a display of that exposure; later images are
+    /// Returns the error of the denoised image at the last judgement, on a display of that tone; later images are
     /// better. Nothing if it is not known.
-    std::optional<DenoisedError> error(double exposure);
+    std::optional<DenoisedError> error(const Tone& tone);
     /// Returns the error of the denoised image over a part of it, as error() does for the whole.
-    std::optional<DenoisedError> errorOver(const Tile& part, double exposure) const;
+    std::optional<DenoisedError> errorOver(const Tile& part, const Tone& tone) const;
     /// Returns the error map of the denoised image; nothing where error() is not known.
-    std::optional<LevelErrorMap> errorMap(double exposure);
+    std::optional<LevelErrorMap> errorMap(const Tone& tone);
     /// Returns the lines that the denoised image lacked at the last judgement; some of them may have come back since.
     std::vector<denoise::LostLine> lostLines() const;
     /// Returns the memory that the judgement holds.
@@ -45,8 +45,8 @@ class DenoisedView {
     std::optional<SmoothingJudgement> judgement_;
     std::uint64_t judgedSamples_ = 0;
     bool pays_ = true;
-    std::optional<DenoisedError> error_;  ///< error on a display of exposure_
-    double exposure_ = 0;                 ///< exposure of error_; 0: not yet computed
+    std::optional<DenoisedError> error_;  ///< error on a display of tone_
+    std::optional<Tone> tone_;            ///< tone of error_; none: not yet computed
 };
 
 }  // namespace pdr

@@ -1,6 +1,5 @@
 #pragma once
-/// Maps linear radiance to display levels: 1 - exp(-L / exposure) per channel, then the sRGB curve (IEC 61966-2-1),
-/// rounded.
+/// Images of a film: linear radiance mapped to display levels by the display's tone curve (tone_curve.h), rounded.
 
 #include <cstdint>
 #include <optional>
@@ -13,7 +12,8 @@
 
 namespace pdr {
 
-/// Returns the level of one channel: 0 for L <= 0, 255 for +infinity, monotone in L.
+/// Returns the level of a grey, which is that of one channel alone too where the tone curve is perChannel: 0 for L <=
+/// 0, 255 for +infinity, monotone in L.
 std::uint8_t displayLevel(double radiance, const Display& display);
 
 /// The image that a screen shows of a film.
@@ -37,8 +37,8 @@ Image denoisedImageOf(const Film& film, const denoise::Colours& smooth, double u
 class Development {
   public:
     /// Returns the same bits as imageOf(), with one exception: where a denoised image is requested at another
-    /// exposure than before, the cached radiance is shown even if the film has gained samples since, so that the image
-    /// follows a slider. The next request at the same exposure shows all samples. A stop request leaves the cached
+    /// tone than before, the cached radiance is shown even if the film has gained samples since, so that the image
+    /// follows a slider. The next request at the same tone shows all samples. A stop request leaves the cached
     /// radiance as it is.
     Image image(const Film& film, const Display& display, const std::stop_token& stop = {});
 
@@ -48,10 +48,10 @@ class Development {
         TileProgress progress;
         double unit;  ///< radiance per unit of `radiance`
         denoise::Colours radiance;
-        float exposure;  ///< exposure of the display that showed it last
-        bool shows(const Film& film, float wanted) const {
+        Tone tone;  ///< tone of the display that showed it last
+        bool shows(const Film& film, const Tone& wanted) const {
             return revision == film.revision() && radiance[0].size() == film.size() &&
-                   (exposure != wanted || progress == film.progress());
+                   (tone != wanted || progress == film.progress());
         }
     };
 

@@ -48,6 +48,7 @@ void ErrorSums::Bin::add(const Bin& other) {
     pixels += other.pixels;
     errors += other.errors;
     squares += other.squares;
+    sums += other.sums;
 }
 
 /// Returns the mean squared error, or its standard error where chance has made the mean smaller than that.
@@ -55,9 +56,17 @@ dvec3 ErrorSums::Bin::variance() const {
     return glm::max(errors, glm::sqrt(squares)) / pixels;
 }
 
-void ErrorSums::add(LookBin bin, vec3 squaredErrors) {
+/// Returns the correlation in [0, 1] of the channels' errors, the same for all pairs, that makes the error of their
+/// sum.
+double ErrorSums::Bin::correlation() const {
+    const dvec3 deviation = glm::sqrt(glm::max(errors, dvec3(0)));
+    const double pairs = deviation.x * deviation.y + deviation.y * deviation.z + deviation.z * deviation.x;
+    return pairs > 0 ? glm::clamp((sums - errors.x - errors.y - errors.z) / (2 * pairs), 0.0, 1.0) : 1;
+}
+
+void ErrorSums::add(LookBin bin, vec3 squaredErrors, float squaredSum) {
     const dvec3 squared(squaredErrors);
-    bins_[bin.brightness][bin.contrast].add({1, squared, squared * squared});
+    bins_[bin.brightness][bin.contrast].add({1, squared, squared * squared, double(squaredSum)});
 }
 
 void ErrorSums::add(const ErrorSums& other) {
@@ -84,7 +93,8 @@ ErrorClasses::ErrorClasses(const ErrorSums& sums) {
             for (std::size_t j = smooth; j < sharp; ++j)
                 joined.add(bins[j]);
             for (std::size_t i = dark; i < bright; ++i)
-                std::fill(&variances_[i][smooth], &variances_[i][sharp], vec3(joined.variance()));
+                std::fill(&errors_[i][smooth], &errors_[i][sharp],
+                          ClassError{vec3(joined.variance()), float(joined.correlation())});
         });
     });
 }

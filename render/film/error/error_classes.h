@@ -25,7 +25,8 @@ struct LookBin {
 /// Sums of unbiased estimates of squared errors, by bins.
 class ErrorSums {
   public:
-    void add(LookBin bin, vec3 squaredErrors);
+    /// `squaredSum`: estimate of the squared error of the three channels' sum.
+    void add(LookBin bin, vec3 squaredErrors, float squaredSum);
     void add(const ErrorSums& other);
 
   private:
@@ -34,16 +35,18 @@ class ErrorSums {
         double pixels = 0;
         dvec3 errors{0.0};
         dvec3 squares{0.0};  ///< sum of the squares of `errors`
+        double sums = 0;     ///< squared errors of the channels' sum
 
         void add(const Bin& other);
         dvec3 variance() const;
+        double correlation() const;
     };
 
     std::array<std::array<Bin, LookBin::kContrast>, LookBin::kBrightness> bins_{};
 };
 
-/// The variance of the error of each channel, constant in classes of bins with about as many pixels each: classes of
-/// brightness, and in each of them classes of contrast.
+/// The variance of the error of each channel and how the channels go together, constant in classes of bins with about
+/// as many pixels each: classes of brightness, and in each of them classes of contrast.
 class ErrorClasses {
   public:
     /// Classes at most. Fewer of brightness mix errors of different sizes; with half as many again, or more of
@@ -54,10 +57,17 @@ class ErrorClasses {
     ErrorClasses() = default;
     explicit ErrorClasses(const ErrorSums& sums);
 
-    vec3 variance(LookBin bin) const { return variances_[bin.brightness][bin.contrast]; }
+    vec3 variance(LookBin bin) const { return errors_[bin.brightness][bin.contrast].variance; }
+    /// Returns the correlation of two channels' errors, in [0, 1], one for all pairs; see channel_margin.h.
+    float correlation(LookBin bin) const { return errors_[bin.brightness][bin.contrast].correlation; }
 
   private:
-    std::array<std::array<vec3, LookBin::kContrast>, LookBin::kBrightness> variances_{};
+    struct ClassError {
+        vec3 variance{0.0f};
+        float correlation = 1;
+    };
+
+    std::array<std::array<ClassError, LookBin::kContrast>, LookBin::kBrightness> errors_{};
 };
 
 }  // namespace pdr

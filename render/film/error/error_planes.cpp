@@ -13,6 +13,13 @@ Tile widened(const Tile& part, int radius, ivec2 film) {
 }
 
 void set(ErrorPlanes& planes, int x, int y, const PixelEstimate& pixel) {
+    const auto inErrors = [](double draw, double error) { return error > 0 ? draw / error : 0; };
+    const dvec3 own(inErrors(pixel.errorDraw.x, pixel.standardError.x),
+                    inErrors(pixel.errorDraw.y, pixel.standardError.y),
+                    inErrors(pixel.errorDraw.z, pixel.standardError.z));
+    const double joint = own.x + own.y + own.z;
+    planes.jointDraws.row(y)[x] = float(joint * joint);
+    planes.ownDraws.row(y)[x] = float(glm::dot(own, own));
     const double error = luminance(pixel.standardError), draw = luminance(pixel.errorDraw);
     for (int c = 0; c < 3; ++c)
         planes.squares[c].row(y)[x] = float(pixel.standardError[c] * pixel.standardError[c]);
@@ -27,14 +34,15 @@ void set(ErrorPlanes& planes, int x, int y, const PixelEstimate& pixel) {
 ErrorPlanes errorPlanesAround(const Film& film, const Tile& part, int radius) {
     const Tile area = widened(part, radius, film.size());
     const denoise::Plane empty(ivec2(area.width, area.height));
-    ErrorPlanes planes{area, {empty, empty, empty}, empty, empty, empty, empty};
+    ErrorPlanes planes{area, {empty, empty, empty}, empty, empty, empty, empty, empty, empty};
     denoise::eachBand(area.height, {}, [&](int begin, int end) {
         for (int y = begin; y < end; ++y)
             for (int x = 0; x < area.width; ++x)
                 set(planes, x, y, film.pixel(area.x + x, area.y + y));
     });
-    for (denoise::Plane* plane : {&planes.squares[0], &planes.squares[1], &planes.squares[2], &planes.light,
-                                  &planes.lightSquares, &planes.drawSquares, &planes.tissue})
+    for (denoise::Plane* plane :
+         {&planes.squares[0], &planes.squares[1], &planes.squares[2], &planes.light, &planes.lightSquares,
+          &planes.drawSquares, &planes.tissue, &planes.jointDraws, &planes.ownDraws})
         plane->mirror();
     return planes;
 }

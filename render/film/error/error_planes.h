@@ -14,6 +14,8 @@ struct ErrorPlanes {
     denoise::Plane lightSquares;  ///< squared luminance of the standard errors; infinite below 2 samples
     denoise::Plane drawSquares;   ///< squared luminance of draws of the error
     denoise::Plane tissue;        ///< 1: a sample met tissue
+    denoise::Plane jointDraws;    ///< squared sum of the channels' draws, each in units of its standard error
+    denoise::Plane ownDraws;      ///< sum of their squares
 };
 
 /// Returns the planes of `part`, at least one pixel, and of what lies up to `radius` pixels around it, as far as the

@@ -21,30 +21,28 @@ const std::array<float, kQuantiles>& distances() {
     return all;
 }
 
-/// Returns the slope of the tone curve [levels per unit of the exposure] between one deviation below and above.
-float slopeAround(float light, float deviation) {
-    const float* curve = displayCurve();
-    const float low = glm::max(light - deviation, 0.0f), high = glm::max(light + deviation, low + 0x1p-14f);
-    return (exactLevelOf(curve, high) - exactLevelOf(curve, low)) / (high - low);
+/// Returns the slope of channel c of the tone curve [levels per unit of the exposure] between one deviation of that
+/// channel below and above.
+float slopeAround(const DisplayTransform& transform, vec3 light, int c, float deviation) {
+    vec3 low = light, high = light;
+    low[c] = glm::max(light[c] - deviation, 0.0f);
+    high[c] = glm::max(light[c] + deviation, low[c] + 0x1p-14f);
+    return (transform.exactLevels(high)[c] - transform.exactLevels(low)[c]) / (high[c] - low[c]);
 }
 
 }  // namespace
 
-void JudgedLevels::add(ivec2 pixel, vec3 light, vec3 variance, vec3 squaredErrors) {
+void JudgedLevels::add(ivec2 pixel, vec3 light, vec3 variance, vec3 squaredErrors, float correlation) {
     const vec3 shown = light * perExposure_, deviation = glm::sqrt(variance) * perExposure_;
     // Neighbours take turns, so that all quantiles come up in any 8 x 8 pixels
     for (int i = 0; i < kOfOnePixel; ++i) {
         const int turn = (pixel.x + 3 * pixel.y + i * kQuantiles / kOfOnePixel) & (kQuantiles - 1);
         const float z = distances()[std::size_t(turn)];
-        for (const float off : {-z, z}) {
-            float worst = 0;
-            for (int c = 0; c < 3; ++c)
-                worst = glm::max(worst, levelsOff(displayCurve(), shown[c], off * deviation[c]));
-            ++counts_.pixels[errorBinOf(worst)];
-        }
+        for (const float off : {-z, z})
+            ++counts_.pixels[errorBinOf(levelsApart(transform_, shown, off * deviation, correlation))];
     }
     for (int c = 0; c < 3; ++c) {
-        const double slope = double(slopeAround(shown[c], deviation[c]) * perExposure_);
+        const double slope = double(slopeAround(transform_, shown, c, deviation[c]) * perExposure_);
         tile_[c] += slope * slope * double(squaredErrors[c] - variance[c]);
         variances_[c] += slope * slope * double(variance[c]);
     }

@@ -3,19 +3,20 @@
 /// of a pixel are taken as normal, and each of a few quantiles of theirs goes through the tone curve. The tone curve's
 /// slope would not do: it is steep in the dark, and errors there are as large as the light.
 
-#include "render/film/display_error.h"
+#include "render/film/error/channel_margin.h"
 
 namespace pdr {
 
 /// Sums over the pixels of a region, tile by tile.
 class JudgedLevels {
   public:
-    /// `exposure`: of the display.
-    explicit JudgedLevels(float exposure) : perExposure_(1 / exposure) {}
+    /// `tone`: of the display.
+    explicit JudgedLevels(const Tone& tone) : transform_(displayTransform(tone)), perExposure_(1 / tone.exposure) {}
 
     /// Adds a pixel of the current tile. `squaredErrors`: unbiased estimates, of which `variance` is the mean over
-    /// similar pixels. In the unit of the exposure.
-    void add(ivec2 pixel, vec3 light, vec3 variance, vec3 squaredErrors);
+    /// similar pixels, and `correlation` that of the channels' errors in them (ErrorClasses). In the unit of the
+    /// exposure.
+    void add(ivec2 pixel, vec3 light, vec3 variance, vec3 squaredErrors, float correlation);
     /// Ends a tile, whose errors count as one draw; one without pixels is none.
     void endTile();
     /// Adds the tiles of `other`.
@@ -29,6 +30,7 @@ class JudgedLevels {
     double uncertainty(int fitted) const;
 
   private:
+    DisplayTransform transform_;
     float perExposure_;
     ErrorCounts counts_;
     double tiles_ = 0;

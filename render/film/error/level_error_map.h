@@ -32,9 +32,9 @@ struct LevelErrorMap {
 };
 
 /// Returns the 95 % margin [levels] of a pixel of that mean, whose standard error is `error` in each channel: the
-/// largest of all channels, upwards or downwards, clipped to what a display can show. Infinite where an error is
-/// infinite. `exposure`: of the display.
-float levelsWithin(dvec3 mean, dvec3 error, double exposure);
+/// largest of all channels, upwards or downwards, clipped to what a display of that tone can show. Infinite where an
+/// error is infinite. `correlation`: of the channels' errors, as LikelyErrors::correlation.
+float levelsWithin(dvec3 mean, dvec3 error, const Tone& tone, float correlation = 1);
 
 /// Errors at one place of an image [levels, to 95 %]; infinite: not known.
 struct LevelErrorsAt {
@@ -46,10 +46,10 @@ struct LevelErrorsAt {
 
 /// Returns the errors at `pixel` of the film, and over side x side pixels around it, side >= 1, as far as the film
 /// goes.
-LevelErrorsAt levelErrorsAt(const Film& film, ivec2 pixel, int side, double exposure);
+LevelErrorsAt levelErrorsAt(const Film& film, ivec2 pixel, int side, const Tone& tone);
 
 /// Returns the error map of the whole film; pixels below kSamplesToEstimate samples are not known. The same bits for
 /// any number of threads; worthless after a stop request.
-LevelErrorMap levelErrorMap(const Film& film, double exposure, const std::stop_token& stop = {});
+LevelErrorMap levelErrorMap(const Film& film, const Tone& tone, const std::stop_token& stop = {});
 
 }  // namespace pdr

@@ -25,10 +25,7 @@ denoise::Plane noiseShare(const ErrorPlanes& planes) {
                              denoise::boxed(planes.lightSquares, kRadius), denoise::boxed(most, kRadius));
 }
 
-}  // namespace
-
-denoise::Colours likelyErrors(const Film& film, const Tile& part) {
-    const ErrorPlanes planes = errorPlanesAround(film, part, kRadius + kLocalRadius);
+denoise::Colours errorsIn(const Tile& part, const ErrorPlanes& planes) {
     const denoise::Plane share = noiseShare(planes);
     const denoise::Colours most = localErrors(planes);
     const auto channel = [&](int c) {
@@ -36,6 +33,26 @@ denoise::Colours likelyErrors(const Film& film, const Tile& part) {
         return cropped(denoise::combined(likely, most[c], share), planes.area, part);
     };
     return {channel(0), channel(1), channel(2)};
+}
+
+/// The squared sum of three draws of variance 1 is 3 + 6 times their correlation on average, the sum of their squares
+/// is 3. Draws that cancel each other count as independent ones.
+denoise::Plane correlationIn(const Tile& part, const ErrorPlanes& planes) {
+    const auto of = [](float joint, float own) { return own > 0 ? glm::clamp((joint / own - 1) / 2, 0.0f, 1.0f) : 1; };
+    return cropped(
+        denoise::combined(of, denoise::boxed(planes.jointDraws, kRadius), denoise::boxed(planes.ownDraws, kRadius)),
+        planes.area, part);
+}
+
+}  // namespace
+
+denoise::Colours likelyErrors(const Film& film, const Tile& part) {
+    return errorsIn(part, errorPlanesAround(film, part, kRadius + kLocalRadius));
+}
+
+LikelyErrors likelyErrorsAndCorrelation(const Film& film, const Tile& part) {
+    const ErrorPlanes planes = errorPlanesAround(film, part, kRadius + kLocalRadius);
+    return {errorsIn(part, planes), correlationIn(part, planes)};
 }
 
 }  // namespace pdr

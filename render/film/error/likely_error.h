@@ -13,4 +13,13 @@ namespace pdr {
 /// their errors (errorDrawOf()), to the presumed noise. Never more than localErrors(); infinite and 0 where those are.
 denoise::Colours likelyErrors(const Film& film, const Tile& part);
 
+/// Errors of pixels as a map of levels needs them.
+struct LikelyErrors {
+    denoise::Colours errors;  ///< likelyErrors()
+    /// Correlation of the errors of two channels, in [0, 1], one for all pairs: 1 where they are brighter and darker
+    /// together, as under white light; estimated from the draws in 13 x 13 pixels.
+    denoise::Plane correlation;
+};
+LikelyErrors likelyErrorsAndCorrelation(const Film& film, const Tile& part);
+
 }  // namespace pdr

@@ -52,11 +52,15 @@ struct Halves {
     }
 };
 
-Halves luminanceOf(const std::array<Halves, 3>& channels) {
+Halves weighted(const std::array<Halves, 3>& channels, vec3 weights) {
     const auto sum = [&](float Halves::*part) {
-        return 0.2126f * channels[0].*part + 0.7152f * channels[1].*part + 0.0722f * channels[2].*part;
+        return weights.x * channels[0].*part + weights.y * channels[1].*part + weights.z * channels[2].*part;
     };
     return {sum(&Halves::smoothEven), sum(&Halves::smoothOdd), sum(&Halves::even), sum(&Halves::odd)};
+}
+
+Halves luminanceOf(const std::array<Halves, 3>& channels) {
+    return weighted(channels, {0.2126f, 0.7152f, 0.0722f});
 }
 
 denoise::Plane meanLuminance(const denoise::Colours& a, const denoise::Colours& b) {
@@ -191,6 +195,7 @@ SmoothingJudgement::SmoothingJudgement(const Film& film, const NoisyFilm& noisy,
                     pixel.smooth[c] = channels[c].smooth();
                     pixel.squaredErrors[c] = channels[c].squaredError();
                 }
+                pixel.squaredSum = weighted(channels, vec3(1)).squaredError();
                 const Halves luminance = luminanceOf(channels);
                 pixel.luminance = luminance.raw();
                 pixel.squaredError = luminance.squaredError();
@@ -250,11 +255,12 @@ SmoothingJudgement::Sums SmoothingJudgement::sumsOver(const Tile& region) const 
 
 ErrorClasses SmoothingJudgement::errorsOver(const Tile& region) const {
     return ErrorClasses(overTiles(region, ErrorSums(), [&](ErrorSums& sums, const Tile& tile) {
-        eachJudged(tile, [&](ivec2, const Evidence& pixel) { sums.add(pixel.look, pixel.squaredErrors); });
+        eachJudged(tile,
+                   [&](ivec2, const Evidence& pixel) { sums.add(pixel.look, pixel.squaredErrors, pixel.squaredSum); });
     }));
 }
 
-LevelErrorMap SmoothingJudgement::errorMap(double exposure, double stated) const {
+LevelErrorMap SmoothingJudgement::errorMap(const Tone& tone, double stated) const {
     const ErrorClasses classes = errorsOver(area_);
     // Compare the errors around each pixel with what its class says of them
     denoise::Plane found(ivec2(area_.width, area_.height)), expected = found;
@@ -275,30 +281,33 @@ LevelErrorMap SmoothingJudgement::errorMap(double exposure, double stated) const
             return;
         const ivec2 place = at - ivec2(area_.x, area_.y);
         const vec3 error = kWideTails * glm::sqrt(classes.variance(pixel.look) * share.row(place.y)[place.x]);
-        const float levels = levelsWithin(unit_ * dvec3(pixel.smooth), unit_ * dvec3(error), exposure);
+        const float levels =
+            levelsWithin(unit_ * dvec3(pixel.smooth), unit_ * dvec3(error), tone, classes.correlation(pixel.look));
         map.bins[std::size_t(place.y) * std::size_t(area_.width) + std::size_t(place.x)] =
             levelBinOf(std::max(levels, float(stated / 8)));
     });
     return map;
 }
 
-std::optional<DenoisedError> SmoothingJudgement::over(const Tile& region, double exposure) const {
+std::optional<DenoisedError> SmoothingJudgement::over(const Tile& region, const Tone& tone) const {
     const Tile inside = intersection(region, area_);
     const Sums linear = sumsOver(inside);
     if (linear.tiles < kFewestTiles || linear.rareNoise > kMostRareNoise * linear.noise ||
         (linear.unlit > 0 && !(linear.luminance > 0)))
         return std::nullopt;
-    const auto inUnits = float(exposure / unit_);
+    const Tone inUnits(double(tone.exposure) / unit_, tone.curve);
     const ErrorClasses classes = errorsOver(inside);
     const JudgedLevels shown = overTiles(inside, JudgedLevels(inUnits), [&](JudgedLevels& sums, const Tile& tile) {
         eachJudged(tile, [&](ivec2 at, const Evidence& pixel) {
-            sums.add(at, pixel.smooth, classes.variance(pixel.look), pixel.squaredErrors);
+            sums.add(at, pixel.smooth, classes.variance(pixel.look), pixel.squaredErrors,
+                     classes.correlation(pixel.look));
         });
         sums.endTile();
     });
     const double mean = linear.luminance / linear.pixels, levels = shown.levels();
     const auto relative = [mean](double off) { return off > 0 ? off / mean : 0; };
-    const double dark = double(exactLevelOf(displayCurve(), float(linear.inTheDark(samples_) / double(inUnits))));
+    const double dark =
+        double(exactLevelOf(displayCurve(), float(linear.inTheDark(samples_) / double(inUnits.exposure))));
     return DenoisedError{
         relative(linear.rootMean(0)), relative(linear.rootMean(sigmas_)), levels,
         std::max(kWideTails * std::sqrt(1 + sigmas_ * shown.uncertainty(ErrorClasses::kBrightness)) * levels, dark),

@@ -52,15 +52,15 @@ class SmoothingJudgement {
     static std::optional<SmoothingJudgement> of(const Film& film, const HalfSmoother& smoother,
                                                 const std::stop_token& stop = {});
 
-    /// Returns the error over a region, which is clipped to the film, on a display of that exposure. Nothing if too
+    /// Returns the error over a region, which is clipped to the film, on a display of that tone. Nothing if too
     /// little is known: where the region has tissue in less than 16 tiles of 16 x 16 pixels, while the image rests on
     /// few bright samples, or while no light has been seen that may come.
-    std::optional<DenoisedError> over(const Tile& region, double exposure) const;
-    std::optional<DenoisedError> overAll(double exposure) const { return over(area_, exposure); }
-    /// Returns the error map of the denoised image on a display of that exposure: for each pixel of tissue the 95 %
+    std::optional<DenoisedError> over(const Tile& region, const Tone& tone) const;
+    std::optional<DenoisedError> overAll(const Tone& tone) const { return over(area_, tone); }
+    /// Returns the error map of the denoised image on a display of that tone: for each pixel of tissue the 95 %
     /// margin of an error as pixels that look alike have over the whole image, times the ratio of both in 21 x 21
     /// pixels around it; at least an eighth of `stated`, since a single square is no evidence of less.
-    LevelErrorMap errorMap(double exposure, double stated) const;
+    LevelErrorMap errorMap(const Tone& tone, double stated) const;
     /// Lines that are known to be missing, though the stated error does not show it; see denoise/lost_lines.h.
     const std::vector<denoise::LostLine>& lostLines() const { return lostLines_; }
     /// Returns the memory that it holds.
@@ -71,6 +71,7 @@ class SmoothingJudgement {
     struct Evidence {
         vec3 smooth{0.0f};
         vec3 squaredErrors{0.0f};
+        float squaredSum = 0;  ///< squared error of the channels' sum
         float luminance = 0, squaredError = 0;
         float variance = 0;  ///< variance of the luminance of all samples, averaged over neighbours
         float noise = 0;     ///< squared standard error of the luminance, not averaged

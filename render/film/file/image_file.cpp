@@ -120,7 +120,7 @@ Result<void> writePng(const Film& film, const Display& wanted, DenoisedView& vie
     // Collect the text chunks
     std::vector<Fact> facts = factsOf(provenance);
     if (display.denoised)
-        facts.push_back({"pdrender/denoised", denoisedFact(view.error(display.exposure), view.lostLines().size())});
+        facts.push_back({"pdrender/denoised", denoisedFact(view.error(display), view.lostLines().size())});
     facts.push_back({"Software", provenance.program});
     facts.push_back({"Comment", "Not for diagnostic use."});
 

@@ -44,6 +44,7 @@ std::vector<Fact> factsOf(const Provenance& from) {
         {"pdrender/tissueWithinLevels", status.displayError},  // 95 % of the tissue, of 255 levels
         {"pdrender/tissueNotSeenYet", status.unseenTissue},    // a lower bound
         {"pdrender/exposure", from.exposure},
+        {"pdrender/toneCurve", from.toneCurve},
         {"pdrender/bias", from.bias.empty() ? "none known" : from.bias},
         {"pdrender/rejectedSamples", double(status.health.rejected())},
         {"pdrender/health", healthFact(status.health)},

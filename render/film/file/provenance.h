@@ -12,9 +12,10 @@
 namespace pdr {
 
 struct Provenance {
-    FilmStatus status;    ///< status on a display of `exposure`
-    double exposure = 0;  ///< exposure of the display (see Display)
-    double seconds = 0;   ///< rendering time
+    FilmStatus status;      ///< status on a display of `exposure`
+    double exposure = 0;    ///< exposure of the display (see Display)
+    std::string toneCurve;  ///< toneCurveName() of the display
+    double seconds = 0;     ///< rendering time
     std::uint64_t seed = 0;
     std::string model;
     double extinctionPerMm = 0;

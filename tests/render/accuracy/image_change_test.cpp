@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "render/accuracy/image_change.h"
+#include "render/film/display_transform.h"
 #include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
@@ -68,6 +69,40 @@ class ImageChangeTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// Two films without noise: what is told is the mean over the channels of how far the screen's levels are apart.
+    void coloursChangeByWhatTheScreenShows_data() {
+        QTest::addColumn<ToneCurve>("curve");
+        QTest::newRow("keepsHue") << ToneCurve::keepsHue;
+        QTest::newRow("perChannel") << ToneCurve::perChannel;
+    }
+    void coloursChangeByWhatTheScreenShows() {
+        QFETCH(ToneCurve, curve);
+        const Display display{.exposure = 0.7f, .curve = curve};
+        const DisplayTransform transform = displayTransform(display);
+        const dvec3 tissue[] = {{1, 0.69, 0.36}, {1, 0.12, 0.08}, {0.2, 0.3, 1}, {1, 1, 1}, {0.5, 1, 1}};
+        for (const dvec3 from : tissue)
+            for (const dvec3 to : tissue)
+                for (const double brighter : {0.0, 0.5, 1.0, 1.2, 3.0}) {
+                    Film with(ivec2(1, 1), 1), without(ivec2(1, 1), 1);
+                    const auto set = [](Film& film, dvec3 mean) {
+                        film.sums(wholeImage(film.size())).pixels[0] = {.sum = 2.0 * mean,
+                                                                        .sumOfSquares = 2.0 * mean * mean,
+                                                                        .evenSum = vec3(mean),
+                                                                        .evenCount = 1,
+                                                                        .count = 2,
+                                                                        .seen = kSeenTissue};
+                        film.commit({0, 2});
+                    };
+                    set(with, 0.8 * from), set(without, 0.8 * brighter * to);
+                    const vec3 apart =
+                        glm::abs(transform.exactLevels(0.8 * from) - transform.exactLevels(0.8 * brighter * to));
+                    const double truth = double(apart.x + apart.y + apart.z) / 3;
+                    const double told = imageChange(with, without, display).mean.value;
+                    QVERIFY2(std::fabs(told - truth) < 0.1 + 0.01 * truth,
+                             qPrintable(QString("%1 for %2").arg(told).arg(truth)));
+                }
+    }
+
     void intervalsHoldWhatIsTrue_data() {
         QTest::addColumn<Field>("field");
         const Field nothing = [](int, auto&) { return 0.0; };

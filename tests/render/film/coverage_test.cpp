@@ -28,7 +28,9 @@ struct Coverage {
     double fewBright = 0;  ///< images that report that they rest on few bright samples
 };
 
-double levelsOff(dvec3 light, dvec3 truth) {
+double levelsOff(dvec3 light, dvec3 truth, const Tone& tone) {
+    if (tone.curve == ToneCurve::keepsHue)
+        return double(pdr::levelsOff(displayTransform(tone), truth, light - truth));
     double levels = 0;
     for (int c = 0; c < 3; ++c)
         levels = std::max(levels, std::fabs(test::curve(light[c], kExposure) - test::curve(truth[c], kExposure)));
@@ -48,9 +50,10 @@ dvec3 at(const denoise::Colours& planes, int x, int y) {
 }
 
 /// Returns the coverage of one image.
-Coverage covered(const Film& film, const Film& truth) {
-    const FilmStatus status = test::shownStatus(film, kExposure);
-    const denoise::Colours bounds = localErrors(film), errors = likelyErrors(film, wholeImage(kFilm));
+Coverage covered(const Film& film, const Film& truth, const Tone& tone = kExposure) {
+    const FilmStatus status = test::shownStatus(film, tone);
+    const denoise::Colours bounds = localErrors(film);
+    const auto [errors, correlation] = likelyErrorsAndCorrelation(film, wholeImage(kFilm));
     double tissue = 0, off = 0, squares = 0;
     Coverage sum{.fewBright = double(status.fewBrightSamples)};
     for (int y = 0; y < kFilm.y; ++y)
@@ -60,7 +63,7 @@ Coverage covered(const Film& film, const Film& truth) {
             squares += pixel.errorDraw.y * pixel.errorDraw.y;
             if (!pixel.tissue)
                 continue;
-            const double levels = levelsOff(pixel.mean, best.mean);
+            const double levels = levelsOff(pixel.mean, best.mean, tone);
             ++tissue;
             sum.levels += levels <= status.displayError;
             const dvec3 error = at(errors, x, y);
@@ -69,7 +72,7 @@ Coverage covered(const Film& film, const Film& truth) {
             ++sum.stated;
             sum.errors += channelsWithin(pixel.mean - best.mean, error) / 3.0;
             sum.bounds += channelsWithin(pixel.mean - best.mean, at(bounds, x, y)) / 3.0;
-            sum.map += levels <= double(levelsWithin(pixel.mean, error, kExposure));
+            sum.map += levels <= double(levelsWithin(pixel.mean, error, tone, correlation.row(y)[x]));
         }
     for (double* part : {&sum.errors, &sum.bounds, &sum.map})
         *part /= sum.stated;
@@ -114,15 +117,19 @@ class CoverageTest : public QObject {
     void whatIsStatedHolds_data() {
         QTest::addColumn<MakeScene>("made");
         QTest::addColumn<bool>("rareLight");  // most of a pixel's light comes by paths that few samples find
-        QTest::newRow("tissue") << MakeScene(test::tissueScene) << false;
-        QTest::newRow("lens") << MakeScene(test::tissueThroughALens) << false;
-        QTest::newRow("forward fog") << MakeScene(test::forwardFog) << true;
-        QTest::newRow("small bright lamp") << MakeScene(test::smallBrightLamp) << false;
-        QTest::newRow("many bounces") << MakeScene(test::manyBounces) << false;
+        QTest::addColumn<ToneCurve>("curve");
+        QTest::newRow("tissue") << MakeScene(test::tissueScene) << false << ToneCurve::perChannel;
+        QTest::newRow("tissue keeps its hue") << MakeScene(test::tissueScene) << false << ToneCurve::keepsHue;
+        QTest::newRow("lens") << MakeScene(test::tissueThroughALens) << false << ToneCurve::perChannel;
+        QTest::newRow("forward fog") << MakeScene(test::forwardFog) << true << ToneCurve::perChannel;
+        QTest::newRow("small bright lamp") << MakeScene(test::smallBrightLamp) << false << ToneCurve::perChannel;
+        QTest::newRow("many bounces") << MakeScene(test::manyBounces) << false << ToneCurve::perChannel;
+        QTest::newRow("bounces keep their hue") << MakeScene(test::manyBounces) << false << ToneCurve::keepsHue;
     }
     void whatIsStatedHolds() {
         QFETCH(MakeScene, made);
         QFETCH(bool, rareLight);
+        QFETCH(ToneCurve, curve);
         const int asked = qEnvironmentVariableIntValue("PDR_COVERAGE_SEEDS");
         const int seeds = std::max(asked, 12);
         Scene scene = made();
@@ -135,7 +142,7 @@ class CoverageTest : public QObject {
             Coverage sum;
             for (int seed = 1; seed <= seeds; ++seed) {
                 scene.seed = std::uint64_t(seed);
-                const Coverage one = covered(test::render(scene, samples), truth);
+                const Coverage one = covered(test::render(scene, samples), truth, {kExposure, curve});
                 sum.levels += one.levels / seeds, sum.mean += one.mean / seeds, sum.map += one.map / seeds;
                 sum.errors += one.errors / seeds, sum.bounds += one.bounds / seeds, sum.stated += one.stated / seeds;
                 sum.fewBright += one.fewBright / seeds;

@@ -29,7 +29,7 @@ class DisplayErrorTest : public QObject {
     /// The cases are bright, in the dark, where a draw reaches below black, and near white.
     void aPixelIsOffByWhatItsDrawWouldShow() {
         const auto off = [](dvec3 mean, dvec3 draw, double exposure) {
-            return levelsOff(displayCurve(), mean, draw, exposure);
+            return levelsOff(displayTransform(exposure), mean, draw);
         };
         const auto truth = [](double mean, double draw, double exposure) {
             return std::fabs(curve(mean + draw, exposure) - curve(mean, exposure));

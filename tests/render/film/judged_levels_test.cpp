@@ -22,12 +22,17 @@ LookBin flat(float light) {
     return LookBin::of(light, light, light);
 }
 
+/// Adds a pixel whose channels are off together.
+void add(ErrorSums& sums, LookBin bin, vec3 squaredErrors) {
+    sums.add(bin, squaredErrors, 9 * squaredErrors.x);
+}
+
 /// Returns the levels of pixels of one light, whose error in each channel has the variance `variance`.
 JudgedLevels levelsOf(float exposure, float light, float variance, float found) {
     JudgedLevels sums(exposure);
     for (int tile = 0; tile < 20; ++tile) {
         for (int i = 0; i < 256; ++i)
-            sums.add({i % 16, i / 16}, vec3(light), vec3(variance), vec3(found));
+            sums.add({i % 16, i / 16}, vec3(light), vec3(variance), vec3(found), 1);
         sums.endTile();
     }
     return sums;
@@ -43,7 +48,7 @@ class JudgedLevelsTest : public QObject {
         ErrorSums sums;
         for (int i = 0; i < 20'000; ++i) {
             const float light = std::exp2(float(i % 4) - 2);
-            sums.add(flat(light), noisy(0.01f * light, i));
+            add(sums, flat(light), noisy(0.01f * light, i));
         }
         const ErrorClasses errors(sums);
         for (int octave = -2; octave < 2; ++octave) {
@@ -57,7 +62,7 @@ class JudgedLevelsTest : public QObject {
         ErrorSums sums;
         const LookBin edge = LookBin::of(1, 0.5f, 2), shade = LookBin::of(1, 0.98f, 1);
         for (int i = 0; i < 1000; ++i)
-            sums.add(i % 2 == 0 ? edge : shade, vec3(i % 2 == 0 ? 0.4f : 0.1f));
+            add(sums, i % 2 == 0 ? edge : shade, vec3(i % 2 == 0 ? 0.4f : 0.1f));
         QVERIFY(std::fabs(ErrorClasses(sums).variance(edge).x - 0.4f) < 1e-6f);
         QVERIFY(std::fabs(ErrorClasses(sums).variance(shade).x - 0.1f) < 1e-6f);
     }
@@ -66,7 +71,7 @@ class JudgedLevelsTest : public QObject {
     void errorsThatChanceHidesCount() {
         ErrorSums sums;
         for (int i = 0; i < 100; ++i)
-            sums.add(flat(1), vec3(i % 2 == 0 ? 2.0f : -3.0f));
+            add(sums, flat(1), vec3(i % 2 == 0 ? 2.0f : -3.0f));
         const float hidden = std::sqrt((4.0f + 9) / 2 / 100);
         QVERIFY(std::fabs(ErrorClasses(sums).variance(flat(1)).x - hidden) < 1e-4f);
     }
@@ -75,9 +80,9 @@ class JudgedLevelsTest : public QObject {
     void fewPixelsJoinTheirNeighbours() {
         ErrorSums sums;
         for (int i = 0; i < 1000; ++i)
-            sums.add(flat(1), vec3(0.5f));
-        sums.add(flat(0), vec3(100));
-        sums.add(flat(1e6f), vec3(100));
+            add(sums, flat(1), vec3(0.5f));
+        add(sums, flat(0), vec3(100));
+        add(sums, flat(1e6f), vec3(100));
         const ErrorClasses errors(sums);
         for (const float light : {0.0f, 1.0f, 30.0f, 1e9f})
             QVERIFY(std::fabs(errors.variance(flat(light)).z - 0.7f) < 0.01f);

@@ -161,7 +161,7 @@ class MaskedTest : public QObject {
                 compare(found(Model::emissionAbsorption, ray), truth.absorbed);
             }
         }
-        const double allowed = 1 - std::exp(-0.25 / (255 * 0.2305)) + 3e-3;  // what the scene tolerates, and the steps
+        const double allowed = 1 - std::exp(-0.25 / (255 * 0.6232)) + 3e-3;  // what the scene tolerates, and the steps
         QVERIFY2(worst < allowed, qPrintable(QString::number(worst)));
     }
 

@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include "render/film/display/tone_map.h"
 #include "tests/support/devices/reel.h"
 #include "tests/support/devices/screen.h"
 
@@ -65,6 +66,24 @@ class SurveyTest : public QObject {
         QVERIFY(dark);
         const Film film = test::render(smallScene(), dark->status.samplesPerPixel);
         QCOMPARE(dark->status.displayError, film.status(8).displayError);
+    }
+
+    void colouredImagesHaveTheToneThatWasAskedFor() {
+        Scene scene = smallScene();
+        scene.background = vec3(1, 0.6f, 0.3f);
+        test::Screen screen;
+        Session session(makeCpuDevice(1), screen.sink());
+        session.setIterationsPerFrame(1);
+        const Display keepsHue{.exposure = 0.3f, .curve = ToneCurve::keepsHue};
+        session.setDisplay(keepsHue);
+        session.submit(scene, false);
+        const auto frame = screen.await([](const Frame& shown) { return shown.status.samplesPerPixel >= 4; });
+        QVERIFY(frame && frame->display == keepsHue);
+        const Film film = test::render(scene, frame->status.samplesPerPixel);
+        QVERIFY(frame->rgba == toneMap(film, keepsHue) && frame->rgba != toneMap(film, {.exposure = 0.3f}));
+        session.setPaused(true);
+        session.setDisplay({.exposure = 0.3f});  // the curve alone
+        QVERIFY(screen.await([&](const Frame& shown) { return shown.display.curve == ToneCurve::perChannel; }));
     }
 };
 

@@ -50,11 +50,12 @@ inline Film knownFilm(const std::vector<Known>& pixels, std::uint32_t n) {
 }
 
 /// Returns the status that a screen gets, from the CPU and from a GPU's programs; an empty status if they disagree.
-inline FilmStatus shownStatus(const Film& film, float exposure) {
-    const FilmStatus cpu = imageOf(film, {exposure}).status;
+inline FilmStatus shownStatus(const Film& film, const Tone& tone) {
+    const Display display{.exposure = tone.exposure, .curve = tone.curve};
+    const FilmStatus cpu = imageOf(film, display).status;
     const auto device = makeEmulatedGpu();
     const auto live = *device->film(film.size(), 1, {});
-    if (!live->resume(film) || !live->resolve({exposure}))
+    if (!live->resume(film) || !live->resolve(display))
         return {};
     const Result<Image> image = live->readback();
     if (!image || image->status.displayError != cpu.displayError || image->status.tissuePixels != cpu.tissuePixels ||
