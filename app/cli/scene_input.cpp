@@ -83,6 +83,7 @@ Result<void> dress(LoadedScene& work, const SceneInput& input, const std::option
     }
     if (input.exposure)
         work.display.exposure = float(*input.exposure);
+    work.display.curve = input.toneCurve.value_or(work.display.curve);
     work.scene.model = input.model.value_or(work.scene.model);
     work.scene.estimator = input.estimator.value_or(work.scene.estimator);
     work.scene.camera.apertureMm = input.apertureMm.value_or(work.scene.camera.apertureMm);

@@ -30,7 +30,8 @@ struct SceneInput {
     std::optional<Visible> parts;      ///< shown and hidden parts; absent: as the look or the scene file says
     std::optional<double> peelMm;      ///< absent: as the look or the scene file says
     std::optional<double> exposure;
-    bool autoExposure = false;  ///< true: set from the tissue of a small image, as in the window
+    std::optional<ToneCurve> toneCurve;  ///< absent: the look's
+    bool autoExposure = false;           ///< true: set from the tissue of a small image, as in the window
     std::optional<std::uint64_t> seed;
     std::optional<Model> model;
     std::optional<Estimator> estimator;

@@ -44,6 +44,16 @@ std::optional<Estimator> readEstimator(const Reader& reader) {
     usageError("--estimator", "must be unbiased or kroesMarch");
 }
 
+std::optional<ToneCurve> readToneCurve(const Reader& reader) {
+    const auto text = reader.text("tone-curve");
+    if (!text)
+        return std::nullopt;
+    for (const ToneCurve curve : {ToneCurve::keepsHue, ToneCurve::perChannel})
+        if (*text == toneCurveName(curve))
+            return curve;
+    usageError("--tone-curve", "must be keepsHue or perChannel");
+}
+
 std::optional<Table> readTable(const Reader& reader) {
     const auto text = reader.text("table");
     if (!text)
@@ -145,6 +155,9 @@ void describeSceneOptions(QCommandLineParser& parser) {
          "default: "
          "the look's, or 1.",
          "L"},
+        {"tone-curve",
+         "How the channels of a colour become levels: keepsHue or perChannel; default: the look's, or perChannel.",
+         "NAME"},
         {"model",
          "Optical model: absorption, emission, emissionAbsorption, singleScattering, multipleScattering or "
          "maximumIntensity.",
@@ -197,6 +210,7 @@ SceneInput readSceneOptions(const QCommandLineParser& parser, const QString& com
     scene.autoExposure = reader.text("exposure") == "auto";
     if (!scene.autoExposure)
         scene.exposure = reader.number("exposure", {0, 1e30, false});
+    scene.toneCurve = readToneCurve(reader);
     scene.seed = reader.whole("seed", 0, UINT64_MAX);
     scene.look = readLook(reader);
     scene.model = readModel(reader);

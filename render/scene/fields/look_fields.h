@@ -8,6 +8,9 @@
 
 namespace pdr {
 
+inline constexpr Words<ToneCurve, 2> kToneCurveWords{{{toneCurveName(ToneCurve::perChannel), ToneCurve::perChannel},
+                                                      {toneCurveName(ToneCurve::keepsHue), ToneCurve::keepsHue}}};
+
 template <class Visit>
 void describe(Visit& visit, Look& look) {
     PhaseField phase{look.phaseG};
@@ -19,6 +22,10 @@ void describe(Visit& visit, Look& look) {
     visit.object({"surface", "how readily an edge reflects like a surface"}, surface);
     visit.object({"lights", "the rig of lights, and the environment"}, rig);
     visit({"exposure", "radiance that is shown as 1 - 1/e", {0, 1e30f, false}}, look.display.exposure);
+    visit.word({"toneCurve",
+                "how the channels of a colour become levels: `keepsHue`, the largest one by the curve, the others in "
+                "proportion, then towards white; or `perChannel`, each alone, which turns bright ivory yellow"},
+               look.display.curve, kToneCurveWords);
     visit.object({"visible", "which part of the patient is shown"}, look.visible);
 }
 

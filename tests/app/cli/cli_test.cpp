@@ -52,6 +52,7 @@ class CliTest : public QObject {
         row("seconds", {"render", "a", "-o", "a.png", "--seconds", "-1"}, "--seconds");
         row("levels", {"render", "a", "-o", "a.png", "--levels", "0"}, "--levels");
         row("error", {"render", "a", "-o", "a.png", "--error", "nan"}, "--error");
+        row("tone curve", {"render", "a", "-o", "a.png", "--tone-curve", "film"}, "--tone-curve");
         row("exposure", {"render", "a", "-o", "a.png", "--exposure", "0"}, "--exposure");
         row("threads", {"render", "a", "-o", "a.png", "--threads", "0"}, "--threads");
         row("device", {"render", "a", "-o", "a.png", "--device", "abacus"}, "--device");

@@ -10,6 +10,7 @@
 #include "app/looks/looks.h"
 #include "render/film/display/exposure.h"
 #include "render/film/display/tone_map.h"
+#include "render/film/display_transform.h"
 #include "render/scene/fit_view.h"
 #include "render/volume/coarser.h"
 #include "render/volume/raw_file.h"
@@ -52,8 +53,9 @@ NamedLook lookNamed(const std::string& name) {
 }
 
 QColor colourAt(const Film& film, const pdr::Display& display, int x, int y) {
-    const dvec3 mean = film.pixel(x, y).mean;
-    return {displayLevel(mean.x, display), displayLevel(mean.y, display), displayLevel(mean.z, display)};
+    std::uint8_t levels[3];
+    displayTransform(display).setLevels(film.pixel(x, y).mean, levels);
+    return {levels[0], levels[1], levels[2]};
 }
 
 }  // namespace

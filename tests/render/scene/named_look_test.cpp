@@ -63,6 +63,21 @@ class NamedLookTest : public QObject {
         QVERIFY(names.size() >= 12 && names.size() == allLooks().size());
     }
 
+    /// Files from before tone curves had names show what they showed then.
+    void aLookWithoutAToneCurveKeepsTheOldOne() {
+        for (const QString& file : QDir(PDR_SOURCE_DIR "/resources/looks").entryList({"*.json"})) {
+            QByteArray named = text(file.chopped(5));
+            const NamedLook look = *lookFromJson(named.toStdString(), "");
+            QVERIFY(look.look.display.curve == ToneCurve::keepsHue);
+            QVERIFY(lookFromJson(lookText(look), "")->look == look.look);
+            QVERIFY(named.contains(",\n  \"toneCurve\": \"keepsHue\""));
+            const NamedLook old =
+                *lookFromJson(named.replace(",\n  \"toneCurve\": \"keepsHue\"", "").toStdString(), "");
+            QVERIFY(old.look.display.curve == ToneCurve::perChannel);
+            QVERIFY(QByteArray::fromStdString(lookText(old)).contains("\"toneCurve\": \"perChannel\""));
+        }
+    }
+
     void airIsClearInEveryLook() {
         for (const NamedLook& look : allLooks())
             QCOMPARE(look.look.transferFunction.at(-1000).opacity, 0.0f);
