@@ -202,4 +202,10 @@ PDR_HD inline Flight lookFlight(const FlatScene& scene, const Ray& ray, float de
                            : flown<FreeFlight<float, false, End, kLooked>>(scene, ray, depth, random);
 }
 
+/// The flight of a path's first segment, and of the light at its end: it looks at thin tissue where the scene has much.
+template <FlightEnd End = FlightEnd::place>
+PDR_HD inline Flight firstFlight(const FlatScene& scene, const Ray& ray, float depth, const RandomStream& random) {
+    return scene.looksAtThin ? lookFlight<End>(scene, ray, depth, random) : freeFlight<End>(scene, ray, depth);
+}
+
 }  // namespace pdr

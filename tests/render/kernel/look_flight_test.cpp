@@ -5,8 +5,9 @@
 #include <random>
 
 #include "render/device/cpu/flight_batch.h"
-#include "render/kernel/sampler.h"
-#include "render/kernel/transport/free_flight.h"
+#include "render/device/emulated/emulated_gpu.h"
+#include "render/kernel/transport/integrator.h"
+#include "tests/support/scenes/images.h"
 #include "tests/support/scenes/masks.h"
 #include "tests/support/scenes/random_scenes.h"
 #include "tests/support/scenes/ray_reference.h"
@@ -235,6 +236,57 @@ class LookFlightTest : public QObject {
         for (; flight.going(); ++steps)
             flight.step(prepared->flat);
         QVERIFY2(steps <= 12, qPrintable(QString::number(steps)));
+    }
+
+    /// Flights look under curves that show much thin tissue, and only there: everywhere else bits stay as they were.
+    void curveDecidesWhetherFlightsLook() {
+        const auto looks = [](float extinctionPerMm, std::vector<TransferNode> nodes) {
+            Scene scene = ramp(extinctionPerMm);
+            scene.transferFunction.nodes = std::move(nodes);
+            return Flattener().prepare(scene)->flat.looksAtThin;
+        };
+        QVERIFY(looks(4, {{.hu = 30, .opacity = 0}, {.hu = 200, .opacity = 0.012f}, {.hu = 300, .opacity = 1}}));
+        QVERIFY(!looks(4, {{.hu = 30, .opacity = 0}, {.hu = 60, .opacity = 0.012f}, {.hu = 300, .opacity = 1}}));
+        QVERIFY(!looks(400, {{.hu = 30, .opacity = 0}, {.hu = 200, .opacity = 0.012f}, {.hu = 300, .opacity = 1}}));
+        QVERIFY(!looks(4, {{.hu = -500, .opacity = 0}, {.hu = 300, .opacity = 0}, {.hu = 310, .opacity = 1}}));
+    }
+
+    /// The looks of a path's first flight and of its flights to the lights share no number: else what a path meets and
+    /// what light reaches it would depend on each other.
+    void looksOfAPathShareNoNumbers() {
+        const auto prepared = Flattener().prepare(ramp(1));
+        std::vector<std::pair<float, float>> numbers;
+        for (std::uint64_t sample = 0; sample < 50; ++sample) {
+            const Path path{pathSampler(prepared->flat, {3, 4}, sample), {}};
+            for (RandomStream stream :
+                 {lookStream(path), lightLookStream(path, 0), lightLookStream(path, 1), shadowStream(path, 0)})
+                for (int i = 0; i < 20; ++i) {
+                    const vec2 pair = stream.pair();
+                    numbers.emplace_back(pair.x, pair.y);
+                }
+        }
+        std::ranges::sort(numbers);
+        QVERIFY(std::ranges::adjacent_find(numbers) == numbers.end());
+    }
+
+    /// A scene whose flights look is the same on the CPU, by one thread or two, and on a GPU, in lockstep too.
+    void devicesLookAlike_data() {
+        QTest::addColumn<Scene>("scene");
+        QTest::newRow("masked") << masked();
+        QTest::newRow("whole") << test::anyScene(5);
+        QTest::newRow("sheared") << sheared();
+    }
+    void devicesLookAlike() {
+        QFETCH(Scene, scene);
+        scene = thinned(scene);
+        scene.transferFunction.extinctionPerMm *= 3;
+        const auto prepared = Flattener().prepare(scene);
+        QVERIFY(prepared->flat.looksAtThin);
+        const Film one = test::sampled(prepared, 8, 8, 4096, 1);
+        QVERIFY(test::sameBits(one, test::sampled(prepared, 8, 8, 7, 2)));
+        const std::unique_ptr<Device> emulated = makeEmulatedGpu(), lockstep = makeLockstepGpu();
+        QVERIFY(test::sameBits(one, test::render(scene, 8, *emulated, 8)));
+        QVERIFY(test::sameBits(one, test::render(scene, 8, *lockstep, 8)));
     }
 };
 
