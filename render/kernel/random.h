@@ -29,8 +29,8 @@ enum class BounceDimension : std::uint32_t {
     continuation = 6,
     environment = 7,
     choice = 8,
-    looks = 9,       ///< places at which the first flight looks at thin tissue
-    lightLooks = 10  ///< the same for the flights to the lights
+    looks = 9,        ///< places at which the first flight looks at thin tissue
+    lightLooks = 10,  ///< the same for the flights to the lights
 };
 
 PDR_HD inline std::uint64_t mixBits(std::uint64_t x) {
