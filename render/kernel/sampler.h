@@ -91,8 +91,6 @@ class Sampler {
             case BounceDimension::continuation:
                 return 13;
             case BounceDimension::roulette:
-            case BounceDimension::looks:
-            case BounceDimension::lightLooks:
                 return -1;
         }
         return -1;
