@@ -45,7 +45,7 @@ class Session::Loop {
     Result<void> accumulate(const FrameBudget& pace, const std::stop_token& stop);
     Result<void> show(const RenderCommands::Iteration& step, bool adds);
     Result<void> renderBefore();
-    bool findFeatures(const Display& display, const std::stop_token& stop);
+    bool findFeatures(const RenderCommands::Iteration& step, const Display& display, bool adds);
     Result<DisplayPipeline::Images> makeHelped(const Display& asked, const Display& display, bool adds,
                                                const std::stop_token& stop);
     Result<void> showCoarser(const RenderCommands::Iteration& step);

@@ -10,7 +10,7 @@ namespace {
 /// Samples per second before any are known: what two to four cores make. A device that is faster is known to be so
 /// after one image; the first image of a slower one would keep the user waiting.
 constexpr double kGuess = 1e6;
-constexpr double kEditedGuess = 1e-7;  ///< seconds to show a pixel of the first image after an edit
+constexpr double kEditedGuess = 4e-7;  ///< seconds to show a pixel of the first image after an edit, on two cores
 constexpr double kLeast = 0.4;         ///< least fraction of a frame's time for pixels, whatever else takes time
 
 }  // namespace

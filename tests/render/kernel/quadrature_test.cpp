@@ -348,18 +348,31 @@ class QuadratureTest : public QObject {
                      .withinTolerance);
     }
 
-    /// No exposure makes a relative error of relativeTolerance(levels) show as more than `levels`.
+    /// No exposure and no colour makes relative errors of relativeTolerance(levels), of whatever sign in each channel,
+    /// show as more than `levels`.
     void toleranceIsInDisplayLevels() {
-        const auto display = [](double radiance) {
-            const double light = -std::expm1(-radiance);
+        const auto display = [](double light) {
             return 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
+        };
+        const auto alone = [&](double channel) { return display(-std::expm1(-channel)); };
+        const auto keepingHue = [&](double channel, double another) {
+            const double p = std::max(channel, another), n = -std::expm1(-p);
+            const double towardsWhite = 1 - 1 / (1 + 0.12 * (p - n));
+            return display(n * ((1 - towardsWhite) * channel / p + towardsWhite));
         };
         for (const double levels : {1e-3, 0.25, 1.0, 16.0}) {
             const double fraction = relativeTolerance(levels);
             double largest = 0;
-            for (double radiance = 1e-5; radiance < 20; radiance *= 1.002)
-                largest = std::max({largest, display(radiance * (1 + fraction)) - display(radiance),
-                                    display(radiance) - display(radiance * (1 - fraction))});
+            for (double radiance = 1e-5; radiance < 20; radiance *= 1.01)
+                for (const double sign : {-1.0, 1.0}) {
+                    const double off = radiance * (1 + sign * fraction);
+                    largest = std::max(largest, std::abs(alone(off) - alone(radiance)));
+                    for (double share = 0.1; share < 1.05; share += 0.1) {
+                        const double another = radiance / share;
+                        largest = std::max(largest, std::abs(keepingHue(off, another * (1 - sign * fraction)) -
+                                                             keepingHue(radiance, another)));
+                    }
+                }
             QVERIFY2(largest <= levels * (1 + 1e-3) && largest > 0.75 * levels, qPrintable(QString::number(largest)));
         }
     }

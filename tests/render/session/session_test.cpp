@@ -3,6 +3,7 @@
 #include <future>
 #include <thread>
 
+#include "render/session/featured_view.h"
 #include "render/session/render_commands.h"
 #include "render/session/resolution_ladder.h"
 #include "tests/support/devices/reel.h"
@@ -196,7 +197,8 @@ class SessionTest : public QObject {
         session.submit(scene, false);
         const auto says = [&](double levels) {
             return std::ranges::any_of(reel.frames(), [levels](const auto& frame) {
-                return frame->denoisedError && (levels == 0 || frame->denoisedError->levelsAtMost == levels);
+                return frame->denoisedError && frame->status.samplesPerPixel >= FeaturedView::kEnoughAlone &&
+                       (levels == 0 || frame->denoisedError->levelsAtMost == levels);
             });
         };
         QTRY_VERIFY_WITH_TIMEOUT(says(0), test::kPatience);
