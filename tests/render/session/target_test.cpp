@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "render/session/featured_view.h"
 #include "tests/support/devices/reel.h"
 #include "tests/support/devices/screen.h"
 
@@ -172,9 +173,10 @@ class TargetTest : public QObject {
         held.session.setDisplay({.denoised = true});
         Scene scene = smallScene(1);
         scene.film = {96, 64};
-        held.session.setStop({.levels = 1e-3, .samples = 8});
+        constexpr std::uint64_t kAlone = FeaturedView::kEnoughAlone;
+        held.session.setStop({.levels = 1e-3, .samples = kAlone});
         held.session.submit(scene, false);
-        for (const std::uint64_t samples : {8, 11}) {
+        for (const std::uint64_t samples : {kAlone, kAlone + 3}) {
             held.session.setStop({.levels = 1e-3, .samples = samples});
             QVERIFY(held.screen.await([&](const Frame& f) { return f.reached && f.stop.samples == samples; }));
             const auto truth = SmoothingJudgement::of(test::render(scene, samples))->overAll(1);
