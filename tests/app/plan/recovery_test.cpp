@@ -36,6 +36,8 @@ Plan planWith(int measurements) {
     return plan;
 }
 
+constexpr const char* kKeeper = "--keep-until-killed";  ///< argument of this program, before a folder and a file
+
 /// Keeps ever larger plans until it is killed, and writes the size of each that is kept to `done`.
 [[noreturn]] void keepUntilKilled(const fs::path& folder, int done) {
     const auto volume = scan();
@@ -52,8 +54,10 @@ int lastKeptBeforeKill(const fs::path& folder, std::chrono::microseconds after) 
     if (::pipe(pipe) != 0)
         qFatal("no pipe");
     const pid_t child = ::fork();
-    if (child == 0)
-        keepUntilKilled(folder, pipe[1]);
+    if (child == 0) {  // a program of its own: oneTBB's threads would be missing in a mere copy of this one
+        ::execl("/proc/self/exe", "recovery_test", kKeeper, folder.c_str(), std::to_string(pipe[1]).c_str(), nullptr);
+        ::_exit(1);
+    }
     ::close(pipe[1]);
     int count = 0, last = 0;
     while (last == 0 && ::read(pipe[0], &count, sizeof count) == sizeof count)
@@ -180,5 +184,13 @@ class RecoveryTest : public QObject {
 
 }  // namespace pdr::app
 
-QTEST_GUILESS_MAIN(pdr::app::RecoveryTest)
+int main(int argc, char** argv) {
+    using namespace pdr::app;
+    if (argc == 4 && std::string_view(argv[1]) == kKeeper)
+        keepUntilKilled(argv[2], std::atoi(argv[3]));
+    const QCoreApplication application(argc, argv);
+    RecoveryTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
 #include "recovery_test.moc"

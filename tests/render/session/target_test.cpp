@@ -4,9 +4,9 @@
 #include <cmath>
 #include <ctime>
 
-#include "render/session/featured_view.h"
 #include "tests/support/devices/reel.h"
 #include "tests/support/devices/screen.h"
+#include "tests/support/scenes/featured_images.h"
 
 using namespace pdr;
 
@@ -173,13 +173,13 @@ class TargetTest : public QObject {
         held.session.setDisplay({.denoised = true});
         Scene scene = smallScene(1);
         scene.film = {96, 64};
-        constexpr std::uint64_t kAlone = FeaturedView::kEnoughAlone;
-        held.session.setStop({.levels = 1e-3, .samples = kAlone});
+        const auto features = std::make_shared<const denoise::Features>(test::featuresOf(scene));
+        held.session.setStop({.levels = 1e-3, .samples = 8});
         held.session.submit(scene, false);
-        for (const std::uint64_t samples : {kAlone, kAlone + 3}) {
+        for (const std::uint64_t samples : {8, 11}) {
             held.session.setStop({.levels = 1e-3, .samples = samples});
             QVERIFY(held.screen.await([&](const Frame& f) { return f.reached && f.stop.samples == samples; }));
-            const auto truth = SmoothingJudgement::of(test::render(scene, samples))->overAll(1);
+            const auto truth = SmoothingJudgement::of(test::render(scene, samples), smootherOn(features))->overAll(1);
             QVERIFY(truth && truth->levelsAtMost > 0 && held.screen.await([&](const Frame& f) {
                 return f.reached && f.denoisedError && f.denoisedError->levelsAtMost == truth->levelsAtMost;
             }));
