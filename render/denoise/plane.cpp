@@ -54,6 +54,14 @@ Plane luminance(const Colours& colours) {
                     colours[1], colours[2]);
 }
 
+double meanOf(const Plane& plane) {
+    double sum = 0;
+    for (int y = 0; y < plane.size().y; ++y)
+        for (int x = 0; x < plane.size().x; ++x)
+            sum += double(plane.row(y)[x]);
+    return sum / (double(plane.size().x) * plane.size().y);
+}
+
 Plane boxed(const Plane& plane, int radius) {
     const int width = plane.size().x, height = plane.size().y;
     const float share = 1.0f / float((2 * radius + 1) * (2 * radius + 1));

@@ -62,6 +62,8 @@ Plane combined(const F& f, const Plane& first, const Planes&... others) {
 }
 
 Plane luminance(const Colours& colours);
+/// Returns the mean of all pixels.
+double meanOf(const Plane& plane);
 /// Returns the mean over (2 radius + 1)^2 pixels, radius <= kBorder.
 Plane boxed(const Plane& plane, int radius);
 /// Returns `scale` times the sum of 2 x 2 pixels, in half the size, rounded up.

@@ -21,14 +21,6 @@ Plane averaged(const Plane& fine) {
     return halved(fine, 0.25f);
 }
 
-double meanOf(const Plane& plane) {
-    double sum = 0;
-    for (int y = 0; y < plane.size().y; ++y)
-        for (int x = 0; x < plane.size().x; ++x)
-            sum += double(plane.row(y)[x]);
-    return sum / (double(plane.size().x) * plane.size().y);
-}
-
 using Lanes = std::array<float, kTogether>;
 
 /// Calls work(lane) for all lanes; the compiler makes vectors of them.

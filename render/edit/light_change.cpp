@@ -30,12 +30,7 @@ denoise::Colours scaled(const denoise::Colours& image, float factor) {
 }
 
 float dimOf(const denoise::Colours& image) {
-    const Plane light = denoise::luminance(image);
-    double sum = 0;
-    for (int y = 0; y < light.size().y; ++y)
-        for (int x = 0; x < light.size().x; ++x)
-            sum += light.row(y)[x];
-    return kDimPart * float(sum / (double(light.size().x) * light.size().y));
+    return kDimPart * float(denoise::meanOf(denoise::luminance(image)));
 }
 
 LightChange changeBetween(const denoise::Colours& before, const denoise::Colours& after, float dim) {

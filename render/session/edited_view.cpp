@@ -42,7 +42,7 @@ void EditedView::follow(const Scene& current, const Scene& next) {
 void EditedView::startOver() {
     newest_ = nullptr;
     first_.clear();
-    shown_ = nullptr;
+    shown_.forget();
 }
 
 bool EditedView::letGo(std::uint64_t samples) {
@@ -56,7 +56,7 @@ void EditedView::dropOld() {
     edited_.reset();
     oldScene_.reset();
     coarse_.clear();
-    shown_ = nullptr;
+    shown_.forget();
 }
 
 std::size_t EditedView::ForNext::bytes() const {
@@ -102,17 +102,9 @@ HalfSmoother EditedView::smoother(std::uint64_t samples, HalfSmoother alone) {
 
 Result<DisplayedImage> EditedView::image(FilmOnDevice& place, const Display& display, bool adds,
                                          const std::stop_token& stop) {
-    std::optional<DisplayedImage> made;
-    const Result<void> looked = place.film()->look([&](const Film& film) {
-        if (adds || !shown_)
-            shown_ = std::make_shared<const denoise::Colours>(edited_->radiance(film, first_, stop));
-        made = DisplayedImage{denoisedImageOf(film, *shown_, 1, display), display, place.size()};
+    return shown_.image(place, display, adds, stop, [&](const Film& film) -> ShownRadiance::Made {
+        return {edited_->radiance(film, first_, stop), 1};
     });
-    if (!looked)
-        return looked.error();
-    if (stop.stop_requested())
-        shown_ = nullptr;
-    return *std::move(made);
 }
 
 }  // namespace pdr

@@ -14,7 +14,7 @@
 #include "render/edit/coarse_edit.h"
 #include "render/edit/edited_image.h"
 #include "render/scene/scene.h"
-#include "render/session/display_pipeline.h"
+#include "render/session/shown_radiance.h"
 
 namespace pdr {
 
@@ -77,12 +77,12 @@ class EditedView {
     void dropOld();
     const CoarseEdit* coarseOf(ivec2 size) const;
 
-    std::shared_ptr<const KeptImage> newest_;        ///< image of the current scene; null: none yet
-    std::optional<EditedImage> edited_;              ///< with the old image
-    std::optional<Scene> oldScene_;                  ///< scene of the old image
-    std::vector<CoarseEdit> coarse_;                 ///< with the old image and scene, each of another size
-    FirstSamples first_;                             ///< first samples of the current film
-    std::shared_ptr<const denoise::Colours> shown_;  ///< radiance of the image shown last; null: none
+    std::shared_ptr<const KeptImage> newest_;  ///< image of the current scene; null: none yet
+    std::optional<EditedImage> edited_;        ///< with the old image
+    std::optional<Scene> oldScene_;            ///< scene of the old image
+    std::vector<CoarseEdit> coarse_;           ///< with the old image and scene, each of another size
+    FirstSamples first_;                       ///< first samples of the current film
+    ShownRadiance shown_;
 };
 
 }  // namespace pdr

@@ -1,8 +1,5 @@
 #include "render/session/featured_view.h"
 
-#include <optional>
-#include <utility>
-
 namespace pdr {
 
 void FeaturedView::find(FilmOnDevice& place, std::uint64_t samples, const std::stop_token& stop) {
@@ -16,20 +13,10 @@ void FeaturedView::find(FilmOnDevice& place, std::uint64_t samples, const std::s
 
 Result<DisplayedImage> FeaturedView::image(FilmOnDevice& place, const Display& display, bool adds,
                                            const std::stop_token& stop) {
-    std::optional<DisplayedImage> made;
-    const Result<void> looked = place.film()->look([&](const Film& film) {
-        if (adds || !shown_) {
-            const NoisyFilm noisy = noisyFilm(film, stop);
-            shown_ = std::make_shared<const Shown>(Shown{
-                noisy.unit, stop.stop_requested() ? noisy.all.mean : smoothRadiance(noisy, stop, features_.get())});
-        }
-        made = DisplayedImage{denoisedImageOf(film, shown_->radiance, shown_->unit, display), display, place.size()};
+    return shown_.image(place, display, adds, stop, [&](const Film& film) -> ShownRadiance::Made {
+        const NoisyFilm noisy = noisyFilm(film, stop);
+        return {stop.stop_requested() ? noisy.all.mean : smoothRadiance(noisy, stop, features_.get()), noisy.unit};
     });
-    if (!looked)
-        return looked.error();
-    if (stop.stop_requested())
-        shown_ = nullptr;
-    return *std::move(made);
 }
 
 }  // namespace pdr

@@ -7,7 +7,7 @@
 #include <stop_token>
 
 #include "render/film/error/smoothing_judgement.h"
-#include "render/session/display_pipeline.h"
+#include "render/session/shown_radiance.h"
 
 namespace pdr {
 
@@ -31,14 +31,9 @@ class FeaturedView {
     Result<DisplayedImage> image(FilmOnDevice& place, const Display& display, bool adds, const std::stop_token& stop);
 
   private:
-    struct Shown {
-        double unit;  ///< radiance per unit of `radiance`
-        denoise::Colours radiance;
-    };
-
     std::shared_ptr<const denoise::Features> features_;  ///< null: none, or not yet
     bool sought_ = false;                                ///< the device has been asked
-    std::shared_ptr<const Shown> shown_;                 ///< the image shown last; null: none
+    ShownRadiance shown_;
 };
 
 }  // namespace pdr

@@ -5,6 +5,7 @@
 #include "render/denoise/resampled.h"
 
 using namespace pdr;
+using denoise::meanOf;
 using denoise::Plane;
 
 namespace {
@@ -16,14 +17,6 @@ Plane planeOf(ivec2 size, const std::function<double(int, int)>& value) {
             plane.row(y)[x] = float(value(x, y));
     plane.mirror();
     return plane;
-}
-
-double meanOf(const Plane& plane) {
-    double sum = 0;
-    for (int y = 0; y < plane.size().y; ++y)
-        for (int x = 0; x < plane.size().x; ++x)
-            sum += double(plane.row(y)[x]);
-    return sum / (double(plane.size().x) * plane.size().y);
 }
 
 }  // namespace

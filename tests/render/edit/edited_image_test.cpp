@@ -56,14 +56,6 @@ std::pair<double, double> errorAndBound(const std::shared_ptr<const KeptImage>& 
     return {std::sqrt(squares / pixels) / (mean / pixels), judgement->overAll(1)->relativeAtMost};
 }
 
-double meanOf(const denoise::Plane& plane) {
-    double sum = 0;
-    for (int y = 0; y < plane.size().y; ++y)
-        for (int x = 0; x < plane.size().x; ++x)
-            sum += double(plane.row(y)[x]);
-    return sum / (double(plane.size().x) * plane.size().y);
-}
-
 denoise::Colours constant(float value) {
     denoise::Colours colours = denoise::coloursOf(kSize);
     for (denoise::Plane& plane : colours)
