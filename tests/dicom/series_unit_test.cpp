@@ -5,10 +5,13 @@
 
 #include "dicom/import.h"
 #include "tests/support/dicom/enhanced_file.h"
+#include "tests/support/dicom/loaded_series.h"
 #include "tests/support/dicom/slice_folder.h"
 
 using namespace pdr;
 using namespace pdr::dicom;
+using test::hasNote;
+using test::loaded;
 using test::SliceFile;
 
 namespace {
@@ -45,17 +48,6 @@ Series mapped(const Change& change, const std::function<void(DcmItem&)>& changeO
     test::writeEnhancedFile(folder.path() / "frames", file);
     const ScanResult scan = folder.scan();
     return scan.series.size() == 1 ? scan.series.front() : Series();
-}
-
-bool hasNote(const Series& series, const std::string& code) {
-    return std::ranges::count(series.verdict.notes, code, &Note::code) > 0;
-}
-
-Volume loaded(const Series& series) {
-    auto volume = loadSeries(series, Padding::maskAsAir, noProgress);
-    if (!volume)
-        qFatal("%s", volume.error().text().c_str());
-    return *std::move(volume);
 }
 
 }  // namespace

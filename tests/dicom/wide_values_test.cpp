@@ -7,10 +7,13 @@
 
 #include "dicom/import.h"
 #include "tests/support/dicom/enhanced_file.h"
+#include "tests/support/dicom/loaded_series.h"
 #include "tests/support/dicom/slice_folder.h"
 
 using namespace pdr;
 using namespace pdr::dicom;
+using test::hasNote;
+using test::loaded;
 using test::SliceFile;
 
 namespace {
@@ -39,17 +42,6 @@ void putWide(DcmDataset& data, Stored stored, const std::vector<double>& pixels)
         element->putFloat64Array(pixels.data(), count);
         data.insert(element);
     }
-}
-
-bool hasNote(const Series& series, const std::string& code) {
-    return std::ranges::count(series.verdict.notes, code, &Note::code) > 0;
-}
-
-Volume loaded(const Series& series) {
-    auto volume = loadSeries(series, Padding::maskAsAir, noProgress);
-    if (!volume)
-        qFatal("%s", volume.error().text().c_str());
-    return *std::move(volume);
 }
 
 }  // namespace
