@@ -23,7 +23,7 @@ class ShownRadiance {
                                  const std::function<Made(const Film&)>& make);
 
   private:
-    std::shared_ptr<const Made> made_;  ///< of the image shown last; null: none
+    std::shared_ptr<const Made> made_;  ///< radiance of the image shown last; null: none
 };
 
 }  // namespace pdr
