@@ -1,5 +1,5 @@
-/// Entry point of pdrender-cli with its commands info, looks, render, slice, plan, accuracy, effects, replay, cluster,
-/// example. Exit codes: 0 on success, 1 on an error, 2 on wrong usage.
+/// Entry point of pdrender-cli with its commands info, looks, render, slice, parts, plan, accuracy, effects, replay,
+/// cluster, example. Exit codes: 0 on success, 1 on an error, 2 on wrong usage.
 
 #include <QByteArray>
 #include <QFontDatabase>
@@ -19,6 +19,7 @@
 #include "app/cli/failed.h"
 #include "app/cli/info_command.h"
 #include "app/cli/looks_command.h"
+#include "app/cli/parts_command.h"
 #include "app/cli/plan_command.h"
 #include "app/cli/render_command.h"
 #include "app/cli/replay_command.h"
@@ -37,6 +38,7 @@ constexpr const char* kHelp =
     "  pdrender-cli looks                                     list how a scan can look\n"
     "  pdrender-cli render FOLDER|SCENE.json -o FILE ...      render an image (.png, .exr)\n"
     "  pdrender-cli slice FOLDER|SCENE.json --plane PLANE -o FILE ...  write a slice as an image or as HU\n"
+    "  pdrender-cli parts FOLDER|SCENE.json --labels FILE ... list the parts that a label map marks in a scan\n"
     "  pdrender-cli plan FILE [--scan FOLDER] ...             list what a plan has measured, export it, render it\n"
     "  pdrender-cli accuracy FOLDER|SCENE.json -o DIR ...     measure what accuracy costs in time\n"
     "  pdrender-cli effects FOLDER|SCENE.json ...             list what the image needs, why, and at what cost\n"
@@ -70,6 +72,8 @@ int run(QStringList arguments) {
         return runRender(arguments);
     if (command == "slice")
         return runSlice(arguments);
+    if (command == "parts")
+        return runParts(arguments);
     if (command == "plan")
         return runPlan(arguments);
     if (command == "accuracy")

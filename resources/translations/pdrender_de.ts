@@ -452,6 +452,10 @@
         <translation>%1 x %2 x %3</translation>
     </message>
     <message>
+        <source>%1 x %2 x %3 mm</source>
+        <translation>%1 x %2 x %3 mm</translation>
+    </message>
+    <message>
         <source>%1 ± %2</source>
         <translation>%1 ± %2</translation>
     </message>
@@ -1338,6 +1342,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Einen Ordner wählen, in den Sie schreiben dürfen.</translation>
     </message>
     <message>
+        <source>Choose a label map: whole numbers from 0 on, one for each part.</source>
+        <translation>Wählen Sie eine Labelkarte: ganze Zahlen ab 0, eine für jeden Teil.</translation>
+    </message>
+    <message>
         <source>Choose a name that ends in .png or .exr.</source>
         <translation>Einen Namen wählen, der auf .png oder .exr endet.</translation>
     </message>
@@ -1842,6 +1850,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Alles</translation>
     </message>
     <message>
+        <source>Export it again from the program that made it, from this scan.</source>
+        <translation>Exportieren Sie sie noch einmal aus dem Programm, das sie erzeugt hat, von dieser Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Export it again on the grid of the scan; half a voxel is what is missing where voxels are counted from their corners.</source>
+        <translation>Exportieren Sie sie noch einmal auf dem Gitter der Aufnahme; ein halbes Voxel fehlt, wo Voxel von ihren Ecken aus gezählt werden.</translation>
+    </message>
+    <message>
         <source>Export the look</source>
         <translation>Darstellung exportieren</translation>
     </message>
@@ -2078,6 +2094,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Harter Knochen</translation>
     </message>
     <message>
+        <source>Have it resampled to the nearest voxels, or export it on the grid of the scan.</source>
+        <translation>Lassen Sie sie auf die nächsten Voxel umrechnen, oder exportieren Sie sie auf dem Gitter der Aufnahme.</translation>
+    </message>
+    <message>
         <source>Head</source>
         <translation>Kranial</translation>
     </message>
@@ -2216,6 +2236,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>It is rendered on this machine alone.</source>
         <translation>Sie wird nur auf diesem Rechner gerechnet.</translation>
+    </message>
+    <message>
+        <source>It may be of another scan or patient: choose the series that it was made on.</source>
+        <translation>Sie kann von einer anderen Aufnahme oder einem anderen Patienten sein: wählen Sie die Serie, auf der sie erzeugt wurde.</translation>
     </message>
     <message>
         <source>It needs R, G and B, or Y.</source>
@@ -4364,6 +4388,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Zoomen</translation>
     </message>
     <message>
+        <source>a %1 file</source>
+        <translation>einer Datei im Format %1</translation>
+    </message>
+    <message>
         <source>a ZIP archive of DICOM or volume files, or one volume: NIfTI, NRRD or MetaImage</source>
         <translation>ein ZIP-Archiv mit DICOM- oder Volumendateien oder ein einzelnes Volumen: NIfTI, NRRD oder MetaImage</translation>
     </message>
@@ -4900,6 +4928,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>vorn</translation>
     </message>
     <message>
+        <source>front and back</source>
+        <translation>vorn und hinten</translation>
+    </message>
+    <message>
         <source>goes with a gradient only, not with an image</source>
         <translation>passt nur zu einem Verlauf, nicht zu einem Bild</translation>
     </message>
@@ -4934,6 +4966,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>head</source>
         <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>head and feet</source>
+        <translation>Kopf und Füße</translation>
     </message>
     <message>
         <source>hidden parts</source>
@@ -5124,6 +5160,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>es endet ohne Endemarke</translation>
     </message>
     <message>
+        <source>it has more than %1 labels</source>
+        <translation>sie hat mehr als %1 Labels</translation>
+    </message>
+    <message>
         <source>it has not been heard of for 10 seconds</source>
         <translation>von ihm ist seit 10 Sekunden nichts zu hören</translation>
     </message>
@@ -5242,6 +5282,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>it is too short for its %1 x %2 x %3 voxels</source>
         <translation>sie ist zu kurz für ihre %1 x %2 x %3 Voxel</translation>
+    </message>
+    <message>
+        <source>it marks no voxel</source>
+        <translation>sie markiert kein Voxel</translation>
     </message>
     <message>
         <source>it said goodbye</source>
@@ -5416,6 +5460,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>sein Text ist kein UTF-8</translation>
     </message>
     <message>
+        <source>its value %1 is no label</source>
+        <translation>ihr Wert %1 ist kein Label</translation>
+    </message>
+    <message>
         <source>its values are no finite numbers</source>
         <translation>ihre Werte sind keine endlichen Zahlen</translation>
     </message>
@@ -5440,8 +5488,20 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>kroesMarch kennt ein Ereignis je Weg, aber das Modell ist %1</translation>
     </message>
     <message>
+        <source>label maps are written to files that end in %1</source>
+        <translation>Labelkarten werden in Dateien geschrieben, die auf %1 enden</translation>
+    </message>
+    <message>
         <source>left</source>
         <translation>links</translation>
+    </message>
+    <message>
+        <source>left and right</source>
+        <translation>links und rechts</translation>
+    </message>
+    <message>
+        <source>left and right, and front and back,</source>
+        <translation>links und rechts sowie vorn und hinten</translation>
     </message>
     <message>
         <source>less than 1 ml</source>
@@ -5908,6 +5968,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Teile des Treibers sind verschiedener Version: Er wurde aktualisiert, während der Computer lief</translation>
     </message>
     <message>
+        <source>parts that have a name and no voxels: %1</source>
+        <translation>Teile mit einem Namen und ohne Voxel: %1</translation>
+    </message>
+    <message>
         <source>paused</source>
         <translation>angehalten</translation>
     </message>
@@ -5944,6 +6008,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Kopfdaten werden gelesen</translation>
     </message>
     <message>
+        <source>reading labels</source>
+        <translation>Labels werden gelesen</translation>
+    </message>
+    <message>
         <source>reading slices</source>
         <translation>Schichten werden gelesen</translation>
     </message>
@@ -5966,6 +6034,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>resampled</source>
         <translation>umgerechnet</translation>
+    </message>
+    <message>
+        <source>resampled to the nearest of voxels of %1</source>
+        <translation>auf die nächsten von Voxeln von %1 umgerechnet</translation>
     </message>
     <message>
         <source>results that never came: %1</source>
@@ -6174,6 +6246,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the archive would unpack to %1, which is more than 64 GB or 200 times its size</source>
         <translation>das Archiv wäre entpackt %1 groß, mehr als 64 GB oder das 200fache seiner Größe</translation>
+    </message>
+    <message>
+        <source>the axes of the label map lie in one plane</source>
+        <translation>die Achsen der Labelkarte liegen in einer Ebene</translation>
     </message>
     <message>
         <source>the axes of the volume are not at right angles</source>
@@ -6434,6 +6510,26 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the image was closed</source>
         <translation>das Bild wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>the label map has voxels of %1, the scan of %2, or they are turned</source>
+        <translation>die Labelkarte hat Voxel von %1, die Aufnahme von %2, oder sie sind gedreht</translation>
+    </message>
+    <message>
+        <source>the label map is mirrored: "%1" lies at the right of "%2"</source>
+        <translation>die Labelkarte ist gespiegelt: „%1“ liegt rechts von „%2“</translation>
+    </message>
+    <message>
+        <source>the label map is mirrored: it fits the scan with %1 exchanged</source>
+        <translation>die Labelkarte ist gespiegelt: sie passt auf die Aufnahme, wenn %1 vertauscht werden</translation>
+    </message>
+    <message>
+        <source>the label map is shifted: its voxels lie %1 mm (%2 voxels) beside those of the scan</source>
+        <translation>die Labelkarte ist verschoben: ihre Voxel liegen %1 mm (%2 Voxel) neben denen der Aufnahme</translation>
+    </message>
+    <message>
+        <source>the label map lies elsewhere: it reaches %1 voxels beyond the scan</source>
+        <translation>die Labelkarte liegt woanders: sie reicht %1 Voxel über die Aufnahme hinaus</translation>
     </message>
     <message>
         <source>the lens is open</source>

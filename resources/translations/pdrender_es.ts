@@ -452,6 +452,10 @@
         <translation>%1 x %2 x %3</translation>
     </message>
     <message>
+        <source>%1 x %2 x %3 mm</source>
+        <translation>%1 x %2 x %3 mm</translation>
+    </message>
+    <message>
         <source>%1 ± %2</source>
         <translation>%1 ± %2</translation>
     </message>
@@ -1338,6 +1342,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Elija una carpeta en la que pueda escribir.</translation>
     </message>
     <message>
+        <source>Choose a label map: whole numbers from 0 on, one for each part.</source>
+        <translation>Elija un mapa de etiquetas: números enteros desde 0, uno para cada parte.</translation>
+    </message>
+    <message>
         <source>Choose a name that ends in .png or .exr.</source>
         <translation>Elija un nombre que termine en .png o .exr.</translation>
     </message>
@@ -1842,6 +1850,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Todo</translation>
     </message>
     <message>
+        <source>Export it again from the program that made it, from this scan.</source>
+        <translation>Expórtelo de nuevo desde el programa que lo creó, a partir de este estudio.</translation>
+    </message>
+    <message>
+        <source>Export it again on the grid of the scan; half a voxel is what is missing where voxels are counted from their corners.</source>
+        <translation>Expórtelo de nuevo en la cuadrícula del estudio; medio vóxel es lo que falta donde los vóxeles se cuentan desde sus esquinas.</translation>
+    </message>
+    <message>
         <source>Export the look</source>
         <translation>Exportar el aspecto</translation>
     </message>
@@ -2078,6 +2094,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Hueso duro</translation>
     </message>
     <message>
+        <source>Have it resampled to the nearest voxels, or export it on the grid of the scan.</source>
+        <translation>Haga que se remuestree a los vóxeles más cercanos, o expórtelo en la cuadrícula del estudio.</translation>
+    </message>
+    <message>
         <source>Head</source>
         <translation>Cabeza</translation>
     </message>
@@ -2216,6 +2236,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>It is rendered on this machine alone.</source>
         <translation>Se calcula solo en este equipo.</translation>
+    </message>
+    <message>
+        <source>It may be of another scan or patient: choose the series that it was made on.</source>
+        <translation>Puede ser de otro estudio o paciente: elija la serie sobre la que se creó.</translation>
     </message>
     <message>
         <source>It needs R, G and B, or Y.</source>
@@ -4364,6 +4388,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Zoom</translation>
     </message>
     <message>
+        <source>a %1 file</source>
+        <translation>un archivo %1</translation>
+    </message>
+    <message>
         <source>a ZIP archive of DICOM or volume files, or one volume: NIfTI, NRRD or MetaImage</source>
         <translation>un archivo ZIP con archivos DICOM o de volumen, o un solo volumen: NIfTI, NRRD o MetaImage</translation>
     </message>
@@ -4900,6 +4928,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>delante</translation>
     </message>
     <message>
+        <source>front and back</source>
+        <translation>delante y detrás</translation>
+    </message>
+    <message>
         <source>goes with a gradient only, not with an image</source>
         <translation>va solo con un degradado, no con una imagen</translation>
     </message>
@@ -4934,6 +4966,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>head</source>
         <translation>cabeza</translation>
+    </message>
+    <message>
+        <source>head and feet</source>
+        <translation>cabeza y pies</translation>
     </message>
     <message>
         <source>hidden parts</source>
@@ -5124,6 +5160,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>termina sin su marca final</translation>
     </message>
     <message>
+        <source>it has more than %1 labels</source>
+        <translation>tiene más de %1 etiquetas</translation>
+    </message>
+    <message>
         <source>it has not been heard of for 10 seconds</source>
         <translation>no se sabe nada de él desde hace 10 segundos</translation>
     </message>
@@ -5242,6 +5282,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>it is too short for its %1 x %2 x %3 voxels</source>
         <translation>es demasiado corto para sus %1 x %2 x %3 vóxeles</translation>
+    </message>
+    <message>
+        <source>it marks no voxel</source>
+        <translation>no marca ningún vóxel</translation>
     </message>
     <message>
         <source>it said goodbye</source>
@@ -5416,6 +5460,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>su texto no es UTF-8</translation>
     </message>
     <message>
+        <source>its value %1 is no label</source>
+        <translation>su valor %1 no es una etiqueta</translation>
+    </message>
+    <message>
         <source>its values are no finite numbers</source>
         <translation>sus valores no son números finitos</translation>
     </message>
@@ -5440,8 +5488,20 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>kroesMarch conoce un suceso por camino, pero el modelo es %1</translation>
     </message>
     <message>
+        <source>label maps are written to files that end in %1</source>
+        <translation>los mapas de etiquetas se escriben en archivos que terminan en %1</translation>
+    </message>
+    <message>
         <source>left</source>
         <translation>izquierda</translation>
+    </message>
+    <message>
+        <source>left and right</source>
+        <translation>izquierda y derecha</translation>
+    </message>
+    <message>
+        <source>left and right, and front and back,</source>
+        <translation>izquierda y derecha, y delante y detrás,</translation>
     </message>
     <message>
         <source>less than 1 ml</source>
@@ -5908,6 +5968,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>hay partes del controlador de versiones distintas: se actualizó con el ordenador en marcha</translation>
     </message>
     <message>
+        <source>parts that have a name and no voxels: %1</source>
+        <translation>partes que tienen nombre y ningún vóxel: %1</translation>
+    </message>
+    <message>
         <source>paused</source>
         <translation>en pausa</translation>
     </message>
@@ -5944,6 +6008,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>se leen los encabezados</translation>
     </message>
     <message>
+        <source>reading labels</source>
+        <translation>leyendo etiquetas</translation>
+    </message>
+    <message>
         <source>reading slices</source>
         <translation>se leen los cortes</translation>
     </message>
@@ -5966,6 +6034,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>resampled</source>
         <translation>recalculada</translation>
+    </message>
+    <message>
+        <source>resampled to the nearest of voxels of %1</source>
+        <translation>remuestreado a los más cercanos de vóxeles de %1</translation>
     </message>
     <message>
         <source>results that never came: %1</source>
@@ -6174,6 +6246,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the archive would unpack to %1, which is more than 64 GB or 200 times its size</source>
         <translation>el archivo ocuparía %1 descomprimido, más de 64 GB o 200 veces su tamaño</translation>
+    </message>
+    <message>
+        <source>the axes of the label map lie in one plane</source>
+        <translation>los ejes del mapa de etiquetas están en un plano</translation>
     </message>
     <message>
         <source>the axes of the volume are not at right angles</source>
@@ -6434,6 +6510,26 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the image was closed</source>
         <translation>se cerró la imagen</translation>
+    </message>
+    <message>
+        <source>the label map has voxels of %1, the scan of %2, or they are turned</source>
+        <translation>el mapa de etiquetas tiene vóxeles de %1, el estudio de %2, o están girados</translation>
+    </message>
+    <message>
+        <source>the label map is mirrored: "%1" lies at the right of "%2"</source>
+        <translation>el mapa de etiquetas está reflejado: «%1» está a la derecha de «%2»</translation>
+    </message>
+    <message>
+        <source>the label map is mirrored: it fits the scan with %1 exchanged</source>
+        <translation>el mapa de etiquetas está reflejado: encaja con el estudio si se intercambian %1</translation>
+    </message>
+    <message>
+        <source>the label map is shifted: its voxels lie %1 mm (%2 voxels) beside those of the scan</source>
+        <translation>el mapa de etiquetas está desplazado: sus vóxeles están a %1 mm (%2 vóxeles) de los del estudio</translation>
+    </message>
+    <message>
+        <source>the label map lies elsewhere: it reaches %1 voxels beyond the scan</source>
+        <translation>el mapa de etiquetas está en otro lugar: sobresale %1 vóxeles del estudio</translation>
     </message>
     <message>
         <source>the lens is open</source>

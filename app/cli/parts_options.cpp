@@ -1,0 +1,53 @@
+#include "app/cli/parts_options.h"
+
+#include "app/cli/parsed_options.h"
+#include "app/command_line/option_reader.h"
+
+namespace pdr::app {
+namespace {
+
+void describeParts(QCommandLineParser& parser) {
+    parser.setOptionsAfterPositionalArgumentsMode(QCommandLineParser::ParseAsOptions);
+    parser.addPositionalArgument("scan", "The scan.", "FOLDER|SCENE.json");
+    parser.addOptions({
+        {{"h", "help"}, "Show this text."},
+        {"series", "Take the series with this UID; default: the first that can be loaded.", "UID"},
+        {"labels", "The label map: NIfTI, NRRD (also .seg.nrrd) or MetaImage.", "FILE"},
+        {"resample",
+         "If the label map has other voxels than the scan, give each voxel of the scan the label of the nearest one."},
+        {"json", "Print the list as JSON."},
+        {{"o", "output"}, "Write the parts on the scan's grid, for 3D Slicer and others.", "FILE.seg.nrrd"},
+    });
+}
+
+void readParts(const QCommandLineParser& parser, PartsOptions& options) {
+    if (parser.positionalArguments().size() != 1)
+        usageError("parts", "needs one scan");
+    const Reader reader(parser);
+    options.scan = parser.positionalArguments().front().toStdString();
+    options.seriesUid = reader.text("series").value_or("").toStdString();
+    options.labels = reader.text("labels").value_or("").toStdString();
+    options.resampling = parser.isSet("resample") ? Resampling::nearest : Resampling::refused;
+    options.output = reader.text("output").value_or("").toStdString();
+    options.json = parser.isSet("json");
+    if (options.labels.empty())
+        usageError("--labels", "says where the parts come from, and is missing", "Add --labels FILE.");
+}
+
+}  // namespace
+
+Result<PartsOptions> partsOptions(const QStringList& arguments) {
+    return parsed("parts", arguments, describeParts, readParts);
+}
+
+std::string partsHelp() {
+    return "Usage: pdrender-cli parts FOLDER|SCENE.json --labels FILE [-o FILE.seg.nrrd] [options]\n"
+           "Lists the parts of the patient that a label map marks in a scan, with their volumes by whole voxels. A "
+           "map\n"
+           "whose voxels are not those of the scan is refused, with the reason, or resampled if that is asked for. A "
+           "new\n"
+           "file can be read by its owner only.\n" +
+           optionsText(describeParts);
+}
+
+}  // namespace pdr::app

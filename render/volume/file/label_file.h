@@ -1,0 +1,21 @@
+#pragma once
+/// Label maps in volume files: NIfTI, NRRD (also Slicer's .seg.nrrd) and MetaImage with whole numbers from 0 on.
+
+#include <filesystem>
+
+#include "render/base/progress.h"
+#include "render/base/result.h"
+#include "render/volume/file/grid_file.h"
+#include "render/volume/label_map.h"
+
+namespace pdr {
+
+/// Reads the labels of `file` on the grid of the file. The parts are those that have voxels, in the order of their
+/// numbers, with the names and colours that the file has for them (label_table.h), or else the standard ones; notes
+/// say how many names have no voxels. If the only number is 1 and has no name, the file's own name is that of the part.
+/// Errors: those of readGridFile() and GridSamples; values that are no labels, being fractions or negative; more than
+/// 255 labels, or none; not enough memory; cancelled().
+Result<LabelMap> readLabelFile(const std::filesystem::path& file, const Progress& progress,
+                               const OpenBytes& open = onDisk);
+
+}  // namespace pdr
