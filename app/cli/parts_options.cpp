@@ -12,7 +12,7 @@ void describeParts(QCommandLineParser& parser) {
     parser.addOptions({
         {{"h", "help"}, "Show this text."},
         {"series", "Take the series with this UID; default: the first that can be loaded.", "UID"},
-        {"labels", "The label map: NIfTI, NRRD (also .seg.nrrd) or MetaImage.", "FILE"},
+        {"labels", "The label map: NIfTI, NRRD (also .seg.nrrd), MetaImage or a DICOM segmentation.", "FILE"},
         {"resample",
          "If the label map has other voxels than the scan, give each voxel of the scan the label of the nearest one."},
         {"json", "Print the list as JSON."},

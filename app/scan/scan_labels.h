@@ -11,8 +11,9 @@
 
 namespace pdr::app {
 
-/// Reads the label map in `file` onto the grid of a scan. `scan`: the grid of the voxels that were read; `series`: what
-/// they were read from, null for a raw file. Errors: those of readLabelFile() and labelsOn(); each names the file.
+/// Reads the label map in `file`, a DICOM segmentation if its ending is that of no volume, onto the grid of a scan.
+/// `scan`: the grid of the voxels that were read; `series`: what they were read from, null for a raw file. Errors:
+/// those of readLabelFile(), dicom::readSegmentation() and labelsOn(); each names the file.
 Result<LabelMap> readScanLabels(const std::filesystem::path& file, const VolumeGeometry& scan,
                                 const dicom::Series* series, Resampling resampling, const Progress& progress);
 

@@ -54,6 +54,10 @@ std::vector<double> partsMl(const LabelMap& map) {
     return ml;
 }
 
+Text emptyPartsNote(std::int64_t count) {
+    return phrase("parts that have a name and no voxels: %1", count);
+}
+
 std::string standardName(std::int64_t number) {
     return "part " + std::to_string(number);
 }

@@ -39,6 +39,9 @@ struct LabelMap {
 /// Returns the volume of each part by whole voxels [ml].
 std::vector<double> partsMl(const LabelMap& map);
 
+/// Returns the note that so many parts have a name and no voxels.
+Text emptyPartsNote(std::int64_t count);
+
 /// Returns the name of a part that has none, by its number in the source.
 std::string standardName(std::int64_t number);
 /// Returns the colour of a part that has none: neighbouring numbers differ clearly.

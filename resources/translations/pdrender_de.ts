@@ -1342,6 +1342,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Einen Ordner wählen, in den Sie schreiben dürfen.</translation>
     </message>
     <message>
+        <source>Choose a label map: a DICOM segmentation, NIfTI, NRRD or MetaImage.</source>
+        <translation>Wählen Sie eine Labelkarte: eine DICOM-Segmentierung, NIfTI, NRRD oder MetaImage.</translation>
+    </message>
+    <message>
         <source>Choose a label map: whole numbers from 0 on, one for each part.</source>
         <translation>Wählen Sie eine Labelkarte: ganze Zahlen ab 0, eine für jeden Teil.</translation>
     </message>
@@ -1428,6 +1432,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Choose the schedule of PD-Render.</source>
         <translation>Den Ablauf von PD-Render wählen.</translation>
+    </message>
+    <message>
+        <source>Choose the series that it was made on.</source>
+        <translation>Wählen Sie die Serie, auf der sie erzeugt wurde.</translation>
     </message>
     <message>
         <source>Click a place, and type what it is. The list shows its value.</source>
@@ -1868,6 +1876,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Export the scan as DICOM, or anew in this format.</source>
         <translation>Exportieren Sie die Aufnahme als DICOM oder neu in diesem Format.</translation>
+    </message>
+    <message>
+        <source>Export the segmentation anew, without compression.</source>
+        <translation>Exportieren Sie die Segmentierung neu, ohne Kompression.</translation>
     </message>
     <message>
         <source>Exposure Render blurs every iteration over 3 x 3 pixels before it counts. That hides noise and never averages out: the image stays wrong. For comparison only.</source>
@@ -4392,6 +4404,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>einer Datei im Format %1</translation>
     </message>
     <message>
+        <source>a DICOM segmentation</source>
+        <translation>einer DICOM-Segmentierung</translation>
+    </message>
+    <message>
         <source>a ZIP archive of DICOM or volume files, or one volume: NIfTI, NRRD or MetaImage</source>
         <translation>ein ZIP-Archiv mit DICOM- oder Volumendateien oder ein einzelnes Volumen: NIfTI, NRRD oder MetaImage</translation>
     </message>
@@ -5356,6 +5372,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>sein Bildkopf ist zu kurz</translation>
     </message>
     <message>
+        <source>its frames are not evenly spaced</source>
+        <translation>ihre Bilder haben keinen gleichmäßigen Abstand</translation>
+    </message>
+    <message>
+        <source>its frames do not say where they lie in the patient</source>
+        <translation>ihre Bilder sagen nicht, wo sie im Patienten liegen</translation>
+    </message>
+    <message>
+        <source>its frames lie in several directions, or their pixels differ in size</source>
+        <translation>ihre Bilder liegen in mehreren Richtungen, oder ihre Pixel sind verschieden groß</translation>
+    </message>
+    <message>
         <source>its grid has %1 x %2 x %3 voxels</source>
         <translation>ihr Gitter hat %1 x %2 x %3 Voxel</translation>
     </message>
@@ -5426,6 +5454,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>its pixels are coded as %1, which this version cannot read</source>
         <translation>ihre Pixel sind als %1 kodiert, was diese Version nicht lesen kann</translation>
+    </message>
+    <message>
+        <source>its pixels are no segments (%1 bits)</source>
+        <translation>ihre Pixel sind keine Segmente (%1 Bit)</translation>
     </message>
     <message>
         <source>its rescale slope or intercept is no usable number</source>
@@ -6684,6 +6716,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>der zweite Punkt ist nur auf ± %1 mm bekannt</translation>
     </message>
     <message>
+        <source>the segmentation does not refer to the scan</source>
+        <translation>die Segmentierung verweist nicht auf die Aufnahme</translation>
+    </message>
+    <message>
+        <source>the segmentation has another frame of reference than the scan</source>
+        <translation>die Segmentierung hat ein anderes Bezugssystem als die Aufnahme</translation>
+    </message>
+    <message>
+        <source>the segmentation names another patient than the scan</source>
+        <translation>die Segmentierung nennt einen anderen Patienten als die Aufnahme</translation>
+    </message>
+    <message>
         <source>the slices differ in size: %1</source>
         <translation>die Schichten sind verschieden groß: %1</translation>
     </message>
@@ -6948,6 +6992,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>das ist kein DICOM-Bild</translation>
     </message>
     <message>
+        <source>this is no DICOM segmentation</source>
+        <translation>dies ist keine DICOM-Segmentierung</translation>
+    </message>
+    <message>
         <source>this is no MetaImage file</source>
         <translation>das ist keine MetaImage-Datei</translation>
     </message>
@@ -7090,6 +7138,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>voxels lie more than 5 mm apart</source>
         <translation>Voxel liegen mehr als 5 mm auseinander</translation>
+    </message>
+    <message>
+        <source>voxels that lie in several parts, of which the smallest keeps them: %1</source>
+        <translation>Voxel, die in mehreren Teilen liegen und beim kleinsten bleiben: %1</translation>
     </message>
     <message>
         <source>water</source>

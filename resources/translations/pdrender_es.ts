@@ -1342,6 +1342,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Elija una carpeta en la que pueda escribir.</translation>
     </message>
     <message>
+        <source>Choose a label map: a DICOM segmentation, NIfTI, NRRD or MetaImage.</source>
+        <translation>Elija un mapa de etiquetas: una segmentación DICOM, NIfTI, NRRD o MetaImage.</translation>
+    </message>
+    <message>
         <source>Choose a label map: whole numbers from 0 on, one for each part.</source>
         <translation>Elija un mapa de etiquetas: números enteros desde 0, uno para cada parte.</translation>
     </message>
@@ -1428,6 +1432,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Choose the schedule of PD-Render.</source>
         <translation>Elija el orden de trabajo de PD-Render.</translation>
+    </message>
+    <message>
+        <source>Choose the series that it was made on.</source>
+        <translation>Elija la serie sobre la que se creó.</translation>
     </message>
     <message>
         <source>Click a place, and type what it is. The list shows its value.</source>
@@ -1868,6 +1876,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Export the scan as DICOM, or anew in this format.</source>
         <translation>Exporte el estudio como DICOM, o de nuevo en este formato.</translation>
+    </message>
+    <message>
+        <source>Export the segmentation anew, without compression.</source>
+        <translation>Exporte la segmentación de nuevo, sin compresión.</translation>
     </message>
     <message>
         <source>Exposure Render blurs every iteration over 3 x 3 pixels before it counts. That hides noise and never averages out: the image stays wrong. For comparison only.</source>
@@ -4392,6 +4404,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>un archivo %1</translation>
     </message>
     <message>
+        <source>a DICOM segmentation</source>
+        <translation>una segmentación DICOM</translation>
+    </message>
+    <message>
         <source>a ZIP archive of DICOM or volume files, or one volume: NIfTI, NRRD or MetaImage</source>
         <translation>un archivo ZIP con archivos DICOM o de volumen, o un solo volumen: NIfTI, NRRD o MetaImage</translation>
     </message>
@@ -5356,6 +5372,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>su cabecera de imagen es demasiado corta</translation>
     </message>
     <message>
+        <source>its frames are not evenly spaced</source>
+        <translation>sus imágenes no están a distancias iguales</translation>
+    </message>
+    <message>
+        <source>its frames do not say where they lie in the patient</source>
+        <translation>sus imágenes no dicen dónde están en el paciente</translation>
+    </message>
+    <message>
+        <source>its frames lie in several directions, or their pixels differ in size</source>
+        <translation>sus imágenes están en varias direcciones, o sus píxeles difieren en tamaño</translation>
+    </message>
+    <message>
         <source>its grid has %1 x %2 x %3 voxels</source>
         <translation>su rejilla tiene %1 x %2 x %3 vóxeles</translation>
     </message>
@@ -5426,6 +5454,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>its pixels are coded as %1, which this version cannot read</source>
         <translation>sus píxeles están codificados como %1, que esta versión no puede leer</translation>
+    </message>
+    <message>
+        <source>its pixels are no segments (%1 bits)</source>
+        <translation>sus píxeles no son segmentos (%1 bits)</translation>
     </message>
     <message>
         <source>its rescale slope or intercept is no usable number</source>
@@ -6684,6 +6716,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el segundo punto solo se conoce con ± %1 mm</translation>
     </message>
     <message>
+        <source>the segmentation does not refer to the scan</source>
+        <translation>la segmentación no se refiere al estudio</translation>
+    </message>
+    <message>
+        <source>the segmentation has another frame of reference than the scan</source>
+        <translation>la segmentación tiene otro sistema de referencia que el estudio</translation>
+    </message>
+    <message>
+        <source>the segmentation names another patient than the scan</source>
+        <translation>la segmentación nombra a otro paciente que el estudio</translation>
+    </message>
+    <message>
         <source>the slices differ in size: %1</source>
         <translation>los cortes tienen distinto tamaño: %1</translation>
     </message>
@@ -6948,6 +6992,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>esto no es una imagen DICOM</translation>
     </message>
     <message>
+        <source>this is no DICOM segmentation</source>
+        <translation>esto no es una segmentación DICOM</translation>
+    </message>
+    <message>
         <source>this is no MetaImage file</source>
         <translation>no es un archivo MetaImage</translation>
     </message>
@@ -7090,6 +7138,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>voxels lie more than 5 mm apart</source>
         <translation>los vóxeles están a más de 5 mm</translation>
+    </message>
+    <message>
+        <source>voxels that lie in several parts, of which the smallest keeps them: %1</source>
+        <translation>vóxeles que están en varias partes y se quedan en la más pequeña: %1</translation>
     </message>
     <message>
         <source>water</source>

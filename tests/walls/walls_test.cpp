@@ -53,6 +53,7 @@ class WallsTest : public QObject {
             {"render/tiles/", "^render/(base|volume|film|device|timing|tiles)/|^render/scene/(scene|schedule).h"},
             {"dicom/", "^dicom/[^/]*$|^render/(base|volume)/|^render/slice/grey_window.h$"},
             {"dicom/read/", "^dicom/([^/]*$|read/)|^render/base/"},
+            {"dicom/segmentation/", "^dicom/([^/]*$|read/|segmentation/)|^render/(base|volume)/"},
             {"dicom/source/", "^dicom/([^/]*$|source/)|^render/base/"},
             {"dicom/stack/", "^dicom/([^/]*$|read/|stack/)|^render/(base|volume)/"},
             {"dicom/write/", "^dicom/([^/]*$|read/|write/)|^render/(base|volume)/"},

@@ -117,7 +117,7 @@ void nameParts(LabelMap& map, const ValueLabels& values, const GridFile& grid) {
     std::ranges::transform(map.labels, map.labels.begin(), [&](std::uint8_t found) { return label[found]; });
     const auto isEmpty = [&](const auto& stated) { return stated.first > 0 && !values.all().contains(stated.first); };
     if (const auto empty = std::ranges::count_if(table, isEmpty))
-        map.notes.push_back(phrase("parts that have a name and no voxels: %1", empty));
+        map.notes.push_back(emptyPartsNote(empty));
 }
 
 }  // namespace
