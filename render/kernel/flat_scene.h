@@ -200,6 +200,7 @@ struct FlatScene {
     bool lit;               ///< scattered light has a possible source: a light, the environment or tissue
     FlatEnvironment environment;
     FlatClip clip;
+    bool looksAtThin;    ///< first flights look at thin tissue (walk/thin_walk.h): the curve shows much of it
     bool fastFiltering;  ///< devices with texture units may read the volume through them
     bool unshadowed;     ///< light reaches every event without attenuation; see Scene
     bool marched;        ///< baseline/kroes_path.h replaces transport/integrator.h: BIASED

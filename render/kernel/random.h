@@ -28,7 +28,9 @@ enum class BounceDimension : std::uint32_t {
     roulette = 5,
     continuation = 6,
     environment = 7,
-    choice = 8
+    choice = 8,
+    looks = 9,        ///< places at which the first flight looks at thin tissue
+    lightLooks = 10,  ///< places at which the flights to the lights look
 };
 
 PDR_HD inline std::uint64_t mixBits(std::uint64_t x) {

@@ -91,6 +91,8 @@ class Sampler {
             case BounceDimension::continuation:
                 return 13;
             case BounceDimension::roulette:
+            case BounceDimension::looks:
+            case BounceDimension::lightLooks:
                 return -1;
         }
         return -1;

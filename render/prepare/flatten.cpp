@@ -13,6 +13,7 @@
 #include "render/prepare/flatten_lights.h"
 #include "render/prepare/flatten_optics.h"
 #include "render/prepare/needs.h"
+#include "render/prepare/thin_curve.h"
 #include "render/prepare/view_bounds.h"
 #include "render/scene/perspective.h"
 #include "render/scene/scene.h"
@@ -128,6 +129,7 @@ std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
     FlatScene& flat = prepared->flat;
     // Set the numbers and flags that select effects in the kernel.
     flat.fastFiltering = scene.filtering == Filtering::fast && !isProjection(scene.model);
+    flat.looksAtThin = showsThinTissue(flat.transferFunction, flat.volume);
     flat.marched = scene.estimator == Estimator::kroesMarch;
     flat.phaseG = scene.phaseG;
     flat.surfaceFactor = surfaceFactorOf(scene.gradientFactor);

@@ -105,6 +105,17 @@ class KernelsTest : public QObject {
                 }
     }
 
+    /// In the scenes above, flights look at thin tissue. Where all is dense they are exact.
+    void exactFlightsGiveTheCpusBits() {
+        for (const bool masked : {false, true}) {
+            Scene scene = sceneOf(kSurface);
+            scene.transferFunction.extinctionPerMm = 1000;
+            if (masked)
+                scene.mask = test::anyMask(*scene.volume, 1);
+            QVERIFY(agree(scene));
+        }
+    }
+
     /// The emulated device rounds fractions of textures as this room does.
     void fastFilteringReadsTextures() {
         Scene scene = sceneOf(kSurface);

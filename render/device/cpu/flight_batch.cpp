@@ -9,10 +9,17 @@ struct FlightBatch::InLanes {
 
     int size() const { return batch.size_; }
     Walk started(const FlatScene& scene, int row) const {
+        const RayColumns<kCapacity>& rays = batch.rays_;
         Walk walk;
-        walk.start(scene, batch.rays_.origins(row), batch.rays_.directions(row), batch.rays_.lengths(row),
-                   batch.rays_.lanes(batch.depth_, row));
+        walk.start(scene, rays.origins(row), rays.directions(row), rays.lengths(row), rays.lanes(batch.depth_, row),
+                   randomOf(row));
         return walk;
+    }
+    RandomStreamOf<FloatLanes> randomOf(int row) const {
+        RandomStreamOf<FloatLanes> random;
+        std::memcpy(&random.counter, batch.counter_.data() + row, sizeof random.counter);
+        std::memcpy(&random.key, batch.key_.data() + row, sizeof random.key);
+        return random;
     }
     void keep(const FlatScene&, const Walk& walk, int lane, int ray) {
         batch.distance_[ray] = walk.distance[lane];
@@ -26,20 +33,28 @@ void FlightBatch::flyInLanes(const FlatScene& scene) {
     walkInLanes<Walk>(rays, scene);
 }
 
-template <FlightEnd End>
+template <FlightEnd End, ThinTissue Thin>
 void FlightBatch::flyAll(const FlatScene& scene) {
     if (lanesCanRead(scene.volume))
-        return isMasked(scene) ? flyInLanes<FreeFlight<FloatLanes, true, End>>(scene)
-                               : flyInLanes<FreeFlight<FloatLanes, false, End>>(scene);
+        return isMasked(scene) ? flyInLanes<FreeFlight<FloatLanes, true, End, Thin>>(scene)
+                               : flyInLanes<FreeFlight<FloatLanes, false, End, Thin>>(scene);
     for (int row = 0; row < size_; ++row) {
-        const Flight flight = freeFlight<End>(scene, rays_.at(row), depth_[row]);
+        const Flight flight = Thin == ThinTissue::looked ? lookFlight<End>(scene, rays_.at(row), depth_[row],
+                                                                           RandomStream{{counter_[row], key_[row]}})
+                                                         : freeFlight<End>(scene, rays_.at(row), depth_[row]);
         distance_[row] = flight.distance;
         passed_[row] = flight.passed;
     }
 }
 
 void FlightBatch::fly(const FlatScene& scene, FlightEnd end) {
-    end == FlightEnd::place ? flyAll<FlightEnd::place>(scene) : flyAll<FlightEnd::whether>(scene);
+    end == FlightEnd::place ? flyAll<FlightEnd::place, ThinTissue::solved>(scene)
+                            : flyAll<FlightEnd::whether, ThinTissue::solved>(scene);
+}
+
+void FlightBatch::flyByLooks(const FlatScene& scene, FlightEnd end) {
+    end == FlightEnd::place ? flyAll<FlightEnd::place, ThinTissue::looked>(scene)
+                            : flyAll<FlightEnd::whether, ThinTissue::looked>(scene);
 }
 
 }  // namespace pdr

@@ -19,26 +19,30 @@ class FlightBatch {
     float distance(int ray) const { return distance_[ray]; }
     float passed(int ray) const { return passed_[ray]; }
 
-    /// Adds a ray; its number is its place in the order of adding.
-    void add(const Ray& ray, float depth) {
+    /// Adds a ray; its number is its place in the order of adding. `random`: for looks.
+    void add(const Ray& ray, float depth, const RandomStream& random = {}) {
         rays_.set(size_, ray);
         depth_[size_] = depth;
+        counter_[size_] = random.counter;
+        key_[size_] = random.key;
         ++size_;
     }
 
-    /// Flies all rays to their ends.
+    /// Flies all rays to their ends as freeFlight() does; flyByLooks() as lookFlight() does.
     void fly(const FlatScene& scene, FlightEnd end = FlightEnd::place);
+    void flyByLooks(const FlatScene& scene, FlightEnd end = FlightEnd::place);
 
   private:
     template <class Walk>
     struct InLanes;
-    template <FlightEnd End>
+    template <FlightEnd End, ThinTissue Thin>
     void flyAll(const FlatScene& scene);
     template <class Walk>
     void flyInLanes(const FlatScene& scene);
 
     alignas(64) RayColumns<kCapacity> rays_;
     alignas(64) std::array<float, kCapacity> depth_, distance_, passed_;
+    alignas(64) std::array<std::uint64_t, kCapacity> counter_, key_;
     int size_ = 0;
 };
 

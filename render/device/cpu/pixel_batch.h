@@ -64,21 +64,26 @@ class PixelBatch {
         rays_.clear();
         for (int row = 0; row < active_; ++row) {
             const Path& path = paths_[row];
-            if (fliesExactly(bounces_[row])) {
-                flights_.add(path.segment.ray, path.sampler.depth());
+            if (isFlown(bounces_[row])) {
+                flights_.add(path.segment.ray, path.sampler.depth(), lookStream(path));
             } else {
                 rowOfRay_[rays_.size()] = row;
                 rays_.add(path.segment.ray, distanceStream(path, bounces_[row]));
             }
         }
-        flights_.fly(scene, FlightEnd::place);
+        fly(scene, FlightEnd::place);
         rays_.track<DeltaTracking>(scene);
         for (const int ray : rays_.overMajorant())
             sampleOf(rowOfRay_[ray]).overMajorant = true;
         for (int row = 0, flight = 0, ray = 0; row < active_; ++row)
-            collision_[row] = fliesExactly(bounces_[row]) ? flights_.distance(flight++) : rays_.result(ray++);
+            collision_[row] = isFlown(bounces_[row]) ? flights_.distance(flight++) : rays_.result(ray++);
         flights_.clear();
         rays_.clear();
+    }
+
+    /// As firstFlight() does.
+    void fly(const FlatScene& scene, FlightEnd end) {
+        scene.looksAtThin ? flights_.flyByLooks(scene, end) : flights_.fly(scene, end);
     }
 
     template <std::uint32_t F>
@@ -90,9 +95,9 @@ class PixelBatch {
             const LightPath& light = vertex.scattered[i];
             if (isDark(light))
                 continue;
-            if (fliesExactly(bounces_[row])) {
+            if (isFlown(bounces_[row])) {
                 lightOfFlight_[flights_.size()] = {row, light.radiance};
-                flights_.add(light.ray, shadowDepth(path, i));
+                flights_.add(light.ray, shadowDepth(path, i), lightLookStream(path, i));
             } else {
                 lightOfRay_[rays_.size()] = {row, light.radiance};
                 rays_.add(light.ray, shadowStream(path, bounces_[row]));
@@ -101,7 +106,7 @@ class PixelBatch {
     }
 
     void traceLights(const FlatScene& scene) {
-        flights_.fly(scene, FlightEnd::whether);
+        fly(scene, FlightEnd::whether);
         for (int flight = 0; flight < flights_.size(); ++flight)
             addLight(lightOfFlight_[flight], shadowTransmittance(flights_.distance(flight), flights_.passed(flight)));
         rays_.track<RatioTracking>(scene);

@@ -38,7 +38,10 @@ std::vector<const void*> samplingKernels(const FlatScene& scene) {
     }
     if (scene.marched)
         return queuedKernelsOf<TraceKernel<MarchSampler>>();
-    std::vector<const void*> kernels = queuedKernelsOf<CameraKernel<Masked>, ShadowKernel<Masked>>();
+    constexpr ThinTissue kSolved = ThinTissue::solved, kLooked = ThinTissue::looked;
+    std::vector<const void*> kernels =
+        scene.looksAtThin ? queuedKernelsOf<CameraKernel<Masked, kLooked>, ShadowKernel<Masked, kLooked>>()
+                          : queuedKernelsOf<CameraKernel<Masked, kSolved>, ShadowKernel<Masked, kSolved>>();
     append(kernels, kernelsOf<AddLightKernel>());
     append(kernels, pathProgram(scene.features).kernels);
     return kernels;
@@ -63,19 +66,35 @@ void prepareKernels<CudaGpu>(CudaGpu& gpu, const FlatScene& scene) {
 }
 
 template <>
-void launchCamera(CudaGpu& gpu, const CameraKernel<false>& kernel, std::int64_t samples) {
+void launchCamera(CudaGpu& gpu, const CameraKernel<false, ThinTissue::solved>& kernel, std::int64_t samples) {
     gpu.launchQueued(kernel, samples, GpuStream::compute);
 }
 template <>
-void launchCamera(CudaGpu& gpu, const CameraKernel<true>& kernel, std::int64_t samples) {
+void launchCamera(CudaGpu& gpu, const CameraKernel<false, ThinTissue::looked>& kernel, std::int64_t samples) {
     gpu.launchQueued(kernel, samples, GpuStream::compute);
 }
 template <>
-void launchShadow(CudaGpu& gpu, const ShadowKernel<false>& kernel, std::int64_t lightPaths) {
+void launchCamera(CudaGpu& gpu, const CameraKernel<true, ThinTissue::solved>& kernel, std::int64_t samples) {
+    gpu.launchQueued(kernel, samples, GpuStream::compute);
+}
+template <>
+void launchCamera(CudaGpu& gpu, const CameraKernel<true, ThinTissue::looked>& kernel, std::int64_t samples) {
+    gpu.launchQueued(kernel, samples, GpuStream::compute);
+}
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<false, ThinTissue::solved>& kernel, std::int64_t lightPaths) {
     gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
 }
 template <>
-void launchShadow(CudaGpu& gpu, const ShadowKernel<true>& kernel, std::int64_t lightPaths) {
+void launchShadow(CudaGpu& gpu, const ShadowKernel<false, ThinTissue::looked>& kernel, std::int64_t lightPaths) {
+    gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
+}
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<true, ThinTissue::solved>& kernel, std::int64_t lightPaths) {
+    gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
+}
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<true, ThinTissue::looked>& kernel, std::int64_t lightPaths) {
     gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
 }
 template <>

@@ -27,13 +27,21 @@ TraceLaunch<CudaGpu> pathLaunch<CudaGpu>(std::uint32_t needed);
 template <>
 void prepareKernels<CudaGpu>(CudaGpu& gpu, const FlatScene& scene);
 template <>
-void launchCamera(CudaGpu& gpu, const CameraKernel<false>& kernel, std::int64_t samples);
+void launchCamera(CudaGpu& gpu, const CameraKernel<false, ThinTissue::solved>& kernel, std::int64_t samples);
 template <>
-void launchCamera(CudaGpu& gpu, const CameraKernel<true>& kernel, std::int64_t samples);
+void launchCamera(CudaGpu& gpu, const CameraKernel<false, ThinTissue::looked>& kernel, std::int64_t samples);
 template <>
-void launchShadow(CudaGpu& gpu, const ShadowKernel<false>& kernel, std::int64_t lightPaths);
+void launchCamera(CudaGpu& gpu, const CameraKernel<true, ThinTissue::solved>& kernel, std::int64_t samples);
 template <>
-void launchShadow(CudaGpu& gpu, const ShadowKernel<true>& kernel, std::int64_t lightPaths);
+void launchCamera(CudaGpu& gpu, const CameraKernel<true, ThinTissue::looked>& kernel, std::int64_t samples);
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<false, ThinTissue::solved>& kernel, std::int64_t lightPaths);
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<false, ThinTissue::looked>& kernel, std::int64_t lightPaths);
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<true, ThinTissue::solved>& kernel, std::int64_t lightPaths);
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<true, ThinTissue::looked>& kernel, std::int64_t lightPaths);
 template <>
 void launchAddLight(CudaGpu& gpu, const AddLightKernel& kernel, std::int64_t samples);
 

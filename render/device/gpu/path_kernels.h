@@ -1,10 +1,12 @@
 #pragma once
 /// Path tracing in kernels that do one thing each, so that 32 threads in lockstep do the same, and in few registers.
 ///
-/// - CameraKernel<Masked>: a sample's camera ray and first flight. A queue: lanes take the next when one has ended.
+/// - CameraKernel<Masked, Thin>: a sample's camera ray and first flight. A queue: lanes take the next when one has
+/// ended.
 /// - ShadeKernel<F>: the end of that flight, and the event there (endSegment). One thread for each, so that all lanes
 ///   look for ends together; in the queue one or two would, while the others wait.
-/// - ShadowKernel<Masked>: the flights from there to the lights. A queue, with an entry for each light path, so that no
+/// - ShadowKernel<Masked, Thin>: the flights from there to the lights. A queue, with an entry for each light path, so
+/// that no
 ///   lane waits for another's second one.
 /// - AddLightKernel: the light that has come through. One thread for each event, in the order of its light paths.
 /// - OnwardKernel<F>: all further segments of paths that continue, one after the other. A queue.
@@ -34,14 +36,16 @@ PDR_HD inline float distanceOf(const FlatScene& scene, const FlightEnding& end) 
 struct FirstFlight {
     FlightEnding ending;  ///< where it ends, without a mask; with one the place is looked for in flight
     PathSegment segment;
-    float collision;     ///< distance of the collision; without a mask only its sign is known: see endSegment()
+    /// Distance of the collision; see endSegment(). 0: it is at `ending`, to be looked for.
+    float collision;
     std::int64_t index;  ///< index of the sample in its launch
 };
 
 /// A light path, and the flight along it.
 struct ShadowFlight {
     LightPath light;
-    float depth;   ///< optical depth; see shadowDepth()
+    float depth;  ///< optical depth; see shadowDepth()
+    RandomStream random;
     Flight flown;  ///< result, without the distance: FlightEnd::whether
 };
 
@@ -69,8 +73,8 @@ struct PathLists {
     Counts* counts;
 };
 
-/// Traces the camera rays and first flights of samples. Masked: see PieceWalk.
-template <bool Masked>
+/// Traces the camera rays and first flights of samples. Masked: see PieceWalk. Thin: see FreeFlight.
+template <bool Masked, ThinTissue Thin>
 struct CameraKernel {
     static constexpr const char* kName = "camera";
     FlatScene scene;
@@ -79,7 +83,7 @@ struct CameraKernel {
     std::int64_t first;  ///< index of the first of these samples in the launch
 
     struct Walk {
-        FreeFlight<float, Masked> flight;
+        FreeFlight<float, Masked, FlightEnd::place, Thin> flight;
         std::int32_t slot;
     };
 
@@ -98,7 +102,7 @@ struct CameraKernel {
         flight.segment = path.segment;
         flight.collision = -1;
         flight.index = first + i;
-        walk.flight.start(scene, path.segment.ray, path.sampler.depth());
+        walk.flight.start(scene, path.segment.ray, path.sampler.depth(), lookStream(path));
         return walk.flight.going();
     }
 
@@ -140,7 +144,7 @@ struct ShadeKernel {
     }
 
     PDR_HD float collisionOf(const FirstFlight& flight) const {
-        return flight.collision < 0 || isMasked(scene) ? flight.collision : distanceOf(scene, flight.ending);
+        return flight.collision != 0 || isMasked(scene) ? flight.collision : distanceOf(scene, flight.ending);
     }
 
     PDR_HD void handOnLight(const Path& path, const PathVertex& vertex, std::int64_t place) const {
@@ -153,20 +157,20 @@ struct ShadeKernel {
         record.place = place;
         for (int i = 0; i < kMostLightPaths; ++i) {
             const LightPath& light = vertex.scattered[i];
-            record.to[i] = {light, isDark(light) ? 0 : shadowDepth(path, i), {}};
+            record.to[i] = {light, isDark(light) ? 0 : shadowDepth(path, i), lightLookStream(path, i), {}};
         }
     }
 };
 
-/// Traces the light paths of all vertices. Masked: see PieceWalk.
-template <bool Masked>
+/// Traces the light paths of all vertices. Masked, Thin: as for CameraKernel.
+template <bool Masked, ThinTissue Thin>
 struct ShadowKernel {
     static constexpr const char* kName = "shadow";
     FlatScene scene;
     PathLists lists;
 
     struct Walk {
-        FreeFlight<float, Masked, FlightEnd::whether> flight;
+        FreeFlight<float, Masked, FlightEnd::whether, Thin> flight;
         std::int32_t index;
     };
 
@@ -177,7 +181,7 @@ struct ShadowKernel {
         if (i >= std::int64_t(lists.counts->lit) * kMostLightPaths || isDark(at(i).light))
             return false;
         walk.index = std::int32_t(i);
-        walk.flight.start(scene, at(i).light.ray, at(i).depth);
+        walk.flight.start(scene, at(i).light.ray, at(i).depth, at(i).random);
         return goesOn(walk);
     }
 

@@ -9,8 +9,10 @@
 #include <type_traits>
 
 #include "render/kernel/attenuation.h"
+#include "render/kernel/random.h"
 #include "render/kernel/ray.h"
 #include "render/kernel/walk/piece_walk.h"
+#include "render/kernel/walk/thin_walk.h"
 
 namespace pdr {
 
@@ -47,8 +49,11 @@ PDR_HD_INLINE Real flightEndOn(const OpticsAlong<Real>& along, Real length, Real
 /// What a flight is for: where it ends, or only whether it does, which costs no search.
 enum class FlightEnd { place, whether };
 
+/// How a flight passes thin tissue: by exact integrals, or by looks (ThinWalk), which cost less. Both are unbiased.
+enum class ThinTissue { solved, looked };
+
 /// The flight of one ray, or of several in lanes. Masked: see PieceWalk.
-template <class Real, bool Masked = false, FlightEnd End = FlightEnd::place>
+template <class Real, bool Masked = false, FlightEnd End = FlightEnd::place, ThinTissue Thin = ThinTissue::solved>
 class FreeFlight {
   public:
     using Int = typename SimdTraits<Real>::Int;
@@ -58,17 +63,23 @@ class FreeFlight {
     Real distance = Real{} - 1.0f;
     Real passed{};  ///< optical depth of the whole ray where distance is -1
 
-    /// Starts the flight. `depth`: the optical depth to pass; > 0.
+    static constexpr bool kLooks = Thin == ThinTissue::looked;
+
+    /// Starts the flight. `depth`: the optical depth to pass; > 0. `random`: for looks.
     PDR_HD_INLINE void start(const FlatScene& scene, const Vec3<Real>& origin, const Vec3<Real>& direction, Real length,
-                             Real depth) {
-        walk_.start(scene.majorants, origin, direction, length);
+                             Real depth, const RandomStreamOf<Real>& random = {}) {
+        if constexpr (kLooks)
+            walk_.start(scene.majorants, origin, direction, length, thinBound(scene.volume), random);
+        else
+            walk_.start(scene.majorants, origin, direction, length);
         depth_ = depth;
     }
     /// Starts the flight of one ray and discards any flight before.
-    PDR_HD_INLINE void start(const FlatScene& scene, const Ray& ray, float depth) requires std::is_same_v<Real, float> {
+    PDR_HD_INLINE void start(const FlatScene& scene, const Ray& ray, float depth,
+                             const RandomStreamOf<Real>& random = {}) requires std::is_same_v<Real, float> {
         *this = FreeFlight();
         start(scene, {ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z},
-              ray.length, depth);
+              ray.length, depth, random);
     }
 
     PDR_HD Mask going() const { return walk_.going(); }
@@ -85,12 +96,23 @@ class FreeFlight {
         Mask ended{};
         walk_.step(scene, [&](const Way& way, Mask ready, Mask) {
             const OpticsAlong<Real> along = opticsAlong(scene.optics, way.piece, way.hu);
-            const Real passed = this->passed + meanExtinction(along, way) * way.length;
+            const Real extinction = meanExtinction(along, way);
+            Real depth = extinction * way.length;
+            const Mask looks = ready & walk_.cells().looking();
+            if constexpr (kLooks)
+                if (any(looks))
+                    depth = looked(looks, extinction, depth);
+            const Real passed = this->passed + depth;
             ended = ready & (passed > depth_);
-            if constexpr (End == FlightEnd::whether)
+            if constexpr (End == FlightEnd::whether) {
                 distance = ended ? Real{} : distance;
-            else if (any(ended))
-                distance = ended ? placeOf(along, way, depth_ - this->passed, ended) : distance;
+            } else if (any(ended)) {
+                const Mask inside = ended & !looks;
+                if (any(inside))
+                    distance = inside ? placeOf(along, way, depth_ - this->passed, inside) : distance;
+                if constexpr (kLooks)
+                    distance = ended & looks ? walk_.cells().looks().first : distance;
+            }
             this->passed = ready ? passed : this->passed;
             return ready;
         });
@@ -106,9 +128,18 @@ class FreeFlight {
         passed = mask ? Real{} : passed;
     }
 
-    using Way = typename PieceWalk<Real, Masked>::Way;
+    using Walk = PieceWalk<Real, Masked, std::conditional_t<kLooks, ThinWalk<Real>, CellWalk<Real>>>;
+    using Way = typename Walk::Way;
 
   private:
+    /// Makes looks of the segments that are. Returns the optical depth of each segment; of a look that another follows,
+    /// none.
+    PDR_HD_INLINE Real looked(Mask looks, Real extinction, Real depth) {
+        const Mask done = walk_.cells().look(looks, extinction);
+        const Real taken = depthThatTakes(walk_.cells().looks().taken);
+        return looks ? (done ? taken : Real{}) : depth;
+    }
+
     PDR_HD_INLINE static Real meanExtinction(const OpticsAlong<Real>& along, const Way& way) {
         if constexpr (Masked)
             return seenAlong(along, way.weight).meanExtinction;
@@ -137,7 +168,7 @@ class FreeFlight {
         return end;
     }
 
-    PieceWalk<Real, Masked> walk_;
+    Walk walk_;
     Real depth_{};
 };
 
@@ -147,18 +178,34 @@ struct Flight {
     float passed;
 };
 
-template <bool Masked, FlightEnd End>
-PDR_HD inline Flight freeFlightOf(const FlatScene& scene, const Ray& ray, float depth) {
-    FreeFlight<float, Masked, End> flight;
-    flight.start(scene, ray, depth);
+template <class Flying>
+PDR_HD inline Flight flown(const FlatScene& scene, const Ray& ray, float depth, const RandomStream& random) {
+    Flying flight;
+    flight.start(scene, ray, depth, random);
     while (flight.going())
         flight.step(scene);
     return {flight.distance, flight.passed};
 }
 
+/// The exact flight of one ray.
 template <FlightEnd End = FlightEnd::place>
 PDR_HD inline Flight freeFlight(const FlatScene& scene, const Ray& ray, float depth) {
-    return isMasked(scene) ? freeFlightOf<true, End>(scene, ray, depth) : freeFlightOf<false, End>(scene, ray, depth);
+    return isMasked(scene) ? flown<FreeFlight<float, true, End>>(scene, ray, depth, {})
+                           : flown<FreeFlight<float, false, End>>(scene, ray, depth, {});
+}
+
+/// The flight of one ray that looks at thin tissue.
+template <FlightEnd End = FlightEnd::place>
+PDR_HD inline Flight lookFlight(const FlatScene& scene, const Ray& ray, float depth, const RandomStream& random) {
+    constexpr ThinTissue kLooked = ThinTissue::looked;
+    return isMasked(scene) ? flown<FreeFlight<float, true, End, kLooked>>(scene, ray, depth, random)
+                           : flown<FreeFlight<float, false, End, kLooked>>(scene, ray, depth, random);
+}
+
+/// The flight of a path's first segment, and of the light at its end: it looks at thin tissue where the scene has much.
+template <FlightEnd End = FlightEnd::place>
+PDR_HD inline Flight firstFlight(const FlatScene& scene, const Ray& ray, float depth, const RandomStream& random) {
+    return scene.looksAtThin ? lookFlight<End>(scene, ray, depth, random) : freeFlight<End>(scene, ray, depth);
 }
 
 }  // namespace pdr

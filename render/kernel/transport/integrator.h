@@ -6,7 +6,7 @@
 ///
 ///   T(t)      transmittance, exp(-int_0^t sigma_t ds)            track<RatioTracking>     Novak et al. 2014
 ///   sigma_t   extinction; T sigma_t is the pdf of the collision   track<DeltaTracking>     Woodcock et al. 1965
-///             both exactly up to the first event and its light    freeFlight               by inversion
+///             both up to the first event and its light            firstFlight              by inversion
 ///   c_e       emission per optical depth: its weight is 1, since the collision's pdf is T sigma_t    shadeVertex
 ///   a f       albedo and phase function, or a surface's BRDF with its cosine                  scatterEval, event.h
 ///   int_S2    next-event estimation of light from the lights, one light path by resampling (Talbot et al. 2005) with
@@ -47,16 +47,16 @@ PDR_HD_INLINE Path startPath(const FlatScene& scene, ivec2 pixel, std::uint64_t 
     return {sampler, generateCameraRay(scene, vec2(pixel) + filter, lens, depths)};
 }
 
-/// The first segment of a path flies exactly, and so does the light of its event: there low-discrepancy numbers pay.
-/// What is behind is tracked, which costs less for the same noise.
-PDR_HD inline bool fliesExactly(int bounce) {
+/// The first segment of a path flies, and so does the light of its event: one low-discrepancy number says how far. What
+/// is behind is tracked, where no number would pay.
+PDR_HD inline bool isFlown(int bounce) {
     return bounce == 0;
 }
 
 /// Light paths from an event. From the first there are two: what leads to it is paid for once.
 inline constexpr int kMostLightPaths = 2;
 PDR_HD inline int lightPathsFrom(int bounce) {
-    return fliesExactly(bounce) ? kMostLightPaths : 1;
+    return isFlown(bounce) ? kMostLightPaths : 1;
 }
 
 /// The random numbers along a segment that is tracked, and along the light path from its end.
@@ -67,7 +67,15 @@ PDR_HD inline RandomStream shadowStream(const Path& path, int bounce) {
     return path.sampler.stream(bounce, BounceDimension::shadow);
 }
 
-/// The transmittance of a light path that flies exactly, with Russian roulette where little is left: a flight of the
+/// The random numbers for the looks of a path's first flight, and of the flights from its end to the lights.
+PDR_HD inline RandomStream lookStream(const Path& path) {
+    return path.sampler.stream(0, BounceDimension::looks);
+}
+PDR_HD inline RandomStream lightLookStream(const Path& path, int lightPath) {
+    return path.sampler.branch(lightPath, kMostLightPaths).stream(0, BounceDimension::lightLooks);
+}
+
+/// The transmittance of a light path that flies, with Russian roulette where little is left: a flight of the
 /// depth shadowDepth() ends there, and one that does not leaves shadowTransmittance().
 inline constexpr float kShadowRouletteBelow = 0.1f;
 PDR_HD inline float shadowDepth(const Path& path, int lightPath) {
@@ -200,14 +208,15 @@ PDR_HD inline void addLight(PathSample& sample, vec3 radiance, float transmittan
         sample.radiance += radiance * transmittance;
 }
 
-/// The rays of a path's first segment, which fly exactly; see fliesExactly().
-struct ExactRays {
+/// The rays of a path's first segment, which fly; see isFlown().
+struct FlownRays {
     PDR_HD static float collision(const FlatScene& scene, const Path& path, int, PathSample&) {
-        return freeFlight(scene, path.segment.ray, path.sampler.depth()).distance;
+        return firstFlight(scene, path.segment.ray, path.sampler.depth(), lookStream(path)).distance;
     }
     PDR_HD static float transmittance(const FlatScene& scene, const Path& path, int, const LightPath& light, int number,
                                       PathSample&) {
-        const Flight flight = freeFlight<FlightEnd::whether>(scene, light.ray, shadowDepth(path, number));
+        const Flight flight =
+            firstFlight<FlightEnd::whether>(scene, light.ray, shadowDepth(path, number), lightLookStream(path, number));
         return shadowTransmittance(flight.distance, flight.passed);
     }
 };
@@ -229,7 +238,7 @@ struct NullVisitor {
     PDR_HD void light(const PathVertex&, const float*) {}
 };
 
-/// One segment of a path, and what is met at its end; false where the path ends. Rays: ExactRays or TrackedRays.
+/// One segment of a path, and what is met at its end; false where the path ends. Rays: FlownRays or TrackedRays.
 template <std::uint32_t F, class Rays, class Visitor>
 PDR_HD_INLINE bool traceSegment(const FlatScene& scene, Path& path, int bounce, PathSample& sample, Visitor&& visitor) {
     const float collision = Rays::collision(scene, path, bounce, sample);
@@ -255,7 +264,7 @@ PDR_HD inline PathSample tracePath(const FlatScene& scene, ivec2 pixel, std::uin
                                    Visitor&& visitor) {
     Path path = startPath(scene, pixel, sample, depths);
     PathSample result;
-    bool continues = traceSegment<F, ExactRays>(scene, path, 0, result, visitor);
+    bool continues = traceSegment<F, FlownRays>(scene, path, 0, result, visitor);
     for (int bounce = 1; continues; ++bounce)
         continues = traceSegment<F, TrackedRays>(scene, path, bounce, result, visitor);
     return result;

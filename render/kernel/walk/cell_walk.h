@@ -23,6 +23,21 @@ struct MaskedHuAlong : HuAlong<Real> {
     Cubic<Real> weight;  ///< in [0, 1]
 };
 
+/// Reads the cell between voxels whose lowest corner is `voxel`, or the nearest one, and describes in `way` the segment
+/// from one position in it to another (index space), without its length; where `mask` holds.
+template <class Real, class Way>
+PDR_HD_INLINE void readCell(const FlatScene& scene, const Vec3<typename SimdTraits<Real>::Int>& voxel,
+                            typename SimdTraits<Real>::Mask mask, const Vec3<Real>& begin, const Vec3<Real>& end,
+                            Way& way) {
+    // In the half cells outside the first and last centres the fractions stay at 0 or 1: HU are clamped there.
+    const auto corner = nearestCorner(scene.volume, voxel, mask);
+    const VoxelCell<Real> cell = cellAt(scene.volume, corner);
+    const Vec3<Real> from = fractionsIn(cell, begin), to = fractionsIn(cell, end);
+    way.hu.take(mask, hounsfieldAlong(cell, from, to));
+    if constexpr (std::is_same_v<Way, MaskedHuAlong<Real>>)
+        way.weight.take(mask, weightAlong(scene.mask, corner, from, to));
+}
+
 template <class Real>
 class CellWalk {
   public:
@@ -39,6 +54,8 @@ class CellWalk {
 
     PDR_HD Mask walking() const { return t_ < end_; }
     PDR_HD void stop(Mask mask) { end_ = mask ? Real{} - 1.0f : end_; }
+    /// Returns the lanes whose segment is a look at a random place: none.
+    PDR_HD static Mask looking() { return Mask{}; }
     /// Returns the distance from the ray's origin to the current position [mm].
     PDR_HD Real reached() const { return t_; }
 
@@ -49,6 +66,11 @@ class CellWalk {
         ray_.take(mask, other.ray_, from);
     }
 
+    /// Moves the lanes of `mask` as below, past cells that are clear.
+    template <class Way>
+    PDR_HD_INLINE Mask step(const FlatScene& scene, Mask mask, Way& way) {
+        return step(scene, mask, Real{}, way);
+    }
     /// Moves the lanes of `mask`, all of them walking, through one cell: the largest cell whose bound is at most `bar`,
     /// or else one cell between voxels. Returns the lanes that took a cell between voxels; `way` then describes the
     /// segment that was passed. Way: HuAlong, or MaskedHuAlong for scenes with a mask.
@@ -65,8 +87,10 @@ class CellWalk {
         // Pass the cell, and read the voxels where it is one between voxels.
         const Vec3<Real> borders = ray_.borders(within);
         const Real leave = greater(lesser(nearest(borders), end_), t_);
-        if (any(met))
-            read(scene, met, leave, way);
+        if (any(met)) {
+            readCell(scene, ray_.voxel(), met, ray_.at(t_), ray_.at(leave), way);
+            way.length = met ? leave - t_ : way.length;
+        }
         ray_.advance(mask, within, borders, leave);
         t_ = mask ? leave : t_;
         prefetchNext(scene);
@@ -79,18 +103,6 @@ class CellWalk {
         const FlatMajorants& grid = scene.majorants;
         prefetch(grid.fine, ray_.template cellIndex<4>(grid.fineSize, walking()));
         prefetchCell(scene.volume, nearestCorner(scene.volume, ray_.voxel(), walking()));
-    }
-
-    template <class Way>
-    PDR_HD_INLINE void read(const FlatScene& scene, Mask mask, Real leave, Way& way) const {
-        // In the half cells outside the first and last centres the fractions stay at 0 or 1: HU are clamped there.
-        const auto corner = nearestCorner(scene.volume, ray_.voxel(), mask);
-        const VoxelCell<Real> cell = cellAt(scene.volume, corner);
-        const Vec3<Real> from = fractionsIn(cell, ray_.at(t_)), to = fractionsIn(cell, ray_.at(leave));
-        way.hu.take(mask, hounsfieldAlong(cell, from, to));
-        if constexpr (std::is_same_v<Way, MaskedHuAlong<Real>>)
-            way.weight.take(mask, weightAlong(scene.mask, corner, from, to));
-        way.length = mask ? leave - t_ : way.length;
     }
 
     GridRay<Real, 1> ray_{};

@@ -26,17 +26,21 @@ struct MaskedPieceOfWay : PieceOfWay<Real> {
 };
 
 /// Walks along a ray segment by segment. Masked: for scenes with a mask; without it, no code for masks is compiled.
-template <class Real, bool Masked>
+/// Cells: CellWalk, or ThinWalk, of which some segments are looks.
+template <class Real, bool Masked, class Cells = CellWalk<Real>>
 class PieceWalk {
   public:
     using Int = typename SimdTraits<Real>::Int;
     using Mask = typename SimdTraits<Real>::Mask;
     using Way = std::conditional_t<Masked, MaskedPieceOfWay<Real>, PieceOfWay<Real>>;
 
+    /// `random`: what Cells need of random numbers.
+    template <class... Random>
     PDR_HD_INLINE void start(const FlatMajorants& grid, const Vec3<Real>& origin, const Vec3<Real>& direction,
-                             Real length) {
-        cells_.start(grid, origin, direction, length);
+                             Real length, const Random&... random) {
+        cells_.start(grid, origin, direction, length, random...);
     }
+    PDR_HD Cells& cells() { return cells_; }
 
     PDR_HD Mask going() const { return cells_.walking() | (inCell_.length > 0.0f); }
     PDR_HD void stop(Mask mask) {
@@ -74,7 +78,8 @@ class PieceWalk {
 
     /// Moves to the next cell between voxels, and skips it if it is transparent or hidden.
     PDR_HD_INLINE void seek(const FlatScene& scene, Mask seeking) {
-        const Mask met = cells_.step(scene, seeking, Real{}, inCell_);
+        // A look that finds nothing counts, too.
+        const Mask met = cells_.step(scene, seeking, inCell_) & !cells_.looking();
         const Mask clear =
             (inCell_.hu.highest() < scene.optics.clearUpTo) | (inCell_.hu.lowest() >= scene.optics.clearFrom);
         inCell_.length = (met & clear) ? Real{} : inCell_.length;
@@ -125,7 +130,7 @@ class PieceWalk {
         inCell_.length = gone ? inCell_.length - length : inCell_.length;
     }
 
-    CellWalk<Real> cells_;
+    Cells cells_;
     std::conditional_t<Masked, MaskedHuAlong<Real>, HuAlong<Real>>
         inCell_{};                ///< rest of the segment through the current cell
     Real reach_ = Real{} + 1.0f;  ///< fraction of this rest that is tried next
