@@ -206,7 +206,8 @@ struct FlatScene {
     bool marched;        ///< baseline/kroes_path.h replaces transport/integrator.h: BIASED
     int maxBounces;      ///< maximum number of scattering events on a path
     float phaseG;
-    float surfaceFactor;  ///< [mm/HU], see surfaceFactorOf(); 0: no surfaces
+    float surfaceFactor;    ///< [mm/HU], see surfaceFactorOf(); 0: no surfaces
+    bool raysStartOutside;  ///< rays leave surfaces outside their soft edge; see transport/ray_origin.h
     std::uint64_t seed;
     const SobolTable* sobol;  ///< kernel/sobol.h
     std::uint32_t features;   ///< kernel/features.h

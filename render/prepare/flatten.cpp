@@ -133,6 +133,7 @@ std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
     flat.marched = scene.estimator == Estimator::kroesMarch;
     flat.phaseG = scene.phaseG;
     flat.surfaceFactor = surfaceFactorOf(scene.gradientFactor);
+    flat.raysStartOutside = scene.rayOrigin == RayOrigin::outsideEdge;
     flat.unshadowed = scene.unshadowed;
     flat.features = neededFeatures(needs(scene));
     flat.maxBounces = has(flat.features, kBounces) ? scene.maxBounces : 1;  // also for kernels that contain all effects

@@ -42,6 +42,7 @@ std::optional<ImageSetup> setupOf(const Scene& scene, ImageSetup setup) {
     setup.look.transferFunction = scene.transferFunction;
     setup.look.phaseG = scene.phaseG;
     setup.look.gradientFactor = scene.gradientFactor;
+    setup.look.rayOrigin = scene.rayOrigin;
     setup.look.environment = scene.environment;
     setup.look.visible = scene.visible;
     if (scene.lights.empty())

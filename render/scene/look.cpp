@@ -21,6 +21,7 @@ Scene withLook(Scene scene, const Look& look) {
     scene.transferFunction = look.transferFunction;
     scene.phaseG = look.phaseG;
     scene.gradientFactor = look.gradientFactor;
+    scene.rayOrigin = look.rayOrigin;
     scene.window = look.window;
     scene.lights = panelsOf(look.rig, scene.volume->geometry(), scene.camera);
     scene.environment = look.environment;

@@ -11,6 +11,7 @@ struct Look {
     TransferFunction transferFunction;
     float phaseG = 0;          ///< as Scene::phaseG
     float gradientFactor = 0;  ///< as Scene::gradientFactor
+    RayOrigin rayOrigin = RayOrigin::event;
     HuWindow window;
     LightRig rig;
     Environment environment{vec3(0.1f), false};

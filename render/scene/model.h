@@ -30,6 +30,12 @@ inline constexpr Estimator kEstimators[] = {Estimator::unbiased, Estimator::kroe
 /// Returns the estimator's word in scene files: "kroesMarch".
 const char* estimatorName(Estimator estimator);
 
+/// Where rays leave an event on a surface, to the side that it is seen from. Rays to the camera start at the event.
+enum class RayOrigin {
+    event,       ///< at the event, inside the soft edge of the surface, which shadows it
+    outsideEdge  ///< one voxel out along the normal; the edge takes what a plane one would on average
+};
+
 /// How the scattering models interpolate the volume between its voxels.
 enum class Filtering {
     exact,  ///< interpolated in single precision

@@ -43,7 +43,8 @@ struct Scene {
     float toleranceLevels = 0.25f;  ///< largest error of a projection's ray, in display levels of 255; [1e-3, 16]
     float phaseG = 0;               ///< Henyey-Greenstein mean cosine; (-1, 1)
     float gradientFactor = 0;       ///< how readily an event becomes a surface reflection; [0, 1e6]; 0 = never
-    bool unshadowed = false;        ///< light reaches every event unhindered: only to find what shadows do (needs.h)
+    RayOrigin rayOrigin = RayOrigin::event;  ///< unused by kroesMarch
+    bool unshadowed = false;  ///< light reaches every event unhindered: only to find what shadows do (needs.h)
     std::vector<Light> lights;
     Environment environment;
     std::optional<vec3> background;  ///< radiance that the camera sees behind the volume instead of the environment;

@@ -38,6 +38,7 @@ struct HybridScene {
     Curve curve = Curve::slope;
     float extinctionPerMm = 1;
     float gradientFactor = 1.5f;
+    RayOrigin rayOrigin = RayOrigin::event;
     vec3 specular{0.0f};
     float roughness = 0.5f;
     float g = 0;
@@ -98,6 +99,7 @@ inline Scene HybridScene::scene() const {
     scene.volume = unevenSurface(spacing, steepness, shear);
     scene.transferFunction = {extinctionPerMm, nodesOf(*this)};
     scene.gradientFactor = gradientFactor;
+    scene.rayOrigin = rayOrigin;
     scene.phaseG = g;
     scene.lights = lights;
     scene.environment = {vec3(room, 0.8f * room, 0.6f * room), false};
@@ -131,6 +133,7 @@ inline std::vector<HybridScene> hybridScenes() {
     const Clip plane{.planes = {{kOutwards * -1.2, tilted(0.9, 2)}}}, keptShadow{{}, plane.planes, true};
     const Clip box{.box = ClipBox{dvec3(-4, -3.5, -4), dvec3(3, 4, 2)}};
     using enum Curve;
+    constexpr RayOrigin outsideEdge = RayOrigin::outsideEdge;
     return {
         {.name = "matt", .gradientFactor = 0.9f, .view = 0.8, .lights = {sun(0.7, 2)}},
         {.name = "matt, unlike spacings", .spacing = {0.3, 0.3, 5}, .gradientFactor = 0.8f, .lights = {sun(0.8, 2)}},
@@ -249,6 +252,66 @@ inline std::vector<HybridScene> hybridScenes() {
          .curve = step,
          .extinctionPerMm = 0.5f,
          .gradientFactor = 3,
+         .specular = metal,
+         .roughness = 0.7f,
+         .room = 1},
+        {.name = "outside the edge, oblique",
+         .gradientFactor = 3,
+         .rayOrigin = outsideEdge,
+         .view = 0.5,
+         .lights = {sun(0.4, 2)},
+         .samples = 2048,
+         .sees = 0.003},
+        {.name = "outside the edge, gloss",
+         .spacing = {0.7, 1.1, 2},
+         .curve = step,
+         .rayOrigin = outsideEdge,
+         .specular = glaze,
+         .roughness = 0.6f,
+         .lights = {sun(0.6, facing), sun(0.3, 1)}},
+        {.name = "outside the edge, grazing",
+         .gradientFactor = 3,
+         .rayOrigin = outsideEdge,
+         .view = 0.3,
+         .lights = {sun(0.25, 1)}},
+        {.name = "outside the edge, bands",
+         .steepness = 100,
+         .curve = bands,
+         .extinctionPerMm = 3,
+         .gradientFactor = 2,
+         .rayOrigin = outsideEdge,
+         .lights = {sun(0.5, 1)}},
+        {.name = "outside the edge, cut",
+         .curve = bands,
+         .rayOrigin = outsideEdge,
+         .specular = glaze,
+         .lights = {sun(0.7, 2)},
+         .clip = plane},
+        {.name = "outside the edge, cut, shadow kept",
+         .curve = bands,
+         .extinctionPerMm = 0.5f,
+         .rayOrigin = outsideEdge,
+         .lights = {sun(0.8, 2)},
+         .clip = keptShadow},
+        {.name = "outside the edge, near panel",
+         .curve = step,
+         .gradientFactor = 3,
+         .rayOrigin = outsideEdge,
+         .specular = glaze,
+         .roughness = 0.6f,
+         .lights = {panel(0.8, facing, 6, 4, 3)}},
+        {.name = "outside the edge, near ball in the gloss",
+         .curve = step,
+         .gradientFactor = 3,
+         .rayOrigin = outsideEdge,
+         .specular = metal,
+         .roughness = 0.45f,
+         .lights = {ball(0.8, facing, 9, 5)}},
+        {.name = "outside the edge, room",
+         .curve = step,
+         .extinctionPerMm = 0.5f,
+         .gradientFactor = 3,
+         .rayOrigin = outsideEdge,
          .specular = metal,
          .roughness = 0.7f,
          .room = 1},

@@ -84,18 +84,25 @@ class SingleScattering {
         return std::exp(-depth);
     }
 
-    /// An event: what it is made of, and how it turns light towards the viewer.
+    /// An event: what it is made of, how it turns light towards the viewer, and where rays to the light start.
     struct Event {
         dvec3 place, travel;
         Tissue tissue;
-        dvec3 normal;     ///< points to the viewer's side
-        double fraction;  ///< probability of a surface
+        dvec3 normal;                ///< points to the viewer's side
+        double ofSurface, ofMedium;  ///< probability of a surface, and of none
         double g;
+        dvec3 start;
+        bool outside = false;  ///< the start is outside a plane edge, which takes some of the light
 
         dvec3 response(dvec3 toLight) const {
-            const dvec3 medium = tissue.albedo * henyeyGreenstein(g, glm::dot(travel, toLight));
-            return fraction > 0 ? fraction * surface(tissue, normal, -travel, toLight) + (1 - fraction) * medium
-                                : medium;
+            dvec3 sum = ofMedium * tissue.albedo * henyeyGreenstein(g, glm::dot(travel, toLight));
+            if (ofSurface > 0)
+                sum += ofSurface * surface(tissue, normal, -travel, toLight) * (outside ? throughEdge(toLight) : 1);
+            return sum;
+        }
+        double throughEdge(dvec3 toLight) const {
+            const double light = std::max(glm::dot(normal, toLight), 0.0);
+            return light / (light - glm::dot(normal, travel));
         }
     };
 
@@ -114,12 +121,13 @@ class SingleScattering {
 
     Event eventAt(dvec3 place, dvec3 travel) const {
         const dvec3 index = grid_.index(place);
-        Event event{place, travel, tissueAt(nodes(), grid_.hu(index)), dvec3(0, 0, 1), 0, scene_.phaseG};
+        Event event{place, travel, tissueAt(nodes(), grid_.hu(index)), dvec3(0, 0, 1), 0, 1, scene_.phaseG, place};
         const dvec3 gradient = this->gradient(place);
         const double steepness = glm::length(gradient);
         if (steepness > 0) {
             event.normal = gradient * ((glm::dot(gradient, travel) > 0 ? -1 : 1) / steepness);
-            event.fraction = surfaceProbability(event.tissue.opacity, scene_.gradientFactor, steepness);
+            event.ofSurface = surfaceProbability(event.tissue.opacity, scene_.gradientFactor, steepness);
+            event.ofMedium = 1 - event.ofSurface;
         }
         return event;
     }
@@ -127,6 +135,23 @@ class SingleScattering {
     /// Radiance scattered towards the viewer at `place`.
     dvec3 scattered(dvec3 place, dvec3 travel) const {
         const Event event = eventAt(place, travel);
+        if (scene_.rayOrigin == RayOrigin::event || event.ofSurface == 0)
+            return scattered(event);
+        Event surface = event, medium = event;
+        surface.ofMedium = medium.ofSurface = 0;
+        surface.outside = true;
+        surface.start = outside(event);
+        return scattered(surface) + scattered(medium);
+    }
+
+    /// One voxel out along the normal, and not beyond a cut.
+    dvec3 outside(const Event& event) const {
+        const double voxelMm = 1 / glm::length(grid_.alongIndex(event.normal));
+        const Line out = uncut(planes_, {event.place, event.normal, 0, voxelMm});
+        return out.at(out.to);
+    }
+
+    dvec3 scattered(const Event& event) const {
         dvec3 sum(0);
         for (const Light& light : scene_.lights)
             std::visit([&](const auto& one) { sum += from(one, event); }, light);
@@ -137,7 +162,7 @@ class SingleScattering {
 
     dvec3 arriving(const Event& event, dvec3 toLight, double distance, dvec3 irradiance) const {
         const dvec3 response = event.response(toLight) * irradiance;
-        return response == dvec3(0) ? response : response * transmittance(event.place, toLight, distance);
+        return response == dvec3(0) ? response : response * transmittance(event.start, toLight, distance);
     }
 
     dvec3 from(const DirectionalLight& light, const Event& event) const {
@@ -151,7 +176,7 @@ class SingleScattering {
         for (const QuadraturePoint& u : onLight_)
             for (const QuadraturePoint& v : onLight_) {
                 const dvec3 path = light.centreMm + side * ((u.at - 0.5) * light.widthMm) +
-                                   upwards * ((v.at - 0.5) * light.heightMm) - event.place;
+                                   upwards * ((v.at - 0.5) * light.heightMm) - event.start;
                 const double distance = glm::length(path), cosine = -glm::dot(normal, path) / distance;
                 if (cosine > 0)
                     sum += arriving(event, path / distance, distance,
@@ -162,7 +187,7 @@ class SingleScattering {
     }
 
     dvec3 from(const SphereLight& light, const Event& event) const {
-        const dvec3 path = light.centreMm - event.place;
+        const dvec3 path = light.centreMm - event.start;
         const double squared = glm::dot(path, path), radius = light.radiusMm;
         const double cone = 1 - std::sqrt(1 - radius * radius / squared);
         return overCircles(path / std::sqrt(squared), onLight_, 1 - cone, 1, [&](dvec3 towards, double solidAngle) {

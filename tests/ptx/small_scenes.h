@@ -17,6 +17,7 @@ inline Scene sceneOf(std::uint32_t features) {
     scene.model = has(features, kBounces) ? Model::multipleScattering : Model::singleScattering;
     scene.maxBounces = 4;
     scene.gradientFactor = has(features, kSurface) ? 2.0f : 0.0f;
+    scene.rayOrigin = has(features, kEmission) ? RayOrigin::event : RayOrigin::outsideEdge;
     scene.environment.radiance = vec3(has(features, kEnvironment) ? 0.3f : 0.0f);
     scene.lights = {DirectionalLight{{0.4, 1, -0.5}, vec3(2)}};
     if (has(features, kPlacedLights))

@@ -9,6 +9,7 @@
 #include "render/kernel/transport/lights.h"
 #include "render/kernel/transport/many_lights.h"
 #include "render/kernel/transport/mis.h"
+#include "render/kernel/transport/ray_origin.h"
 
 namespace pdr {
 
@@ -77,10 +78,12 @@ PDR_HD inline bool continuationFindsLight(const FlatScene& scene, int bounce) {
 template <std::uint32_t F>
 PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, const Sampler& sampler, int bounce) {
     const bool bothWays = has(F, kPlacedLights | kEnvironment) && scene.sampleDirections;
-    const vec3 place = has(F, kPlacedLights) ? localPosition(scene.volume, event.position) : vec3(0);
+    const vec3 origin = rayOrigin<F>(scene, event);
+    const vec3 place = has(F, kPlacedLights) ? localPosition(scene.volume, origin) : vec3(0);
     LightReservoir choice(sampler.number(bounce, BounceDimension::choice));
     const auto offer = [&](vec3 wi, float distance, vec3 radiance) {
-        choice.offer({{event.position, scene.volume.indexFromLocal * wi, distance}, radiance});
+        const float crossing = scene.unshadowed ? 1.0f : edgeTransmittance<F>(scene, event, wi);
+        choice.offer({{origin, scene.volume.indexFromLocal * wi, distance}, radiance * crossing});
     };
     const auto offerSample = [&](const LightSample& light, float weight = 1) {
         const float other = bothWays && light.pdf > 0 ? scatterPdf<F>(scene, event, light.wi) : 0;

@@ -121,12 +121,12 @@ template <std::uint32_t F>
 PDR_HD inline bool sampleContinuation(const FlatScene& scene, Path& path, const Event& event, int bounce) {
     const Scattered scattered =
         scatterSample<F>(scene, event, path.sampler.triple(bounce, BounceDimension::continuation));
-    path.throughput *= scattered.weight;
+    path.throughput *= scattered.weight * edgeTransmittance<F>(scene, event, scattered.wi);
     if (has(F, kPlacedLights | kEnvironment) && continuationFindsLight(scene, bounce))
         path.pdf = scatterPdf<F>(scene, event, scattered.wi);
     const vec3 direction = scene.volume.indexFromLocal * scattered.wi;
-    path.segment = {{event.position, direction, cutLength(scene.clip, event.position, direction, kFarAway)},
-                    scattered.wi};
+    const vec3 origin = rayOrigin<F>(scene, event);
+    path.segment = {{origin, direction, cutLength(scene.clip, origin, direction, kFarAway)}, scattered.wi};
     return russianRoulette(path.throughput, path.sampler.number(bounce, BounceDimension::roulette));
 }
 

@@ -5,6 +5,7 @@
 
 #include "render/kernel/transport/event.h"
 #include "render/kernel/transport/lights.h"
+#include "render/kernel/transport/ray_origin.h"
 
 namespace pdr {
 
@@ -34,7 +35,9 @@ PDR_HD inline UnshadowedPlace unshadowedAt(const FlatScene& scene, vec3 position
     for (int i = 0; i < scene.lightCount; ++i) {
         const LightSample light = sampleLight<kPlacedLights>(scene.lights[i], place, vec2(0.5f));
         const vec3 asFog = material.albedo * phaseEval(scene.phaseG, wo, light.wi);
-        const vec3 asSurface = surface > 0 ? surfaceEval(material, seen.normal, wo, light.wi) : vec3(0);
+        vec3 asSurface = surface > 0 ? surfaceEval(material, seen.normal, wo, light.wi) : vec3(0);
+        if (scene.raysStartOutside)
+            asSurface *= edgeTransmittance(glm::dot(seen.normal, wo), glm::dot(seen.normal, light.wi));
         seen.radiance += glm::mix(asFog, asSurface, surface) * light.radiance;
         arriving += kFromAllSides * light.radiance;
     }

@@ -14,7 +14,7 @@ inline constexpr Words<ToneCurve, 2> kToneCurveWords{{{toneCurveName(ToneCurve::
 template <class Visit>
 void describe(Visit& visit, Look& look) {
     PhaseField phase{look.phaseG};
-    SurfaceField surface{look.gradientFactor};
+    SurfaceField surface{look.gradientFactor, look.rayOrigin};
     RigFields rig{look.rig, look.environment};
     visit.object({"transferFunction", "how Hounsfield units become optics", {}, kRequired}, look.transferFunction);
     visit.object({"window", "what `maximumIntensity` shows black and white"}, look.window);

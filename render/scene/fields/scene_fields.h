@@ -40,7 +40,7 @@ inline constexpr Words<Filtering, 2> kFilteringWords{{{"exact", Filtering::exact
 template <class Visit>
 void describe(Visit& visit, Scene& scene) {
     PhaseField phase{scene.phaseG};
-    SurfaceField surface{scene.gradientFactor};
+    SurfaceField surface{scene.gradientFactor, scene.rayOrigin};
     FilmField film{scene.film};
     visit.object({"transferFunction", "how Hounsfield units become optics", {}, kRequired}, scene.transferFunction);
     visit.word({"model", "optical model"}, scene.model, kModelWords);

@@ -48,8 +48,11 @@ void describe(Visit& visit, PhaseField& phase) {
            {-1, 1, false, false}},
           phase.g);
 }
+inline constexpr Words<RayOrigin, 2> kRayOriginWords{
+    {{"event", RayOrigin::event}, {"outsideEdge", RayOrigin::outsideEdge}}};
 struct SurfaceField {
     float& gradientFactor;
+    RayOrigin& rayOrigin;
 };
 template <class Visit>
 void describe(Visit& visit, SurfaceField& surface) {
@@ -57,6 +60,11 @@ void describe(Visit& visit, SurfaceField& surface) {
            "how readily an event at an edge between tissues is a reflection instead of scattering; 0 = never",
            {0, 1e6}},
           surface.gradientFactor);
+    visit.word({"rayOrigin",
+                "where rays to the light leave a surface: at the `event`, inside the surface's own soft edge, which "
+                "shadows it in rings; or one voxel out, `outsideEdge`, where they lose what a plane edge takes on "
+                "average: shadows narrower than one voxel are lost"},
+               surface.rayOrigin, kRayOriginWords);
 }
 
 }  // namespace pdr

@@ -120,6 +120,8 @@ class CoverageTest : public QObject {
         QTest::addColumn<ToneCurve>("curve");
         QTest::newRow("tissue") << MakeScene(test::tissueScene) << false << ToneCurve::perChannel;
         QTest::newRow("tissue keeps its hue") << MakeScene(test::tissueScene) << false << ToneCurve::keepsHue;
+        QTest::newRow("from outside the edges") << MakeScene(test::tissueFromOutsideItsEdges) << false
+                                                << ToneCurve::keepsHue;
         QTest::newRow("lens") << MakeScene(test::tissueThroughALens) << false << ToneCurve::perChannel;
         QTest::newRow("forward fog") << MakeScene(test::forwardFog) << true << ToneCurve::perChannel;
         QTest::newRow("small bright lamp") << MakeScene(test::smallBrightLamp) << false << ToneCurve::perChannel;

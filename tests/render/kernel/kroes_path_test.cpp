@@ -37,6 +37,7 @@ Scene head() {
 /// tissue that shines; 6 an image all around.
 Scene thinScene(unsigned which) {
     Scene scene = test::anyScene(3 * which + 1);
+    scene.rayOrigin = RayOrigin::event;  // the estimator knows no other
     scene.model = Model::singleScattering;
     scene.transferFunction.extinctionPerMm = 0.03f;
     scene.film = {40, 40};

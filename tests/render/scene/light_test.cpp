@@ -182,10 +182,12 @@ class LightTest : public QObject {
         QTest::addColumn<int>("maxBounces");
         QTest::addColumn<bool>("picture");
         QTest::addColumn<bool>("cut");
-        QTest::newRow("2 events") << 2 << false << false;
-        QTest::newRow("3 events, picture") << 3 << true << false;
-        QTest::newRow("many events") << 1000 << false << false;
-        QTest::newRow("many events, picture, cut") << 1000 << true << true;
+        QTest::addColumn<RayOrigin>("rayOrigin");
+        QTest::newRow("2 events") << 2 << false << false << RayOrigin::event;
+        QTest::newRow("3 events, picture") << 3 << true << false << RayOrigin::event;
+        QTest::newRow("many events") << 1000 << false << false << RayOrigin::event;
+        QTest::newRow("many events, picture, cut") << 1000 << true << true << RayOrigin::event;
+        QTest::newRow("4 events from outside the edge") << 4 << false << false << RayOrigin::outsideEdge;
     }
     /// Events sample light along their scattering, or the path collects it there: both give the same image. One of the
     /// lights stands in the tissue: paths meet it on their way to an event, or end before it.
@@ -193,7 +195,9 @@ class LightTest : public QObject {
         QFETCH(int, maxBounces);
         QFETCH(bool, picture);
         QFETCH(bool, cut);
+        QFETCH(RayOrigin, rayOrigin);
         Scene scene = shinyScene();
+        scene.rayOrigin = rayOrigin;
         const dvec3 centre = scene.volume->geometry().centreMm();
         scene.model = Model::multipleScattering;
         scene.maxBounces = maxBounces;

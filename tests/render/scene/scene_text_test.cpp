@@ -78,7 +78,7 @@ std::string tableOf(const std::string& name) {
            : is("node")        ? FieldTable::of<TransferNode>()
            : is("window")      ? FieldTable::of<HuWindow>()
            : is("phase")       ? FieldTable::of(PhaseField{scene.phaseG})
-           : is("surface")     ? FieldTable::of(SurfaceField{scene.gradientFactor})
+           : is("surface")     ? FieldTable::of(SurfaceField{scene.gradientFactor, scene.rayOrigin})
            : is("directional") ? FieldTable::of<DirectionalLight>()
            : is("rectangle")   ? FieldTable::of<RectangleLight>()
            : is("sphere")      ? FieldTable::of<SphereLight>()

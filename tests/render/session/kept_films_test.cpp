@@ -69,7 +69,7 @@ class KeptFilmsTest : public QObject {
     /// The names are all members of a Scene: one that is new does not compile until it has been added to this test.
     void noMemberOfASceneIsLeftOut() {
         const auto& [volume, mask, transferFunction, model, estimator, schedule, filtering, window, toleranceLevels,
-                     phaseG, gradientFactor, unshadowed, lights, environment, background, camera, clip, visible,
+                     phaseG, gradientFactor, rayOrigin, unshadowed, lights, environment, background, camera, clip, visible,
                      maskAwaited, film, maxBounces, seed, revision, lookName] = fullScene();
         QVERIFY(volume && mask && !unshadowed);
     }

@@ -12,6 +12,12 @@ inline Scene tissueThroughALens() {
     return scene;
 }
 
+inline Scene tissueFromOutsideItsEdges() {
+    Scene scene = tissueScene();
+    scene.rayOrigin = RayOrigin::outsideEdge;
+    return scene;
+}
+
 inline Scene forwardFog() {
     Scene scene = plainScene(bumpyVolume({40, 40, 40}, dvec3(2), 5), 0.1f);
     scene.transferFunction.nodes = {{.hu = -600, .opacity = 0.05f, .albedo = vec3(0.95f)},

@@ -66,6 +66,7 @@ inline Scene anyScene(unsigned seed) {
     scene.model = random() % 3 ? Model::singleScattering : Model::multipleScattering;
     scene.phaseG = float(1.2 * unit(random) - 0.6);
     scene.gradientFactor = random() % 3 ? 1 + 2 * float(unit(random)) : 0;
+    scene.rayOrigin = seed % 2 ? RayOrigin::event : RayOrigin::outsideEdge;
     scene.film = {24, 24};
     scene.seed = seed;
     return scene;
