@@ -10,6 +10,7 @@
 #include "app/cli/scanned_volume.h"
 #include "app/program/interrupt.h"
 #include "app/scan/scan_labels.h"
+#include "render/segment/vessels.h"
 #include "render/volume/file/label_nrrd.h"
 
 namespace pdr::app {
@@ -46,11 +47,13 @@ void printText(const Json& report) {
 
 Result<LabelMap> readParts(const PartsOptions& options, const ScannedVolume& scanned, const std::stop_token& stop) {
     ProgressLine line;
-    Result<LabelMap> map = readScanLabels(options.labels, scanned.volume->geometry(), scanned.series.get(),
-                                          options.resampling, [&](double fraction, std::string_view step) {
-                                              line.show(fraction, step);
-                                              return !stop.stop_requested();
-                                          });
+    const Progress progress = [&](double fraction, std::string_view step) {
+        line.show(fraction, step);
+        return !stop.stop_requested();
+    };
+    Result<LabelMap> map = options.findsVessels ? segment::findVessels(*scanned.volume, progress)
+                                                : readScanLabels(options.labels, scanned.volume->geometry(),
+                                                                 scanned.series.get(), options.resampling, progress);
     line.finish();
     return map;
 }

@@ -13,6 +13,8 @@ void describeParts(QCommandLineParser& parser) {
         {{"h", "help"}, "Show this text."},
         {"series", "Take the series with this UID; default: the first that can be loaded.", "UID"},
         {"labels", "The label map: NIfTI, NRRD (also .seg.nrrd), MetaImage or a DICOM segmentation.", "FILE"},
+        {"find", "Find parts in the scan itself, by rules that may err: vessels, on a scan with contrast medium.",
+         "vessels"},
         {"resample",
          "If the label map has other voxels than the scan, give each voxel of the scan the label of the nearest one."},
         {"json", "Print the list as JSON."},
@@ -30,8 +32,12 @@ void readParts(const QCommandLineParser& parser, PartsOptions& options) {
     options.resampling = parser.isSet("resample") ? Resampling::nearest : Resampling::refused;
     options.output = reader.text("output").value_or("").toStdString();
     options.json = parser.isSet("json");
-    if (options.labels.empty())
-        usageError("--labels", "says where the parts come from, and is missing", "Add --labels FILE.");
+    const std::string wanted = reader.text("find").value_or("").toStdString();
+    if (!wanted.empty() && wanted != "vessels")
+        usageError("--find", "must be vessels, not \"" + wanted + "\"");
+    options.findsVessels = !wanted.empty();
+    if (options.labels.empty() != options.findsVessels)
+        usageError("--labels", "or --find says where the parts come from", "Add one of both.");
 }
 
 }  // namespace
@@ -41,8 +47,9 @@ Result<PartsOptions> partsOptions(const QStringList& arguments) {
 }
 
 std::string partsHelp() {
-    return "Usage: pdrender-cli parts FOLDER|SCENE.json --labels FILE [-o FILE.seg.nrrd] [options]\n"
-           "Lists the parts of the patient that a label map marks in a scan, with their volumes by whole voxels. A "
+    return "Usage: pdrender-cli parts FOLDER|SCENE.json --labels FILE|--find vessels [-o FILE.seg.nrrd] [options]\n"
+           "Lists the parts of the patient that a label map marks in a scan, or that the program finds there, with "
+           "their volumes\nby whole voxels. A "
            "map\n"
            "whose voxels are not those of the scan is refused, with the reason, or resampled if that is asked for. A "
            "new\n"

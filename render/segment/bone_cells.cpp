@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/segment/blood_cells.h"
 #include "render/segment/cell_values.h"
 #include "render/segment/distance.h"
 #include "render/segment/for_each_slice.h"
@@ -10,11 +11,8 @@
 namespace pdr::segment {
 namespace {
 
-constexpr int kEvenFromHu = 300, kEvenToHu = 1200;  ///< blood with contrast medium; beyond is metal or enamel
-constexpr double kEvenHu = 40;                      ///< standard deviation of cells' means, noise included ...
-constexpr double kEvenShare = 0.08;  ///< ... or as a share of the means: undiluted medium is less uniform
-constexpr double kPoolMl = 5;        ///< least pool of blood; smaller regions of marrow are as uniform
-constexpr int kVesselHu = 200;       ///< least value of a vessel's rim
+constexpr int kEvenFromHu = 300;  ///< least value of blood with contrast medium
+constexpr int kVesselHu = 200;    ///< least value of a vessel's rim
 constexpr double kVesselRimMm = 4;
 constexpr int kDenseHu = 600;
 constexpr double kLeastMl = 0.3;
@@ -22,36 +20,8 @@ constexpr int kMarrowHu = 150;
 constexpr double kReachMm = 12;
 constexpr double kClosedMm = 4;
 
-/// Returns whether the 27 cells around a cell inside the grid hold blood of uniform density.
-bool isEven(const std::vector<std::int16_t>& mean, const CellGrid& grid, ivec3 at) {
-    constexpr int kCells = 27;
-    std::int64_t sum = 0, squares = 0;
-    for (int z = -1; z <= 1; ++z)
-        for (int y = -1; y <= 1; ++y)
-            for (int x = -1; x <= 1; ++x) {
-                const int hu = mean[grid.index(at.x + x, at.y + y, at.z + z)];
-                if (hu < kEvenFromHu || hu > kEvenToHu)
-                    return false;
-                sum += hu;
-                squares += std::int64_t(hu) * hu;
-            }
-    const double most = std::max(kEvenHu * kCells, kEvenShare * double(sum));
-    return double(squares) * kCells - double(sum) * double(sum) < most * most;
-}
-
 Cells bloodCells(const std::vector<std::int16_t>& mean, const CellGrid& grid, const Checkpoint& checkpoint) {
-    // Find pools of even blood
-    Cells blood(mean.size());
-    forEachSlice(std::max(grid.size.z - 2, 0), checkpoint, [&](int below) {
-        const int z = below + 1;
-        for (int y = 1; y < grid.size.y - 1; ++y)
-            for (int x = 1; x < grid.size.x - 1; ++x) {
-                const std::size_t at = grid.index(x, y, z);
-                blood[at] = mean[at] >= kEvenFromHu && isEven(mean, grid, {x, y, z});
-            }
-    });
-    checkpoint();
-    blood = piecesWith(blood, kPoolMl / grid.cellMl(), blood, grid);
+    Cells blood = bloodPools(mean, grid, kEvenFromHu, checkpoint);
     // Extend them to the vessels' rims
     blood = widened(blood, grid, kVesselRimMm, checkpoint);
     for (std::size_t i = 0; i < blood.size(); ++i)

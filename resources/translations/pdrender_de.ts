@@ -3762,6 +3762,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Tabelle für Tabellenkalkulationen (*.csv)</translation>
     </message>
     <message>
+        <source>Take a scan with contrast medium, or a label map of another program.</source>
+        <translation>Nehmen Sie eine Aufnahme mit Kontrastmittel oder die Labelkarte eines anderen Programms.</translation>
+    </message>
+    <message>
         <source>Take the model singleScattering, or the estimator unbiased.</source>
         <translation>Das Modell singleScattering nehmen oder den Schätzer unbiased.</translation>
     </message>
@@ -4538,6 +4542,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>a render node was lost</source>
         <translation>ein Render-Rechner ging verloren</translation>
+    </message>
+    <message>
+        <source>a rule of this program</source>
+        <translation>einer Regel dieses Programms</translation>
     </message>
     <message>
         <source>a run of equal bytes is spelled out</source>
@@ -5584,6 +5592,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>der Tisch wird gesucht</translation>
     </message>
     <message>
+        <source>looking for vessels</source>
+        <translation>Gefäße werden gesucht</translation>
+    </message>
+    <message>
         <source>lossy</source>
         <translation>verlustbehaftet</translation>
     </message>
@@ -5778,6 +5790,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>no answer</source>
         <translation>keine Antwort</translation>
+    </message>
+    <message>
+        <source>no contrast medium is found in the blood</source>
+        <translation>im Blut kein Kontrastmittel gefunden wird</translation>
     </message>
     <message>
         <source>no contrast was found in the blood</source>
@@ -6286,6 +6302,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the axes of the volume are not at right angles</source>
         <translation>die Achsen des Volumens stehen nicht im rechten Winkel</translation>
+    </message>
+    <message>
+        <source>the blood has %1 HU, which marrow has, too</source>
+        <translation>das Blut %1 HU hat, die auch Mark hat</translation>
     </message>
     <message>
         <source>the camera sees a light</source>
@@ -6876,6 +6896,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>es gibt keine Messung, die exportiert werden kann</translation>
     </message>
     <message>
+        <source>there is no pool of 5 ml of blood with contrast medium</source>
+        <translation>nirgends 5 ml Blut mit Kontrastmittel beisammen sind</translation>
+    </message>
+    <message>
         <source>there is no scene on the device</source>
         <translation>auf dem Gerät ist keine Szene</translation>
     </message>
@@ -7122,6 +7146,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>units</source>
         <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>vessels are guessed by their density: check them; beside bone (neck, base of the skull) they may be missing, as may veins full of undiluted medium; calcium, and organs full of medium, may be among them</source>
+        <translation>Gefäße sind nach ihrer Dichte geraten: prüfen Sie sie; neben Knochen (Hals, Schädelbasis) können sie fehlen, ebenso Venen voll unverdünntem Mittel; Kalk und Organe voll Kontrastmittel können darunter sein</translation>
+    </message>
+    <message>
+        <source>vessels cannot be found, because %1</source>
+        <translation>Gefäße sind nicht zu finden, weil %1</translation>
     </message>
     <message>
         <source>visible background</source>

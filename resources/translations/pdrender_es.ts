@@ -3762,6 +3762,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Tabla para hojas de cálculo (*.csv)</translation>
     </message>
     <message>
+        <source>Take a scan with contrast medium, or a label map of another program.</source>
+        <translation>Tome un estudio con medio de contraste, o un mapa de etiquetas de otro programa.</translation>
+    </message>
+    <message>
         <source>Take the model singleScattering, or the estimator unbiased.</source>
         <translation>Elija el modelo singleScattering o el estimador unbiased.</translation>
     </message>
@@ -4538,6 +4542,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>a render node was lost</source>
         <translation>se perdió un equipo de render</translation>
+    </message>
+    <message>
+        <source>a rule of this program</source>
+        <translation>una regla de este programa</translation>
     </message>
     <message>
         <source>a run of equal bytes is spelled out</source>
@@ -5584,6 +5592,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>se busca la mesa</translation>
     </message>
     <message>
+        <source>looking for vessels</source>
+        <translation>buscando vasos</translation>
+    </message>
+    <message>
         <source>lossy</source>
         <translation>con pérdida</translation>
     </message>
@@ -5778,6 +5790,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>no answer</source>
         <translation>sin respuesta</translation>
+    </message>
+    <message>
+        <source>no contrast medium is found in the blood</source>
+        <translation>no se encuentra medio de contraste en la sangre</translation>
     </message>
     <message>
         <source>no contrast was found in the blood</source>
@@ -6286,6 +6302,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the axes of the volume are not at right angles</source>
         <translation>los ejes del volumen no forman ángulos rectos</translation>
+    </message>
+    <message>
+        <source>the blood has %1 HU, which marrow has, too</source>
+        <translation>la sangre tiene %1 HU, que también tiene la médula</translation>
     </message>
     <message>
         <source>the camera sees a light</source>
@@ -6876,6 +6896,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>no hay ninguna medición que exportar</translation>
     </message>
     <message>
+        <source>there is no pool of 5 ml of blood with contrast medium</source>
+        <translation>no hay 5 ml juntos de sangre con medio de contraste</translation>
+    </message>
+    <message>
         <source>there is no scene on the device</source>
         <translation>no hay ninguna escena en el dispositivo</translation>
     </message>
@@ -7122,6 +7146,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>units</source>
         <translation>unidades</translation>
+    </message>
+    <message>
+        <source>vessels are guessed by their density: check them; beside bone (neck, base of the skull) they may be missing, as may veins full of undiluted medium; calcium, and organs full of medium, may be among them</source>
+        <translation>los vasos se suponen por su densidad: compruébelos; junto al hueso (cuello, base del cráneo) pueden faltar, igual que las venas llenas de medio sin diluir; calcio y órganos llenos de medio pueden estar entre ellos</translation>
+    </message>
+    <message>
+        <source>vessels cannot be found, because %1</source>
+        <translation>no se pueden encontrar vasos, porque %1</translation>
     </message>
     <message>
         <source>visible background</source>

@@ -1,0 +1,101 @@
+#pragma once
+/// Patients with contrast medium in their blood, made by formula: of each voxel it is known whether it is a vessel.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <random>
+#include <vector>
+
+#include "render/volume/volume.h"
+
+namespace pdr::test {
+
+/// Returns the distance of `place` from the way between two places [mm].
+inline double distanceFromWay(const dvec3& place, const dvec3& a, const dvec3& b) {
+    const dvec3 way = b - a;
+    const double at = std::clamp(glm::dot(place - a, way) / glm::dot(way, way), 0.0, 1.0);
+    return glm::length(place - a - at * way);
+}
+
+/// A patient: where vessels are and the HU of everything else, without blur, by the place [mm].
+struct VesselPhantom {
+    std::function<bool(dvec3)> isPool;    ///< a great vessel
+    std::function<bool(dvec3)> isBranch;  ///< a thin one
+    double bloodHu = 0;
+    std::function<double(dvec3)> restHu;
+
+    bool isVessel(const dvec3& mm) const { return bloodHu > 0 && (isPool(mm) || isBranch(mm)); }
+    double hu(const dvec3& mm) const { return isVessel(mm) ? bloodHu : restHu(mm); }
+};
+
+/// A trunk of 45 mm radius along z with a spine: a shell of 800 HU around uneven marrow of 150 to 350 HU, 15 mm wide.
+inline double trunkHu(const dvec3& mm) {
+    const double spine = std::hypot(mm.x, mm.y - 28);
+    if (spine < 13)
+        return 250 + 100 * std::sin(1.1 * mm.x) * std::cos(1.3 * mm.y) * std::sin(0.9 * mm.z);
+    if (spine < 15)
+        return 800;
+    return std::hypot(mm.x, mm.y) < 45 ? 50 : -1000;
+}
+
+/// An aorta of 10 mm radius, 3 mm from the spine, with branches of 3 and 2 mm radius into soft tissue.
+inline VesselPhantom aortaBesideSpine() {
+    return {[](dvec3 mm) { return std::hypot(mm.x, mm.y) < 10; },
+            [](dvec3 mm) {
+                return distanceFromWay(mm, {0, 0, 30}, {-35, -10, 45}) < 3 ||
+                       distanceFromWay(mm, {0, 0, 60}, {32, -14, 75}) < 2;
+            },
+            350, trunkHu};
+}
+
+/// An artery of 3 mm radius that leaves the aorta and runs along the spine, whose shell it touches.
+inline VesselPhantom arteryAlongBone() {
+    return {[](dvec3 mm) { return std::hypot(mm.x, mm.y + 8) < 10; },
+            [](dvec3 mm) {
+                return distanceFromWay(mm, {-10, -8, 20}, {-18, 28, 40}) < 3 ||
+                       distanceFromWay(mm, {-18, 28, 40}, {-18, 28, 80}) < 3;
+            },
+            420, trunkHu};
+}
+
+/// A pool of 10 mm radius between two lungs of -850 HU with vessels of 1.5 and 2.5 mm radius, which are not connected
+/// with the pool in the scan.
+inline VesselPhantom lungVessels() {
+    return {[](dvec3 mm) { return std::hypot(mm.x, mm.y + 3) < 10; },
+            [](dvec3 mm) {
+                const dvec3 aside(std::abs(mm.x), mm.y, mm.z);
+                return distanceFromWay(aside, {36, -12, 30}, {36, 0, 75}) < 2.5 ||
+                       distanceFromWay(aside, {30, 4, 30}, {38, 10, 70}) < 1.5;
+            },
+            330,
+            [](dvec3 mm) {
+                const dvec3 in((std::abs(mm.x) - 36) / 21, (mm.y + 2) / 28, (mm.z - 50) / 120);
+                if (glm::length(in) < 1)
+                    return -850.0;
+                return std::hypot(mm.x / 1.38, mm.y) < 48 ? 50.0 : -1000.0;
+            }};
+}
+
+/// Returns a scan of a phantom: 160 x 120 x 72 voxels of 0.85 x 0.85 x 1.4 mm, each the mean of 8 places, with noise of
+/// 20 HU.
+inline Volume scanOf(const VesselPhantom& phantom) {
+    const VolumeGeometry geometry = VolumeGeometry::aligned({160, 120, 72}, {0.85, 0.85, 1.4}, {-67.6, -50.6, 0});
+    std::mt19937 random(20261127);
+    std::normal_distribution<double> noise(0, 20);
+    Voxels voxels;
+    for (int z = 0; z < geometry.size.z; ++z)
+        for (int y = 0; y < geometry.size.y; ++y)
+            for (int x = 0; x < geometry.size.x; ++x) {
+                double sum = 0;
+                for (int part = 0; part < 8; ++part) {
+                    const dvec3 off(part & 1 ? 0.25 : -0.25, part & 2 ? 0.25 : -0.25, part & 4 ? 0.25 : -0.25);
+                    sum += phantom.hu(dvec3(geometry.patientFromIndex * dvec4(dvec3(x, y, z) + off, 1)));
+                }
+                voxels.push_back(std::int16_t(std::lround(sum / 8 + noise(random))));
+            }
+    return Volume(geometry, std::move(voxels));
+}
+
+}  // namespace pdr::test
