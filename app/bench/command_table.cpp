@@ -35,6 +35,11 @@ constexpr Command kCommands[] = {
      "  --largest N   voxels an edge; default 512; 1024 takes 3 GB and some minutes\n"
      "  --samples N   per pixel and round, from 1; default 16\n"
      "  --rounds N    of which the median counts, from 1; default 5\n"},
+    {"ct-noise", ctNoise, "[SCENE.json] [--slices N] [--rounds N]",
+     "Says how long it takes to denoise the scan of a scene for its images, for each 100 slices, and what noise its\n"
+     "tissue has before and after; without a scene, a head of 512 x 512 voxels a slice.\n",
+     "  --slices N    of the head, from 1; default 100\n"
+     "  --rounds N    of which the median counts, from 1; default 5\n"},
     {"trackers", trackers, "[SCENE.json ...] [--rays N] [--rounds N]",
      "Compares what ways to the first collision cost, for the primary rays of each scene; without scenes, of a head.\n",
      "  --rays N      N x N primary rays, from 1; default 96\n"

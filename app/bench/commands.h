@@ -34,6 +34,10 @@ int rebound(const Arguments& arguments);
 /// size in mm with more and more voxels, twice as many along an edge each time: processor time of one CPU thread.
 int sizes(const Arguments& arguments);
 
+/// ct-noise [SCENE.json] [--slices N] [--rounds N]: measures the time to denoise the scan of a scene for its images, or
+/// a head of 512 x 512 x N voxels, and the noise that its tissue has before and after.
+int ctNoise(const Arguments& arguments);
+
 /// trackers [SCENE.json ...] [--rays N] [--rounds N]: compares the cost of several ways to find the first collision,
 /// for N x N primary rays of each scene; without scenes, of a head phantom as bone, as skin over bone, and as soft
 /// tissue.

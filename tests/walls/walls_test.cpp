@@ -43,6 +43,7 @@ class WallsTest : public QObject {
             {"render/accuracy/", "^render/(base|film|scene|accuracy)/"},
             {"render/timing/", "^render/(base|accuracy|timing)/"},
             {"render/segment/", "^render/(base|volume|segment)/"},
+            {"render/smooth/", "^render/(base|volume|smooth)/"},
             {"render/measure/", "^render/(base/|volume/|kernel/[^/]*$|measure/)"},
             {"render/scene/", "^render/(base/|volume/|segment/|scene/([^/]*$|fields/)|film/display.h)"},
             {"render/scene/edit/", "^render/(base/|volume/|segment/|scene/([^/]*$|edit/))"},
