@@ -10,6 +10,7 @@
 #include "app/cli/scanned_volume.h"
 #include "app/program/interrupt.h"
 #include "app/scan/scan_labels.h"
+#include "render/segment/shells.h"
 #include "render/segment/vessels.h"
 #include "render/volume/file/label_nrrd.h"
 
@@ -45,15 +46,22 @@ void printText(const Json& report) {
         std::printf("note: %s\n", note.get<std::string>().c_str());
 }
 
+Result<LabelMap> partsFrom(const PartsOptions& options, const ScannedVolume& scanned, const Progress& progress) {
+    if (options.findsVessels)
+        return segment::findVessels(*scanned.volume, progress);
+    if (options.findsShells)
+        return segment::findShells(*scanned.volume, nullptr, progress);
+    return readScanLabels(options.labels, scanned.volume->geometry(), scanned.series.get(), options.resampling,
+                          progress);
+}
+
 Result<LabelMap> readParts(const PartsOptions& options, const ScannedVolume& scanned, const std::stop_token& stop) {
     ProgressLine line;
     const Progress progress = [&](double fraction, std::string_view step) {
         line.show(fraction, step);
         return !stop.stop_requested();
     };
-    Result<LabelMap> map = options.findsVessels ? segment::findVessels(*scanned.volume, progress)
-                                                : readScanLabels(options.labels, scanned.volume->geometry(),
-                                                                 scanned.series.get(), options.resampling, progress);
+    Result<LabelMap> map = partsFrom(options, scanned, progress);
     line.finish();
     return map;
 }

@@ -13,8 +13,10 @@ void describeParts(QCommandLineParser& parser) {
         {{"h", "help"}, "Show this text."},
         {"series", "Take the series with this UID; default: the first that can be loaded.", "UID"},
         {"labels", "The label map: NIfTI, NRRD (also .seg.nrrd), MetaImage or a DICOM segmentation.", "FILE"},
-        {"find", "Find parts in the scan itself, by rules that may err: vessels, on a scan with contrast medium.",
-         "vessels"},
+        {"find",
+         "Find parts in the scan itself, by rules that may err: vessels, on a scan with contrast medium, or skin and "
+         "muscle (shells).",
+         "vessels|shells"},
         {"resample",
          "If the label map has other voxels than the scan, give each voxel of the scan the label of the nearest one."},
         {"json", "Print the list as JSON."},
@@ -33,10 +35,12 @@ void readParts(const QCommandLineParser& parser, PartsOptions& options) {
     options.output = reader.text("output").value_or("").toStdString();
     options.json = parser.isSet("json");
     const std::string wanted = reader.text("find").value_or("").toStdString();
-    if (!wanted.empty() && wanted != "vessels")
-        usageError("--find", "must be vessels, not \"" + wanted + "\"");
-    options.findsVessels = !wanted.empty();
-    if (options.labels.empty() != options.findsVessels)
+    options.findsVessels = wanted == "vessels";
+    options.findsShells = wanted == "shells";
+    const bool finds = options.findsVessels || options.findsShells;
+    if (!wanted.empty() && !finds)
+        usageError("--find", "must be vessels or shells, not \"" + wanted + "\"");
+    if (options.labels.empty() != finds)
         usageError("--labels", "or --find says where the parts come from", "Add one of both.");
 }
 
@@ -47,7 +51,7 @@ Result<PartsOptions> partsOptions(const QStringList& arguments) {
 }
 
 std::string partsHelp() {
-    return "Usage: pdrender-cli parts FOLDER|SCENE.json --labels FILE|--find vessels [-o FILE.seg.nrrd] [options]\n"
+    return "Usage: pdrender-cli parts FOLDER|SCENE.json --labels FILE|--find PARTS [-o FILE.seg.nrrd] [options]\n"
            "Lists the parts of the patient that a label map marks in a scan, or that the program finds there, with "
            "their volumes\nby whole voxels. A "
            "map\n"

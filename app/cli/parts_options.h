@@ -15,7 +15,7 @@ struct PartsOptions {
     std::filesystem::path scan;    ///< a DICOM folder, an archive, a volume file or a scene file
     std::string seriesUid;         ///< empty: the first series that can be loaded
     std::filesystem::path labels;  ///< the label map; empty: parts are found
-    bool findsVessels = false;
+    bool findsVessels = false, findsShells = false;
     Resampling resampling = Resampling::refused;
     std::filesystem::path output;  ///< where to write the parts on the scan's grid; empty: nowhere
     bool json = false;

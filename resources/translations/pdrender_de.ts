@@ -5676,6 +5676,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Muskel</translation>
     </message>
     <message>
+        <source>muscle is guessed by its density, which organs and marrow may have, too</source>
+        <translation>Muskel ist nach seiner Dichte geraten, die auch Organe und Mark haben können</translation>
+    </message>
+    <message>
         <source>must ascend from one to the next</source>
         <translation>muss von einem zum nächsten steigen</translation>
     </message>
@@ -6154,6 +6158,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>share</source>
         <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>skin and muscle cannot be found, because %1</source>
+        <translation>Haut und Muskel sind nicht zu finden, weil %1</translation>
     </message>
     <message>
         <source>slice %1 cannot be written</source>

@@ -5676,6 +5676,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>músculo</translation>
     </message>
     <message>
+        <source>muscle is guessed by its density, which organs and marrow may have, too</source>
+        <translation>el músculo se supone por su densidad, que también pueden tener los órganos y la médula</translation>
+    </message>
+    <message>
         <source>must ascend from one to the next</source>
         <translation>debe ascender de uno al siguiente</translation>
     </message>
@@ -6154,6 +6158,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>share</source>
         <translation>parte</translation>
+    </message>
+    <message>
+        <source>skin and muscle cannot be found, because %1</source>
+        <translation>no se pueden encontrar piel y músculo, porque %1</translation>
     </message>
     <message>
         <source>slice %1 cannot be written</source>
