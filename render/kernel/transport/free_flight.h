@@ -111,7 +111,7 @@ class FreeFlight {
                 if (any(inside))
                     distance = inside ? placeOf(along, way, depth_ - this->passed, inside) : distance;
                 if constexpr (kLooks)
-                    distance = ended & looks ? walk_.cells().looks().first : distance;
+                    distance = (ended & looks) ? walk_.cells().looks().first : distance;
             }
             this->passed = ready ? passed : this->passed;
             return ready;
