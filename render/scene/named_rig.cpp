@@ -35,6 +35,19 @@ std::vector<RigPanel> operatingLamp() {
     return lamp;
 }
 
+/// Returns the eight panels of a photographer's studio: a warm key, and cool strips that draw the edges.
+std::vector<RigPanel> studio() {
+    constexpr vec3 kKey{1.10f, 1.00f, 0.86f};
+    return {panel("Key", {-1, 0.85, 0.75}, 3, 1.3, 1, kKey),
+            panel("Fill", {1, 0.05, 0.9}, 3, 3, 0.12, kCool),
+            panel("Right strip", {1.25, 0.75, -0.35}, 3, 0.7, 0.105, kCool),
+            panel("Right strip", {1.25, 0.1, -0.35}, 3, 0.7, 0.105, kCool),
+            panel("Right strip", {1.25, -0.55, -0.35}, 3, 0.7, 0.08, kCool),
+            panel("Left strip", {-1.2, 0.5, -0.75}, 3, 0.8, 0.12),
+            panel("Left strip", {-1.2, -0.2, -0.75}, 3, 0.8, 0.086),
+            panel("Top", {0, 1.5, -0.1}, 3, 1.6, 0.2)};
+}
+
 /// A rig of strength 1, and the radiance of the environment that goes with it.
 struct Unit {
     std::vector<RigPanel> panels;
@@ -61,6 +74,8 @@ Unit unitOf(NamedRig name) {
                     {}};
         case NamedRig::softBox:
             return {{panel("Soft box", {-0.7, 0.9, 0.9}, 2.5, 4, 1)}, vec3(0.015f), {}};
+        case NamedRig::studio:
+            return {studio(), vec3(0.007f), {}};
         case NamedRig::sky:
             return {
                 {panel("Sun", {-0.7, 1, 0.6}, 3, 0.5, 0.5, kWarm)}, {0.23f, 0.26f, 0.31f}, vec3(0.08f, 0.07f, 0.06f)};

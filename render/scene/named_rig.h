@@ -13,11 +13,13 @@ enum class NamedRig {
     operatingLamp,  ///< a ring of lamps above, whose shadows overlap softly
     rim,            ///< two panels behind the volume: outlines
     softBox,        ///< one large panel: soft shadows
+    studio,         ///< key and fill, strips behind at both sides, and one from above: edges drawn by light
     sky             ///< light from all around, more from the head's side, and a sun
 };
 
 inline constexpr NamedRig kNamedRigs[] = {NamedRig::headlight, NamedRig::threePoint, NamedRig::operatingLamp,
-                                          NamedRig::rim,       NamedRig::softBox,    NamedRig::sky};
+                                          NamedRig::rim,       NamedRig::softBox,    NamedRig::studio,
+                                          NamedRig::sky};
 
 /// Everything that lights a volume.
 struct Lighting {

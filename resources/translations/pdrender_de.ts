@@ -1794,6 +1794,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Effizienz: der Teil seiner Zeit, der in Abtastungen floss</translation>
     </message>
     <message>
+        <source>Eight panels as in a photographer's studio: strips behind draw the edges</source>
+        <translation>Acht Flächen wie im Fotostudio: Streifen dahinter zeichnen die Kanten</translation>
+    </message>
+    <message>
         <source>Ellipse</source>
         <translation>Ellipse</translation>
     </message>
@@ -3736,6 +3740,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Strength of the chosen lamp</source>
         <translation>Stärke der gewählten Lampe</translation>
+    </message>
+    <message>
+        <source>Studio</source>
+        <translation>Studio</translation>
     </message>
     <message>
         <source>Study without a date</source>

@@ -1794,6 +1794,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Eficiencia: la parte de su tiempo que se dedicó a muestras</translation>
     </message>
     <message>
+        <source>Eight panels as in a photographer's studio: strips behind draw the edges</source>
+        <translation>Ocho paneles como en un estudio fotográfico: las tiras de detrás dibujan los bordes</translation>
+    </message>
+    <message>
         <source>Ellipse</source>
         <translation>Elipse</translation>
     </message>
@@ -3736,6 +3740,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Strength of the chosen lamp</source>
         <translation>Intensidad de la lámpara elegida</translation>
+    </message>
+    <message>
+        <source>Studio</source>
+        <translation>Estudio</translation>
     </message>
     <message>
         <source>Study without a date</source>

@@ -44,6 +44,8 @@ QString rigName(NamedRig name) {
             return Texts::tr("Back light");
         case NamedRig::softBox:
             return Texts::tr("Large soft light");
+        case NamedRig::studio:
+            return Texts::tr("Studio");
         case NamedRig::sky:
             return Texts::tr("Sky");
     }
@@ -62,6 +64,8 @@ QString rigTip(NamedRig name) {
             return Texts::tr("Two lamps behind: bright outlines");
         case NamedRig::softBox:
             return Texts::tr("One large panel: soft shadows");
+        case NamedRig::studio:
+            return Texts::tr("Eight panels as in a photographer's studio: strips behind draw the edges");
         case NamedRig::sky:
             return Texts::tr("Light from all around, most from the head's side, and a sun");
     }
