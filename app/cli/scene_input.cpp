@@ -15,6 +15,7 @@
 #include "render/prepare/layers_text.h"
 #include "render/scene/fit_view.h"
 #include "render/scene/visible_mask.h"
+#include "render/smooth/non_local_means.h"
 #include "render/volume/value_unit.h"
 
 namespace pdr::app {
@@ -119,6 +120,16 @@ Result<void> hide(LoadedScene& work, const SceneInput& input, const segment::Bod
     return {};
 }
 
+/// Replaces the voxels that the image shows by denoised ones. Parts of the body are found in the scan itself before.
+Result<void> denoise(LoadedScene& work, const Progress& progress) {
+    auto denoised = ctDenoised(*work.scene.volume, progress);
+    if (!denoised)
+        return denoised.error().in("--ct-denoised");
+    work.scene.volume = std::make_shared<const Volume>(*std::move(denoised));
+    work.notes.push_back("the CT is denoised for this image; no value may be read from it");
+    return {};
+}
+
 /// Sets the exposure so that the tissue lies in the middle of the display range.
 Result<void> expose(LoadedScene& work, const segment::BodyParts& parts, const VolumeGeometry& body) {
     Scene coarse = work.scene;
@@ -179,8 +190,11 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
         return ok.error();
     // Apply what depends on the tissue: mask, exposure, focus
     const segment::BodyParts parts(work.scene.volume);
-    if (auto ok = hide(work, input, parts, partOf(progress, 0.9, 1)); !ok)
+    if (auto ok = hide(work, input, parts, partOf(progress, 0.9, 0.95)); !ok)
         return ok.error();
+    if (input.ctDenoised)
+        if (auto ok = denoise(work, partOf(progress, 0.95, 1)); !ok)
+            return ok.error();
     if (*look)
         nameLook(work.scene, **look);
     if (input.autoExposure && followsTissue(work.scene.model))

@@ -29,6 +29,7 @@ struct SceneInput {
     std::optional<Table> table;        ///< absent: hidden for a folder, as the file says for a scene
     std::optional<Visible> parts;      ///< shown and hidden parts; absent: as the look or the scene file says
     std::optional<double> peelMm;      ///< absent: as the look or the scene file says
+    bool ctDenoised = false;           ///< whether the image shows the scan with less noise
     std::optional<double> exposure;
     std::optional<ToneCurve> toneCurve;  ///< absent: the look's
     bool autoExposure = false;           ///< true: set from the tissue of a small image, as in the window
@@ -50,7 +51,7 @@ struct LoadedScene {
 };
 
 /// Loads the scene and its voxels. Errors: those of scene files, looks and the import; nothing under the pixel to focus
-/// on; a requested part of the body that cannot be told from the rest.
+/// on; a requested part of the body that cannot be told from the rest; a scan that cannot be denoised.
 Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress);
 /// Calls loadScene() with a progress line, and writes the notes to standard error.
 Result<LoadedScene> loadSceneShown(const SceneInput& input);

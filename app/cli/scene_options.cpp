@@ -149,6 +149,8 @@ void describeSceneOptions(QCommandLineParser& parser) {
         {"hide", "The parts that are left out: bones, lungs, \"bones,lungs\", or nothing. Default: as for --show.",
          "PARTS"},
         {"peel", "Take so much off all around the body, such as skin; up to 50.", "MM"},
+        {"ct-denoised",
+         "Take noise off the CT for this image, within each slice. Images and files say so; the scan itself stays."},
         {"size", "Pixels; default 1024x1024, or what the scene file says.", "WxH"},
         {"exposure",
          "Radiance that PNG shows as 63 % of white, or auto: so that the tissue is neither dark nor blown out; "
@@ -207,6 +209,7 @@ SceneInput readSceneOptions(const QCommandLineParser& parser, const QString& com
     scene.table = readTable(reader);
     scene.parts = readParts(reader);
     scene.peelMm = reader.number("peel", {0, 50});
+    scene.ctDenoised = parser.isSet("ct-denoised");
     scene.autoExposure = reader.text("exposure") == "auto";
     if (!scene.autoExposure)
         scene.exposure = reader.number("exposure", {0, 1e30, false});

@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "render/base/errors.h"
 #include "render/base/free_memory.h"
@@ -50,6 +51,25 @@ void restorePadding(const Volume& volume, std::size_t begin, std::span<std::int1
                 slice[i] = volume.voxels()[begin + i];
 }
 
+/// Returns which voxels are padding; empty if none is.
+std::vector<bool> paddingOf(const Volume& volume) {
+    std::vector<bool> padding;
+    if (volume.paddingCount() > 0)
+        for (std::size_t i = 0; i < volume.voxels().size(); ++i)
+            padding.push_back(volume.isPadding(i));
+    return padding;
+}
+
+/// Returns the remarks of the denoised volume.
+std::string denoisedRemarks(const std::string& remarks) {
+    return remarks.empty() ? kRemark : remarks + ", " + kRemark;
+}
+
+Error tooLarge(const Volume& volume) {
+    return notEnoughMemory(phrase("to denoise the scan: %1", bytesText(volume.voxels().size_bytes())), "",
+                           phrase("Show it as it is."));
+}
+
 }  // namespace
 
 Result<Volume> nonLocalMeans(const Volume& volume, double noise, const Progress& progress) {
@@ -65,20 +85,19 @@ Result<Volume> nonLocalMeans(const Volume& volume, double noise, const Progress&
     });
     if (!whole)
         return cancelled();
-    return volume.withVoxels(std::move(voxels), volume.hidden());
+    return Volume(volume.geometry(), std::move(voxels), paddingOf(volume), denoisedRemarks(volume.remarks()),
+                  volume.hidden());
 }
 
 Result<Volume> ctDenoised(const Volume& volume, const Progress& progress) try {
     if (!unitOf(volume).isHu)
         return Error{phrase("only values in HU can be denoised, and those of this scan are none"), "",
                      phrase("Show it as it is."), ErrorKind::refused};
-    const std::size_t needed = volume.voxels().size_bytes();
-    if (needed > freeBytes())
-        return notEnoughMemory(phrase("to denoise the scan: %1", bytesText(needed)), "", phrase("Show it as it is."));
-    auto denoised = nonLocalMeans(volume, std::max(noiseOf(volume), kLeastNoise), progress);
-    return denoised ? Result(std::move(*denoised).remarked(kRemark)) : denoised;
+    if (volume.voxels().size_bytes() > freeBytes())
+        return tooLarge(volume);
+    return nonLocalMeans(volume, std::max(noiseOf(volume), kLeastNoise), progress);
 } catch (const std::bad_alloc&) {
-    return notEnoughMemory(phrase("to denoise the scan"), "", phrase("Show it as it is."));
+    return tooLarge(volume);
 }
 
 bool isCtDenoised(const Volume& volume) {

@@ -1250,6 +1250,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>CPU</translation>
     </message>
     <message>
+        <source>CT denoised</source>
+        <translation>CT entrauscht</translation>
+    </message>
+    <message>
         <source>CT series %1</source>
         <translation>CT-Serie %1</translation>
     </message>
@@ -3558,6 +3562,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Alles zeigen oder einen anderen Teil.</translation>
     </message>
     <message>
+        <source>Show it as it is.</source>
+        <translation>Zeigen Sie sie, wie sie ist.</translation>
+    </message>
+    <message>
         <source>Show that slice</source>
         <translation>Diese Schicht zeigen</translation>
     </message>
@@ -4836,6 +4844,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>entrauscht: wie sehr ist noch nicht bekannt</translation>
     </message>
     <message>
+        <source>denoising the scan</source>
+        <translation>die Aufnahme wird entrauscht</translation>
+    </message>
+    <message>
         <source>depth of field</source>
         <translation>Tiefenschärfe</translation>
     </message>
@@ -6004,6 +6016,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>nur %1 % des Lichts enden hier in einer Tiefe, die genommen wurde</translation>
     </message>
     <message>
+        <source>only values in HU can be denoised, and those of this scan are none</source>
+        <translation>nur Werte in HU lassen sich entrauschen, und die dieser Aufnahme sind keine</translation>
+    </message>
+    <message>
         <source>orientation</source>
         <translation>Ausrichtung</translation>
     </message>
@@ -7142,6 +7158,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>to decode it</source>
         <translation>um sie zu dekodieren</translation>
+    </message>
+    <message>
+        <source>to denoise the scan: %1</source>
+        <translation>zum Entrauschen der Aufnahme: %1</translation>
     </message>
     <message>
         <source>to tell parts of the body apart</source>

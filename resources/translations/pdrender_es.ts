@@ -1250,6 +1250,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>CPU</translation>
     </message>
     <message>
+        <source>CT denoised</source>
+        <translation>Ruido de la TC reducido</translation>
+    </message>
+    <message>
         <source>CT series %1</source>
         <translation>Serie de TC %1</translation>
     </message>
@@ -3558,6 +3562,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Muestre todo u otra parte.</translation>
     </message>
     <message>
+        <source>Show it as it is.</source>
+        <translation>Muéstrelo tal como es.</translation>
+    </message>
+    <message>
         <source>Show that slice</source>
         <translation>Mostrar ese corte</translation>
     </message>
@@ -4836,6 +4844,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>sin ruido: aún no se sabe cuánto</translation>
     </message>
     <message>
+        <source>denoising the scan</source>
+        <translation>se reduce el ruido del estudio</translation>
+    </message>
+    <message>
         <source>depth of field</source>
         <translation>profundidad de campo</translation>
     </message>
@@ -6004,6 +6016,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>solo el %1 % de la luz se detiene aquí a una misma profundidad, la elegida</translation>
     </message>
     <message>
+        <source>only values in HU can be denoised, and those of this scan are none</source>
+        <translation>solo se puede reducir el ruido de valores en HU, y los de este estudio no lo son</translation>
+    </message>
+    <message>
         <source>orientation</source>
         <translation>orientación</translation>
     </message>
@@ -7142,6 +7158,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>to decode it</source>
         <translation>para descodificarlo</translation>
+    </message>
+    <message>
+        <source>to denoise the scan: %1</source>
+        <translation>para reducir el ruido del estudio: %1</translation>
     </message>
     <message>
         <source>to tell parts of the body apart</source>

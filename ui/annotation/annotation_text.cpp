@@ -12,7 +12,8 @@ QString lookText(const QString& look, bool maskAwaited) {
 }
 
 QStringList annotationTexts(const ImageFacts& facts) {
-    QStringList texts{lookText(facts.look, facts.maskAwaited), facts.notShown, cutText(facts.clip, facts.uncut)};
+    QStringList texts{lookText(facts.look, facts.maskAwaited), facts.notShown, cutText(facts.clip, facts.uncut),
+                      facts.ctDenoised ? QCoreApplication::translate("Annotations", "CT denoised") : QString()};
     texts.removeAll({});
     return texts;
 }

@@ -15,13 +15,15 @@ struct ImageFacts {
     QString notShown;          ///< what is hidden, in sentences; empty: nothing is hidden
     Clip clip;
     std::optional<Uncut> uncut;  ///< the box that `clip` cuts from; none: not known
+    bool ctDenoised = false;     ///< whether it shows the scan with less noise
 };
 
 /// Returns "Bones alone (the rest is not yet removed)" while the mask that the look's name promises is missing; else
 /// `look`.
 QString lookText(const QString& look, bool maskAwaited);
 
-/// Returns the lines for Annotations::texts: look, hidden parts and cut, one line each. Empty ones are left out.
+/// Returns the lines for Annotations::texts: look, hidden parts, cut, and that the scan is denoised, one line each.
+/// Empty ones are left out.
 QStringList annotationTexts(const ImageFacts& facts);
 
 }  // namespace pdr::ui

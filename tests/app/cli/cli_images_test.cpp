@@ -48,6 +48,20 @@ class CliImagesTest : public QObject {
         QVERIFY(render({"--denoised", "--model", "emissionAbsorption"}).text("pdrender/denoised").isEmpty());
     }
 
+    /// Noise of the scan is taken off on request alone, and the image, its file and the program say so.
+    void aDenoisedScanIsSaid() {
+        const auto render = [&](const QStringList& options) {
+            return BallScene::run(QStringList{"render", scene(), "-o", at("ct.png"), "--samples", "2"} + options);
+        };
+        const ProgramRun plain = render({});
+        QCOMPARE(plain.code, 0);
+        QVERIFY(!plain.err.contains("denoised") && QImage(at("ct.png")).text("pdrender/remarks").isEmpty());
+        const ProgramRun denoised = render({"--ct-denoised"});
+        QCOMPARE(denoised.code, 0);
+        QVERIFY(denoised.err.contains("the CT is denoised for this image"));
+        QCOMPARE(QImage(at("ct.png")).text("pdrender/remarks"), QString("CT denoised"));
+    }
+
     /// What is printed is true of the file.
     void denoisedIsSaidOfWhatIsDenoised() {
         for (const auto& [name, options] :

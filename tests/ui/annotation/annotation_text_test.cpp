@@ -26,6 +26,7 @@ void TestAnnotationText::whatIsNotThereYetIsNotNamed() {
              QStringList({"Bones alone", "Only bones are shown."}));
     QCOMPARE(annotationTexts({.look = "Bones alone", .maskAwaited = true}),
              QStringList("Bones alone (the rest is not yet removed)"));
+    QCOMPARE(annotationTexts({.look = "Vessels", .ctDenoised = true}), QStringList({"Vessels", "CT denoised"}));
 }
 
 void TestAnnotationText::aCutIsSaidWithItsLengths() {
