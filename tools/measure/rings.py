@@ -19,16 +19,27 @@ import subprocess
 import tempfile
 import zlib
 
-SIZE = (480, 512)
+SIZE, VOXELS = (480, 512), (256, 256, 108)
 PLACES = {"temple": (85, 150, 205, 300), "forehead": (300, 345, 125, 185), "vault": (200, 262, 76, 100)}  # x0, x1, y0, y1
 EXPOSURE, BLUR, TISSUE = 0.5, 4, 12
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
-def scene(seed: int) -> dict:
-    size, spacing = (256, 256, 108), (0.9570312, 0.9570312, 1.5)
+def head(folder: pathlib.Path) -> pathlib.Path:
+    """The example head with its rows in the order of the patient's axes."""
+    row, rows = 2 * VOXELS[0], VOXELS[1]
+    stored = (ROOT / "build/example/matrix.dat").read_bytes()
+    ordered = b"".join(stored[(k * rows + j) * row:(k * rows + j + 1) * row]
+                       for k in range(VOXELS[2]) for j in reversed(range(rows)))
+    raw = folder / "head.raw"
+    raw.write_bytes(ordered)
+    return raw
+
+
+def scene(raw: pathlib.Path, seed: int) -> dict:
+    size, spacing = VOXELS, (0.9570312, 0.9570312, 1.5)
     return {"format": "pdrender-scene", "version": 1,
-            "volume": {"raw": str(ROOT / "build/example/matrix.dat"), "size": size, "spacingMm": spacing,
+            "volume": {"raw": str(raw), "size": size, "spacingMm": spacing,
                        "type": "int16", "originMm": [-0.5 * d * (n - 1) for d, n in zip(spacing, size)],
                        "table": "hidden"},
             "transferFunction": {"extinctionPerMm": 1, "nodes": [{"hu": 0, "opacity": 0}]},
@@ -88,7 +99,7 @@ def radiance(level: float) -> float:
 
 
 def rendered(cli: str, look: dict, samples: int, seed: int, folder: pathlib.Path) -> tuple[float, list[list[float]]]:
-    (folder / "scene.json").write_text(json.dumps(scene(seed)))
+    (folder / "scene.json").write_text(json.dumps(scene(folder / "head.raw", seed)))
     (folder / "look.json").write_text(json.dumps(look))
     image = folder / "image.png"
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -108,6 +119,7 @@ def main() -> None:
     look = json.loads(options.look.read_text())
     brightness = None
     with tempfile.TemporaryDirectory() as name:
+        head(pathlib.Path(name))
         for origin in ("event", "outsideEdge"):
             look["surface"]["rayOrigin"] = origin
             made = [rendered(options.cli, look, options.samples, seed, pathlib.Path(name)) for seed in (1, 1001)]
