@@ -33,7 +33,7 @@ PDR_HD inline float cutLength(const FlatClip& clip, vec3 origin, vec3 direction,
 /// A clip plane near a point.
 struct CutFace {
     vec3 normal;          ///< index space, of any length, towards the part that is cut away
-    vec3 accuracyStatus;  ///< nearest point on the plane, index space
+    vec3 foot;  ///< nearest point on the plane, index space
     float voxelMm = 0;    ///< size of a voxel across the plane; 0: no plane is near
 };
 

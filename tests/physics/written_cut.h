@@ -10,7 +10,7 @@ inline int faceNear(const Grid& grid, const std::vector<ClipPlane>& planes, cons
                     dvec3 place) {
     int near = -1;
     double nearest = 1;
-    dvec3 accuracyStatus(0);
+    dvec3 foot(0);
     for (int i = 0; i < int(planes.size()); ++i) {
         const dvec3 at = grid.index(place), onPlane = grid.index(planes[i].pointMm);
         const dvec3 across = glm::normalize(grid.acrossIndex(planes[i].normal));
@@ -19,9 +19,9 @@ inline int faceNear(const Grid& grid, const std::vector<ClipPlane>& planes, cons
             continue;
         near = i;
         nearest = distance;
-        accuracyStatus = at + across * distance;
+        foot = at + across * distance;
     }
-    return near >= 0 && tissueAt(nodes, grid.hu(accuracyStatus)).opacity > 0 ? near : -1;
+    return near >= 0 && tissueAt(nodes, grid.hu(foot)).opacity > 0 ? near : -1;
 }
 
 /// Where another face, or none, begins to be near: ascending, between the line's ends.

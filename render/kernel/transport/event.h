@@ -83,7 +83,7 @@ PDR_HD inline vec3 cutFaceNormal(const FlatScene& scene, const CutFace& face, ve
 /// Returns the normal of the surface at an event; zero if there is none.
 PDR_HD inline vec3 normalAt(const FlatScene& scene, vec3 position, vec3 wo, float hu, float u) {
     const CutFace face = cutFaceNear(scene.clip, position);
-    if (face.voxelMm > 0 && opacity(scene.transferFunction, hounsfield(scene.volume, face.accuracyStatus)) > 0)
+    if (face.voxelMm > 0 && opacity(scene.transferFunction, hounsfield(scene.volume, face.foot)) > 0)
         return cutFaceNormal(scene, face, wo, hu, u);
     return surfaceNormal(scene, position, wo, hu, u);
 }
