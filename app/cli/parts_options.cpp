@@ -2,6 +2,7 @@
 
 #include "app/cli/parsed_options.h"
 #include "app/command_line/option_reader.h"
+#include "render/volume/file/label_nrrd.h"
 
 namespace pdr::app {
 namespace {
@@ -41,7 +42,9 @@ void readParts(const QCommandLineParser& parser, PartsOptions& options) {
     if (!wanted.empty() && !finds)
         usageError("--find", "must be vessels or shells, not \"" + wanted + "\"");
     if (options.labels.empty() != finds)
-        usageError("--labels", "or --find says where the parts come from", "Add one of both.");
+        usageError("parts", "needs --labels or --find, and not both: they say where the parts come from");
+    if (!options.output.empty() && !isLabelFile(options.output))
+        usageError("--output", std::string("must end in ") + kLabelEnding);
 }
 
 }  // namespace
@@ -53,11 +56,9 @@ Result<PartsOptions> partsOptions(const QStringList& arguments) {
 std::string partsHelp() {
     return "Usage: pdrender-cli parts FOLDER|SCENE.json --labels FILE|--find PARTS [-o FILE.seg.nrrd] [options]\n"
            "Lists the parts of the patient that a label map marks in a scan, or that the program finds there, with "
-           "their volumes\nby whole voxels. A "
-           "map\n"
-           "whose voxels are not those of the scan is refused, with the reason, or resampled if that is asked for. A "
-           "new\n"
-           "file can be read by its owner only.\n" +
+           "their "
+           "volumes\nby whole voxels. A map whose voxels are not those of the scan is refused, with the reason, or "
+           "resampled if that is\nasked for. A new file can be read by its owner only.\n" +
            optionsText(describeParts);
 }
 

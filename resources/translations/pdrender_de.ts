@@ -4420,8 +4420,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Zoomen</translation>
     </message>
     <message>
-        <source>a %1 file</source>
-        <translation>einer Datei im Format %1</translation>
+        <source>a label map (%1)</source>
+        <translation>einer Labelkarte (%1)</translation>
     </message>
     <message>
         <source>a DICOM segmentation</source>

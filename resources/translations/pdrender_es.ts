@@ -4420,8 +4420,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>a %1 file</source>
-        <translation>un archivo %1</translation>
+        <source>a label map (%1)</source>
+        <translation>un mapa de etiquetas (%1)</translation>
     </message>
     <message>
         <source>a DICOM segmentation</source>

@@ -134,7 +134,7 @@ Result<LabelMap> readLabelFile(const std::filesystem::path& file, const Progress
     try {
         LabelMap map;
         map.geometry = grid->geometry;
-        map.source = phrase("a %1 file", formatName(file));
+        map.source = phrase("a label map (%1)", formatName(file));
         map.labels = HugePageVector<std::uint8_t>(needed);
         LabelReading reading(*grid, progress);
         if (auto ok = reading.fill(map.labels); !ok)

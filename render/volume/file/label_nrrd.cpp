@@ -75,8 +75,12 @@ void writePacked(std::span<const std::uint8_t> bytes, ReplacingFile& file) {
 
 }  // namespace
 
+bool isLabelFile(const std::filesystem::path& file) {
+    return fileEnding(file) == ".nrrd" && fileEnding(file.stem()) == ".seg";
+}
+
 Result<void> writeLabelFile(const LabelMap& map, const std::filesystem::path& file) {
-    if (fileEnding(file) != ".nrrd" || fileEnding(file.stem()) != ".seg")
+    if (!isLabelFile(file))
         return Error{phrase("label maps are written to files that end in %1", kLabelEnding), file.string(), "",
                      ErrorKind::refused};
     Result<ReplacingFile> out = ReplacingFile::open(file, FileAccess::owner);

@@ -39,7 +39,7 @@ class PartsCommandTest : public QObject {
                                           {"parts", scan(), "--labels", labels(0), "--json", "-o", at("out.seg.nrrd")});
         QVERIFY2(run.code == 0, run.err.constData());
         const QJsonObject report = QJsonDocument::fromJson(run.out).object();
-        QCOMPARE(report["source"].toString(), QString("a NIfTI file"));
+        QCOMPARE(report["source"].toString(), QString("a label map (NIfTI)"));
         const QJsonArray parts = report["parts"].toArray();
         QCOMPARE(parts.size(), 2);
         QCOMPARE(parts[0].toObject()["name"].toString(), QString("part 2"));
@@ -62,7 +62,11 @@ class PartsCommandTest : public QObject {
         QCOMPARE(test::runProgram("pdrender-cli", {"parts", "--help"}).code, 0);
         const auto run = test::runProgram("pdrender-cli", {"parts", scan()});
         QCOMPARE(run.code, 2);
-        QVERIFY(run.err.contains("--labels"));
+        QVERIFY(run.err.contains("parts: needs --labels or --find"));
+        const auto elsewhere =
+            test::runProgram("pdrender-cli", {"parts", scan(), "--labels", labels(0), "-o", at("out.nii")});
+        QCOMPARE(elsewhere.code, 2);
+        QVERIFY2(elsewhere.err.contains("--output: must end in .seg.nrrd"), elsewhere.err.constData());
     }
 };
 
