@@ -50,6 +50,7 @@ Plane reduced(const Plane& plane, ivec2 size) {
 Plane enlarged(const Plane& plane, ivec2 size) {
     const ivec2 few = plane.size();
     std::vector<Place> across;
+    across.reserve(std::size_t(size.x));
     for (int x = 0; x < size.x; ++x)
         across.push_back(placeOf(x, few.x, size.x));
     Plane out(size);
@@ -59,7 +60,7 @@ Plane enlarged(const Plane& plane, ivec2 size) {
             const Place down = placeOf(y, few.y, size.y);
             const float *upper = plane.row(down.near), *lower = plane.row(down.near + 1);
             for (int x = -1; x <= few.x; ++x)
-                line[std::size_t(x + 1)] = between(upper[x], lower[x], down.part);
+                line[std::size_t(x) + 1] = between(upper[x], lower[x], down.part);
             for (int x = 0; x < size.x; ++x) {
                 const float* near = line.data() + across[std::size_t(x)].near + 1;
                 out.row(y)[x] = between(near[0], near[1], across[std::size_t(x)].part);
