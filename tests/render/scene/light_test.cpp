@@ -180,20 +180,20 @@ class LightTest : public QObject {
 
     void lightAlongThePathIsWhatEventsWouldLookFor_data() {
         QTest::addColumn<int>("maxBounces");
-        QTest::addColumn<bool>("picture");
+        QTest::addColumn<bool>("skyImage");
         QTest::addColumn<bool>("cut");
         QTest::addColumn<RayOrigin>("rayOrigin");
         QTest::newRow("2 events") << 2 << false << false << RayOrigin::event;
-        QTest::newRow("3 events, picture") << 3 << true << false << RayOrigin::event;
+        QTest::newRow("3 events, image of a sky") << 3 << true << false << RayOrigin::event;
         QTest::newRow("many events") << 1000 << false << false << RayOrigin::event;
-        QTest::newRow("many events, picture, cut") << 1000 << true << true << RayOrigin::event;
+        QTest::newRow("many events, image of a sky, cut") << 1000 << true << true << RayOrigin::event;
         QTest::newRow("4 events from outside the edge") << 4 << false << false << RayOrigin::outsideEdge;
     }
     /// Events sample light along their scattering, or the path collects it there: both give the same image. One of the
     /// lights stands in the tissue: paths meet it on their way to an event, or end before it.
     void lightAlongThePathIsWhatEventsWouldLookFor() {
         QFETCH(int, maxBounces);
-        QFETCH(bool, picture);
+        QFETCH(bool, skyImage);
         QFETCH(bool, cut);
         QFETCH(RayOrigin, rayOrigin);
         Scene scene = shinyScene();
@@ -205,7 +205,7 @@ class LightTest : public QObject {
         scene.transferFunction.extinctionPerMm = 0.1f;
         scene.lights.push_back(SphereLight{centre + dvec3(10, 5, 0), 6, vec3(4)});
         scene.environment = {vec3(0.5f), false, vec3(0.1f)};
-        if (picture) {
+        if (skyImage) {
             std::vector<vec3> texels(16 * 8, vec3(0.2f));
             texels[2 * 16 + 2] = vec3(20);
             scene.environment = {vec3(1), false, {}, image({16, 8}, texels)};
