@@ -68,11 +68,7 @@ Result<int> writeExample(const Request& request, const std::stop_token& stop) {
     if (!volume)
         return volume.error();
     ProgressLine line;
-    const Progress progress = [&](double fraction, std::string_view step) {
-        line.show(fraction, step);
-        return !stop.stop_requested();
-    };
-    const Result<void> written = dicom::writeSeries(*volume, factsOf(request), request.folder, progress);
+    const Result<void> written = dicom::writeSeries(*volume, factsOf(request), request.folder, line.until(stop));
     if (!written)
         return written.error();
     return volume->size().z;

@@ -80,10 +80,7 @@ Result<Finished> renderAll(const RenderOptions& options, const ImageRun& run, co
     // Load the scene
     ProgressLine line;
     const std::stop_token stop = interrupt.token();
-    auto work = run.load([&](double fraction, std::string_view step) {
-        line.show(fraction, step);
-        return !stop.stop_requested();
-    });
+    auto work = run.load(line.until(stop));
     if (!work)
         return work.error();
     line.finish();

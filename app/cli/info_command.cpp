@@ -67,10 +67,7 @@ int runInfo(const QStringList& arguments) {
         return 2;
     }
     ProgressLine line;
-    const Progress progress = [&line](double fraction, std::string_view step) {
-        line.show(fraction, step);
-        return true;
-    };
+    const Progress progress = line.until();
     const std::string folder = folders.front().toStdString();
     StepClock clock;
     const Result<dicom::ScanResult> scan = scanPlace(folder, progress);

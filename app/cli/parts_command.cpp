@@ -57,11 +57,7 @@ Result<LabelMap> partsFrom(const PartsOptions& options, const ScannedVolume& sca
 
 Result<LabelMap> readParts(const PartsOptions& options, const ScannedVolume& scanned, const std::stop_token& stop) {
     ProgressLine line;
-    const Progress progress = [&](double fraction, std::string_view step) {
-        line.show(fraction, step);
-        return !stop.stop_requested();
-    };
-    Result<LabelMap> map = partsFrom(options, scanned, progress);
+    Result<LabelMap> map = partsFrom(options, scanned, line.until(stop));
     line.finish();
     return map;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "app/cli/error_text.h"
 
@@ -58,6 +59,13 @@ void ProgressLine::draw(double fraction, const std::string& text) {
     lastStep_ = step;
     lastPlain_ = now;
     std::fprintf(stderr, "%3d %%  %s\n", percent, text.c_str());
+}
+
+Progress ProgressLine::until(std::stop_token stop) {
+    return [this, stop = std::move(stop)](double fraction, std::string_view step) {
+        show(fraction, step);
+        return !stop.stop_requested();
+    };
 }
 
 void ProgressLine::finish() {

@@ -2,9 +2,11 @@
 /// Progress on stderr: one line that is redrawn on a terminal, plain lines from time to time elsewhere.
 
 #include <chrono>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
+#include "render/base/progress.h"
 #include "render/session/batch_render.h"
 
 namespace pdr::app {
@@ -18,6 +20,8 @@ class ProgressLine {
     void show(double fraction, std::string_view step);
     /// Shows the progress of rendering, with error and time left.
     void show(const BatchState& state);
+    /// Returns what shows steps on this line, which must outlive it, and goes on until `stop` is requested.
+    Progress until(std::stop_token stop = {});
     /// Ends the line, so that other output can follow.
     void finish();
 

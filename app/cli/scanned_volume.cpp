@@ -29,10 +29,7 @@ Result<ScannedVolume> scannedVolume(const std::filesystem::path& path, const std
     if (!source)
         return source.error();
     ProgressLine line;
-    const auto volume = fetchVolume(*source, [&](double fraction, std::string_view step) {
-        line.show(fraction, step);
-        return !stop.stop_requested();
-    });
+    const auto volume = fetchVolume(*source, line.until(stop));
     line.finish();
     if (!volume)
         return volume.error();

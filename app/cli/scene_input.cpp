@@ -208,10 +208,7 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
 
 Result<LoadedScene> loadSceneShown(const SceneInput& input) {
     ProgressLine line;
-    auto loaded = loadScene(input, [&](double fraction, std::string_view step) {
-        line.show(fraction, step);
-        return true;
-    });
+    auto loaded = loadScene(input, line.until());
     line.finish();
     if (loaded)
         tellNotes(*loaded);

@@ -191,8 +191,7 @@ Result<Volume> loadGridSeries(const dicom::Series& series, const Progress& progr
     if (!isSame(*grid, listed))
         return dicom::changedFile(listed.file);
     const std::uint64_t needed = series.geometry.voxelCount() * sizeof(std::int16_t);
-    const Error tooLarge = notEnoughMemory(phrase("for its voxels (%1)", bytesText(needed)), listed.file.string(),
-                                           phrase("Close other programs, or take a smaller volume."));
+    const Error tooLarge = notEnoughMemoryForVoxels(needed, listed.file.string());
     if (needed > freeBytes())
         return tooLarge;
     try {

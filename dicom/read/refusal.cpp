@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 #include <string_view>
 
 #include "dicom/read/codecs.h"
 #include "dicom/read/file_structure.h"
+#include "render/base/lower_case.h"
 
 namespace pdr::dicom {
 
@@ -39,8 +39,8 @@ bool isOtherVolume(const SliceHeader& header) {
 }
 
 /// Returns whether a Rescale Type stands for Hounsfield units. "Houndsfield Unit" is how some writers spell them.
-bool namesHu(std::string unit) {
-    std::ranges::transform(unit, unit.begin(), [](unsigned char letter) { return char(std::tolower(letter)); });
+bool namesHu(const std::string& stated) {
+    const std::string unit = lowerCase(stated);
     return unit == "hu" || unit.starts_with("hounsfield") || unit.starts_with("houndsfield");
 }
 

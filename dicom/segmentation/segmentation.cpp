@@ -152,8 +152,7 @@ Result<LabelMap> labelsOf(const NamedBytes& object, const Segments& segments, co
                           const FramePixels& pixels, const Progress& progress) {
     const std::size_t needed = grid.geometry.voxelCount();
     if (needed > freeBytes())
-        return notEnoughMemory(phrase("for its voxels (%1)", bytesText(needed)), object.name.string(),
-                               phrase("Close other programs, or take a smaller volume."));
+        return notEnoughMemoryForVoxels(needed, object.name.string());
     LabelMap map;
     map.geometry = grid.geometry;
     map.source = phrase("a DICOM segmentation");

@@ -12,6 +12,7 @@
 #include "dicom/read/frames.h"
 #include "dicom/read/functional_groups.h"
 #include "dicom/read/item_values.h"
+#include "render/base/srgb.h"
 
 namespace pdr::dicom {
 
@@ -68,11 +69,8 @@ LabelColour fromCieLab(const std::array<std::uint16_t, 3>& lab) {
                            dvec3(-0.4985314, 0.0415560, 1.0572252));
     const dvec3 rgb = rgbFromXyz * xyz;
     LabelColour colour;
-    for (int i = 0; i < 3; ++i) {
-        const double light = std::clamp(rgb[i], 0.0, 1.0);
-        const double level = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-        colour[std::size_t(i)] = std::uint8_t(std::lround(255 * level));
-    }
+    for (int i = 0; i < 3; ++i)
+        colour[std::size_t(i)] = std::uint8_t(std::lround(255 * srgbFromLinear(std::clamp(rgb[i], 0.0, 1.0))));
     return colour;
 }
 

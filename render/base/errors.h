@@ -25,6 +25,12 @@ inline Error notEnoughMemory(const Text& purpose, std::string where, Text hint) 
             std::move(where), std::move(hint), ErrorKind::memory};
 }
 
+/// Returns the error that memory does not suffice for voxels of so many bytes.
+inline Error notEnoughMemoryForVoxels(std::size_t bytes, std::string where) {
+    return notEnoughMemory(phrase("for its voxels (%1)", bytesText(bytes)), std::move(where),
+                           phrase("Close other programs, or take a smaller volume."));
+}
+
 /// Returns the error that the memory of a device is too small. `device`: its name; `needed`, `free`: bytes.
 inline Error memoryTooSmall(const std::string& device, std::size_t needed, std::size_t free) {
     return {phrase("its memory is too small: %1 are needed at a time, %2 are free", bytesText(needed), bytesText(free)),

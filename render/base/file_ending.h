@@ -4,15 +4,13 @@
 #include <filesystem>
 #include <string>
 
+#include "render/base/lower_case.h"
+
 namespace pdr {
 
 /// Returns the ending of a file's name in lower case (a to z), ".png" for "head.PNG"; empty if there is none.
 inline std::string fileEnding(const std::filesystem::path& file) {
-    std::string ending = file.extension().string();
-    for (char& letter : ending)
-        if (letter >= 'A' && letter <= 'Z')
-            letter = char(letter - 'A' + 'a');
-    return ending;
+    return lowerCase(file.extension().string());
 }
 
 }  // namespace pdr

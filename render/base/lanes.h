@@ -191,15 +191,26 @@ inline IntLanes gatherPairsAtOnce(const std::int16_t* from, IntLanes index) {
 }
 #endif
 
+/// Returns the number at `from`, or as many as there are lanes from there on; aligned or not.
+template <class Real>
+Real load(const float* from) {
+    Real value;
+    std::memcpy(&value, from, sizeof value);
+    return value;
+}
+/// Writes what load() reads.
+template <class Real>
+void store(Real value, float* to) {
+    std::memcpy(to, &value, sizeof value);
+}
+
 inline FloatLanes gather(const float* from, IntLanes index) {
     return kGatherAtOnce ? gatherAtOnce(from, index) : gatherOneByOne(from, index);
 }
 inline FloatLanes tableLookup(const float* column, int count, IntLanes index) {
     if (count > kLanes)
         return gather(column, index);
-    FloatLanes whole;
-    std::memcpy(&whole, column, sizeof whole);
-    return permuted(whole, index);
+    return permuted(load<FloatLanes>(column), index);
 }
 /// Prefetches the memory at from[index]: lanes read at so many positions that no near cache holds them all. Always
 /// inlined: GCC 12 omits the call of a function that does nothing else.

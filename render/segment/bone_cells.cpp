@@ -41,7 +41,10 @@ Cells closed(const Cells& cells, const CellGrid& grid, double radiusMm, const Ch
 }  // namespace
 
 Cells boneCells(const Volume& volume, const CellGrid& grid, const Checkpoint& checkpoint) {
-    const CellValues values = cellValues(volume, grid, checkpoint);
+    return boneCells(cellValues(volume, grid, checkpoint), grid, checkpoint);
+}
+
+Cells boneCells(const CellValues& values, const CellGrid& grid, const Checkpoint& checkpoint) {
     const Cells blood = bloodCells(values.mean, grid, checkpoint);
     const double least = kLeastMl / grid.cellMl();
     // Find pieces of dense bone

@@ -7,11 +7,14 @@
 ///   3. bone extends to what is above 150 HU, is no blood and is connected to it within 12 mm; gaps of 8 mm are closed
 
 #include "render/segment/cell_grid.h"
+#include "render/segment/cell_values.h"
 #include "render/segment/checkpoint.h"
 
 namespace pdr::segment {
 
 /// Returns the cells of bone; none where nothing is as dense as bone.
 Cells boneCells(const Volume& volume, const CellGrid& grid, const Checkpoint& checkpoint = goOn);
+/// Returns the same, where the cells' values are known.
+Cells boneCells(const CellValues& values, const CellGrid& grid, const Checkpoint& checkpoint = goOn);
 
 }  // namespace pdr::segment

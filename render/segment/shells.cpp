@@ -75,8 +75,7 @@ Result<LabelMap> findShells(const Volume& volume, const LabelMap* taken, const P
             return shellsOf(body, volume, taken, checkpointOf(progress, 0.8, kStep));
         });
     } catch (const std::bad_alloc&) {
-        return notEnoughMemory(phrase("for its voxels (%1)", bytesText(volume.voxels().size())), "",
-                               phrase("Close other programs, or take a smaller volume."));
+        return notEnoughMemoryForVoxels(volume.voxels().size(), "");
     }
 }
 

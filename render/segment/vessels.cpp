@@ -61,8 +61,9 @@ Markers markersOf(const Volume& volume, float bloodHu, const Progress& progress)
     Markers markers;
     const CellGrid& grid = markers.grid = CellGrid::over(volume.geometry());
     const Checkpoint checkpoint = checkpointOf(progress, 0.2, kStep);
-    markers.blood = bloodPools(cellValues(volume, grid, checkpoint).mean, grid, int(kCoreShare * bloodHu), checkpoint);
-    markers.bone = boneCells(volume, grid, checkpoint);
+    const CellValues values = cellValues(volume, grid, checkpoint);
+    markers.blood = bloodPools(values.mean, grid, int(kCoreShare * bloodHu), checkpoint);
+    markers.bone = boneCells(values, grid, checkpoint);
     markers.lung = insideLungs(volume, grid, partOf(progress, 0.3, 0.5), checkpointOf(progress, 0.5, kStep));
     const std::vector<float> fromBlood = squaredDistances(markers.blood, 1, grid, kBesideMm, checkpoint);
     for (std::size_t i = 0; i < markers.bone.size(); ++i)  // what is as dense as bone in a lung is medium
@@ -141,8 +142,7 @@ Result<LabelMap> findVessels(const Volume& volume, const Progress& progress) {
     try {
         return orCancelled([&] { return vesselsWith(volume, *blood, progress); });
     } catch (const std::bad_alloc&) {
-        return notEnoughMemory(phrase("for its voxels (%1)", bytesText(volume.voxels().size())), "",
-                               phrase("Close other programs, or take a smaller volume."));
+        return notEnoughMemoryForVoxels(volume.voxels().size(), "");
     }
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -52,17 +51,6 @@ struct IndexSlab {
 struct TileValues {
     alignas(64) std::array<float, kTileWidth * kTileHeight> hu, weight;
 };
-
-template <class Real>
-Real load(const float* from) {
-    Real value;
-    std::memcpy(&value, from, sizeof value);
-    return value;
-}
-template <class Real>
-void store(Real value, float* to) {
-    std::memcpy(to, &value, sizeof value);
-}
 
 /// Returns x, x + 1, ... in the lanes.
 template <class Real>

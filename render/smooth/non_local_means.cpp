@@ -51,20 +51,6 @@ void restorePadding(const Volume& volume, std::size_t begin, std::span<std::int1
                 slice[i] = volume.voxels()[begin + i];
 }
 
-/// Returns which voxels are padding; empty if none is.
-std::vector<bool> paddingOf(const Volume& volume) {
-    std::vector<bool> padding;
-    if (volume.paddingCount() > 0)
-        for (std::size_t i = 0; i < volume.voxels().size(); ++i)
-            padding.push_back(volume.isPadding(i));
-    return padding;
-}
-
-/// Returns the remarks of the denoised volume.
-std::string denoisedRemarks(const std::string& remarks) {
-    return remarks.empty() ? kRemark : remarks + ", " + kRemark;
-}
-
 Error tooLarge(const Volume& volume) {
     return notEnoughMemory(phrase("to denoise the scan: %1", bytesText(volume.voxels().size_bytes())), "",
                            phrase("Show it as it is."));
@@ -85,8 +71,7 @@ Result<Volume> nonLocalMeans(const Volume& volume, double noise, const Progress&
     });
     if (!whole)
         return cancelled();
-    return Volume(volume.geometry(), std::move(voxels), paddingOf(volume), denoisedRemarks(volume.remarks()),
-                  volume.hidden());
+    return volume.withVoxels(std::move(voxels), volume.hidden()).remarked(kRemark);
 }
 
 Result<Volume> ctDenoised(const Volume& volume, const Progress& progress) try {

@@ -9,7 +9,6 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -36,13 +35,6 @@ class SliceMeans {
     static constexpr int kLeft = 2 * kSearch + kPatch + 1, kRight = kLeft + kLanes;
     static constexpr int kAround = kSearch + kPatch;  ///< rows above and below
     static constexpr int kBand = 16;                  ///< rows that are compared with all neighbours while in the cache
-
-    static Real load(const float* from) {
-        Real value;
-        std::memcpy(&value, from, sizeof value);
-        return value;
-    }
-    static void store(float* to, Real value) { std::memcpy(to, &value, sizeof value); }
 
     float* row(std::vector<float>& plane, int y) { return &plane[std::size_t(y + kAround) * stride_ + kLeft]; }
     template <class Body>
@@ -128,8 +120,8 @@ void SliceMeans<Real>::writeSquares(int y, ivec2 apart) {
     const float *own = row(values_, y), *other = row(values_, y + apart.y) + apart.x;
     float* squares = &squares_[std::size_t(y + kAround) % 3][kLeft];
     along(-kSearch - kPatch, size_.x + kSearch + kPatch, [=](int x) {
-        const Real difference = load(other + x) - load(own + x);
-        store(squares + x, difference * difference);
+        const Real difference = load<Real>(other + x) - load<Real>(own + x);
+        store<Real>(difference * difference, squares + x);
     });
 }
 
@@ -140,25 +132,26 @@ void SliceMeans<Real>::addPairs(int y, ivec2 apart) {
     const auto squares = [&](int at) { return &squares_[std::size_t(at + kAround) % 3][kLeft]; };
     const float *above = squares(y - 1), *here = squares(y), *below = squares(y + 1);
     float *columns = &columns_[kLeft], *pairs = &pairs_[kLeft], *differences = &difference_[kLeft];
-    along(-kSearch - kPatch, size_.x + kSearch + kPatch,
-          [=](int x) { store(columns + x, load(above + x) + load(here + x) + load(below + x)); });
+    along(-kSearch - kPatch, size_.x + kSearch + kPatch, [=](int x) {
+        store<Real>(load<Real>(above + x) + load<Real>(here + x) + load<Real>(below + x), columns + x);
+    });
     const float *own = row(values_, y), *other = row(values_, y + apart.y) + apart.x;
     float *sums = row(sums_, y), *weights = row(weights_, y);
     const float perSquare = perSquare_;
     along(-kSearch, size_.x + kSearch, [=](int x) {
-        const Real patch = load(columns + x - 1) + load(columns + x) + load(columns + x + 1);
+        const Real patch = load<Real>(columns + x - 1) + load<Real>(columns + x) + load<Real>(columns + x + 1);
         const Real falling = max(Real{} + 0.0f, min(Real{} + 1.0f, 1.0625f - patch * perSquare));
         const Real second = falling * falling, fourth = second * second, weight = fourth * fourth;
-        const Real difference = weight * (load(other + x) - load(own + x));
-        store(pairs + x, weight);
-        store(differences + x, difference);
-        store(sums + x, load(sums + x) + difference);
-        store(weights + x, load(weights + x) + weight);
+        const Real difference = weight * (load<Real>(other + x) - load<Real>(own + x));
+        store<Real>(weight, pairs + x);
+        store<Real>(difference, differences + x);
+        store<Real>(load<Real>(sums + x) + difference, sums + x);
+        store<Real>(load<Real>(weights + x) + weight, weights + x);
     });
     float *otherSums = row(sums_, y + apart.y) + apart.x, *otherWeights = row(weights_, y + apart.y) + apart.x;
     along(-kSearch, size_.x + kSearch, [=](int x) {
-        store(otherSums + x, load(otherSums + x) - load(differences + x));
-        store(otherWeights + x, load(otherWeights + x) + load(pairs + x));
+        store<Real>(load<Real>(otherSums + x) - load<Real>(differences + x), otherSums + x);
+        store<Real>(load<Real>(otherWeights + x) + load<Real>(pairs + x), otherWeights + x);
     });
 }
 

@@ -1,8 +1,10 @@
 #include "render/volume/label_map.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+
+#include "render/base/lower_case.h"
+#include "render/volume/sheared.h"
 
 namespace pdr {
 namespace {
@@ -28,18 +30,9 @@ std::vector<PartVoxels> voxelsOf(const LabelMap& map) {
     return parts;
 }
 
-double voxelMl(const VolumeGeometry& geometry) {
-    return std::abs(glm::determinant(dmat3(geometry.patientFromIndex))) / 1000;
-}
-
-std::string lowered(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return text;
-}
-
 /// Returns a name of a left part as that of its right counterpart, in small letters; empty if it names no left part.
 std::string mirroredName(const std::string& name) {
-    std::string mirrored = lowered(name);
+    std::string mirrored = lowerCase(name);
     const std::size_t at = mirrored.find("left");
     return at == std::string::npos ? std::string() : mirrored.replace(at, 4, "right");
 }
@@ -83,7 +76,7 @@ std::optional<CrossedSides> crossedSides(const LabelMap& map) {
     for (std::size_t left = 0; left < map.parts.size(); ++left) {
         const std::string counterpart = mirroredName(map.parts[left].name);
         for (std::size_t right = 0; right < map.parts.size(); ++right) {
-            if (counterpart.empty() || lowered(map.parts[right].name) != counterpart || voxels[left].count == 0 ||
+            if (counterpart.empty() || lowerCase(map.parts[right].name) != counterpart || voxels[left].count == 0 ||
                 voxels[right].count == 0)
                 continue;
             const double apart = leftOf(left) - leftOf(right);

@@ -125,6 +125,11 @@ Volume Volume::withVoxels(Voxels voxels, std::string hidden) const {
     return Volume(geometry_, std::move(voxels), padding_, remarks_, std::move(hidden));
 }
 
+Volume Volume::remarked(const std::string& remark) && {
+    remarks_ += (remarks_.empty() ? "" : ", ") + remark;
+    return std::move(*this);
+}
+
 Volume Volume::changed(const std::function<void(std::span<std::int16_t>)>& change, std::string hidden) && {
     change(voxels_);
     hidden_ = std::move(hidden);

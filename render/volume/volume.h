@@ -85,6 +85,8 @@ class Volume {
     Volume clamped(std::int16_t lowest, std::int16_t highest) &&;
     /// Returns the same scan with other voxels in place of these; `hidden` describes what they hide.
     Volume withVoxels(Voxels voxels, std::string hidden) const;
+    /// Returns the same volume with `remark` behind its remarks. It uses the same memory: *this is empty afterwards.
+    Volume remarked(const std::string& remark) &&;
     /// Returns the same scan after `change` has written other values to its voxels, in the same memory: *this is empty
     /// afterwards. `hidden` describes what they hide. What `change` throws is thrown; the scan is lost then.
     Volume changed(const std::function<void(std::span<std::int16_t>)>& change, std::string hidden) &&;

@@ -2,12 +2,11 @@
 /// Path tracing in kernels that do one thing each, so that 32 threads in lockstep do the same, and in few registers.
 ///
 /// - CameraKernel<Masked, Thin>: a sample's camera ray and first flight. A queue: lanes take the next when one has
-/// ended.
+///   ended.
 /// - ShadeKernel<F>: the end of that flight, and the event there (endSegment). One thread for each, so that all lanes
 ///   look for ends together; in the queue one or two would, while the others wait.
 /// - ShadowKernel<Masked, Thin>: the flights from there to the lights. A queue, with an entry for each light path, so
-/// that no
-///   lane waits for another's second one.
+///   that no lane waits for another's second one.
 /// - AddLightKernel: the light that has come through. One thread for each event, in the order of its light paths.
 /// - OnwardKernel<F>: all further segments of paths that continue, one after the other. A queue.
 ///

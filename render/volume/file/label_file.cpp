@@ -127,8 +127,7 @@ Result<LabelMap> readLabelFile(const std::filesystem::path& file, const Progress
     if (!grid)
         return grid.error();
     const std::size_t needed = grid->geometry.voxelCount();
-    const Error tooLarge = notEnoughMemory(phrase("for its voxels (%1)", bytesText(needed)), file.string(),
-                                           phrase("Close other programs, or take a smaller volume."));
+    const Error tooLarge = notEnoughMemoryForVoxels(needed, file.string());
     if (needed > freeBytes())
         return tooLarge;
     try {

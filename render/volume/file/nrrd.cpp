@@ -5,17 +5,13 @@
 #include <array>
 
 #include "render/base/file_ending.h"
+#include "render/base/lower_case.h"
 #include "render/volume/file/grid_header.h"
 
 namespace pdr {
 namespace {
 
 using Values = std::map<std::string, std::string>;
-
-std::string lowered(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return text;
-}
 
 std::optional<SampleType> sampleTypeOf(const std::string& name) {
     struct Names {
@@ -67,7 +63,7 @@ Result<VolumeGeometry> geometryOf(const Values& values) {
         return Error{phrase("it holds several values for each place"), "", ""};
     const auto size = numbersIn(of("sizes"), 3);
     const auto steps = numbersIn(of("space directions"), 9), origin = numbersIn(of("space origin"), 3);
-    const auto signs = towardsLps(lowered(of("space")));
+    const auto signs = towardsLps(lowerCase(of("space")));
     if (!size)
         return Error{phrase("its header is damaged"), "", ""};
     if (!steps || !origin || !signs)
@@ -88,7 +84,7 @@ Result<void> placeSamples(GridFile& grid, const Values& values, std::uint64_t he
         const auto found = values.find(name);
         return found == values.end() ? std::string() : found->second;
     };
-    const std::string coding = lowered(of("encoding"));
+    const std::string coding = lowerCase(of("encoding"));
     if (coding != "raw" && coding != "gzip" && coding != "gz")
         return Error{phrase("its voxels are written in a coding that is not read (%1)", coding), "", ""};
     grid.isPacked = coding != "raw";
@@ -121,17 +117,17 @@ Result<GridFile> gridFrom(const HeaderLines& header, GridFile grid) {
         if (const auto pair = splitAt(line, ":="))
             grid.pairs[(*pair)[0]] = (*pair)[1];
         else if (const auto field = splitAt(line, ":"))
-            values[lowered((*field)[0])] = (*field)[1];
+            values[lowerCase((*field)[0])] = (*field)[1];
     }
     const Result<VolumeGeometry> geometry = geometryOf(values);
     if (!geometry)
         return geometry.error();
     grid.geometry = *geometry;
-    const auto type = sampleTypeOf(lowered(values["type"]));
+    const auto type = sampleTypeOf(lowerCase(values["type"]));
     if (!type)
         return Error{phrase("its voxels are of a type that is not read"), "", ""};
     grid.type = *type;
-    const std::string order = lowered(values["endian"]);
+    const std::string order = lowerCase(values["endian"]);
     if (order != "big" && order != "little" && bytesOf(*type) > 1)
         return Error{phrase("it does not say the order of its bytes"), "", ""};
     grid.isBigEndian = order == "big";
