@@ -78,7 +78,8 @@ struct RowSums {
     /// Returns the moments of the `count` voxels that lie in [first, first + length) along the row.
     Moments of(int first, int length, std::int64_t count) const {
         Moments cell{0, 0, count};
-        for (auto x = std::size_t(first); x < std::size_t(first + length); ++x) {
+        const auto begin = std::size_t(first), end = begin + std::size_t(length);
+        for (auto x = begin; x < end; ++x) {
             cell.sum += sum[x];
             cell.squares += std::int64_t(squares[x]);
         }
