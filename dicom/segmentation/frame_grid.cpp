@@ -43,6 +43,7 @@ std::optional<std::vector<int>> numbersAlong(const dvec3& step, const std::vecto
 std::optional<dvec3> shortestStep(const dvec3& normal, const std::vector<SliceHeader>& frames) {
     constexpr double kOnePlace = 1e-3;
     std::vector<dvec3> places;
+    places.reserve(frames.size());
     for (const SliceHeader& frame : frames)
         places.push_back(*frame.position);
     const auto height = [&](const dvec3& place) { return glm::dot(place, normal); };

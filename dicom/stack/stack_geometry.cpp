@@ -71,6 +71,7 @@ Note holesNote(const std::vector<HoleHeights>& holes) {
 /// Returns even slices between those of an uneven stack; none if that has holes that are too wide.
 std::optional<ResampledStack> resampled(const SortedStack& stack) {
     std::vector<double> heights;
+    heights.reserve(std::size_t(stack.count()));
     for (int k = 0; k < stack.count(); ++k)
         heights.push_back(stack.height(k));
     std::optional<EvenFill> fill = evenFill(heights, stack.toleranceMm());
