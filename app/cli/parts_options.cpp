@@ -13,7 +13,10 @@ void describeParts(QCommandLineParser& parser) {
     parser.addOptions({
         {{"h", "help"}, "Show this text."},
         {"series", "Take the series with this UID; default: the first that can be loaded.", "UID"},
-        {"labels", "The label map: NIfTI, NRRD (also .seg.nrrd), MetaImage or a DICOM segmentation.", "FILE"},
+        {"labels",
+         "The label map: NIfTI, NRRD (also .seg.nrrd), MetaImage or a DICOM segmentation, or a folder with a mask of "
+         "each part.",
+         "FILE|FOLDER"},
         {"find",
          "Find parts in the scan itself, by rules that may err: vessels, on a scan with contrast medium, or skin and "
          "muscle (shells).",
@@ -54,7 +57,8 @@ Result<PartsOptions> partsOptions(const QStringList& arguments) {
 }
 
 std::string partsHelp() {
-    return "Usage: pdrender-cli parts FOLDER|SCENE.json --labels FILE|--find PARTS [-o FILE.seg.nrrd] [options]\n"
+    return "Usage: pdrender-cli parts FOLDER|SCENE.json --labels FILE|FOLDER|--find PARTS [-o FILE.seg.nrrd] "
+           "[options]\n"
            "Lists the parts of the patient that a label map marks in a scan, or that the program finds there, with "
            "their "
            "volumes\nby whole voxels. A map whose voxels are not those of the scan is refused, with the reason, or "

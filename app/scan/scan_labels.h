@@ -11,9 +11,10 @@
 
 namespace pdr::app {
 
-/// Reads the label map in `file`, a DICOM segmentation if its ending is that of no volume, onto the grid of a scan.
+/// Reads the label map in `file`, a folder of masks or a DICOM segmentation if its ending is that of no volume, onto
+/// the grid of a scan.
 /// `scan`: the grid of the voxels that were read; `series`: what they were read from, null for a raw file. Errors:
-/// those of readLabelFile(), dicom::readSegmentation() and labelsOn(); each names the file.
+/// those of readLabelFile(), readLabelFolder(), dicom::readSegmentation() and labelsOn(); each names the file.
 Result<LabelMap> readScanLabels(const std::filesystem::path& file, const VolumeGeometry& scan,
                                 const dicom::Series* series, Resampling resampling, const Progress& progress);
 

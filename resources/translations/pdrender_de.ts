@@ -1346,6 +1346,18 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Einen Ordner wählen, in den Sie schreiben dürfen.</translation>
     </message>
     <message>
+        <source>Choose a folder with a NIfTI, NRRD or MetaImage mask of each part.</source>
+        <translation>Wählen Sie einen Ordner mit einer NIfTI-, NRRD- oder MetaImage-Maske für jeden Teil.</translation>
+    </message>
+    <message>
+        <source>Choose a folder with fewer masks.</source>
+        <translation>Wählen Sie einen Ordner mit weniger Masken.</translation>
+    </message>
+    <message>
+        <source>Choose a folder with masks of one scan.</source>
+        <translation>Wählen Sie einen Ordner mit Masken einer einzigen Aufnahme.</translation>
+    </message>
+    <message>
         <source>Choose a label map: a DICOM segmentation, NIfTI, NRRD or MetaImage.</source>
         <translation>Wählen Sie eine Labelkarte: eine DICOM-Segmentierung, NIfTI, NRRD oder MetaImage.</translation>
     </message>
@@ -4420,10 +4432,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Zoomen</translation>
     </message>
     <message>
-        <source>a label map (%1)</source>
-        <translation>einer Labelkarte (%1)</translation>
-    </message>
-    <message>
         <source>a DICOM segmentation</source>
         <translation>einer DICOM-Segmentierung</translation>
     </message>
@@ -4474,6 +4482,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>a key of its map is there twice, or out of its place</source>
         <translation>ein Schlüssel ihrer Tabelle ist doppelt oder am falschen Platz</translation>
+    </message>
+    <message>
+        <source>a label map (%1)</source>
+        <translation>einer Labelkarte (%1)</translation>
     </message>
     <message>
         <source>a light is a rectangle or a sphere</source>
@@ -5250,6 +5262,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>it holds no image</source>
         <translation>es enthält kein Bild</translation>
+    </message>
+    <message>
+        <source>it holds no label map</source>
+        <translation>er enthält keine Labelkarte</translation>
     </message>
     <message>
         <source>it holds no map</source>
@@ -6638,6 +6654,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the lungs cannot be told from the rest</source>
         <translation>die Lungen sind nicht vom Übrigen zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>the mask has other voxels than those before it</source>
+        <translation>die Maske hat andere Voxel als die vor ihr</translation>
+    </message>
+    <message>
+        <source>the masks have more than %1 labels</source>
+        <translation>die Masken haben mehr als %1 Labels</translation>
     </message>
     <message>
         <source>the measurements do not tell the parts of a frame's time apart</source>

@@ -1346,6 +1346,18 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Elija una carpeta en la que pueda escribir.</translation>
     </message>
     <message>
+        <source>Choose a folder with a NIfTI, NRRD or MetaImage mask of each part.</source>
+        <translation>Elija una carpeta con una máscara NIfTI, NRRD o MetaImage de cada parte.</translation>
+    </message>
+    <message>
+        <source>Choose a folder with fewer masks.</source>
+        <translation>Elija una carpeta con menos máscaras.</translation>
+    </message>
+    <message>
+        <source>Choose a folder with masks of one scan.</source>
+        <translation>Elija una carpeta con máscaras de un solo estudio.</translation>
+    </message>
+    <message>
         <source>Choose a label map: a DICOM segmentation, NIfTI, NRRD or MetaImage.</source>
         <translation>Elija un mapa de etiquetas: una segmentación DICOM, NIfTI, NRRD o MetaImage.</translation>
     </message>
@@ -4420,10 +4432,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>a label map (%1)</source>
-        <translation>un mapa de etiquetas (%1)</translation>
-    </message>
-    <message>
         <source>a DICOM segmentation</source>
         <translation>una segmentación DICOM</translation>
     </message>
@@ -4474,6 +4482,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>a key of its map is there twice, or out of its place</source>
         <translation>una clave de su tabla está repetida o fuera de lugar</translation>
+    </message>
+    <message>
+        <source>a label map (%1)</source>
+        <translation>un mapa de etiquetas (%1)</translation>
     </message>
     <message>
         <source>a light is a rectangle or a sphere</source>
@@ -5250,6 +5262,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>it holds no image</source>
         <translation>no contiene ninguna imagen</translation>
+    </message>
+    <message>
+        <source>it holds no label map</source>
+        <translation>no contiene ningún mapa de etiquetas</translation>
     </message>
     <message>
         <source>it holds no map</source>
@@ -6638,6 +6654,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the lungs cannot be told from the rest</source>
         <translation>los pulmones no se distinguen del resto</translation>
+    </message>
+    <message>
+        <source>the mask has other voxels than those before it</source>
+        <translation>la máscara tiene vóxeles distintos de las anteriores</translation>
+    </message>
+    <message>
+        <source>the masks have more than %1 labels</source>
+        <translation>las máscaras tienen más de %1 etiquetas</translation>
     </message>
     <message>
         <source>the measurements do not tell the parts of a frame's time apart</source>

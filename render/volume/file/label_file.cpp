@@ -122,7 +122,8 @@ void nameParts(LabelMap& map, const ValueLabels& values, const GridFile& grid) {
 
 }  // namespace
 
-Result<LabelMap> readLabelFile(const std::filesystem::path& file, const Progress& progress, const OpenBytes& open) {
+Result<LabelMap> readLabelFile(const std::filesystem::path& file, const Progress& progress, const OpenBytes& open,
+                               Unmarked unmarked) {
     const Result<GridFile> grid = readGridFile(file, open);
     if (!grid)
         return grid.error();
@@ -139,7 +140,7 @@ Result<LabelMap> readLabelFile(const std::filesystem::path& file, const Progress
         if (auto ok = reading.fill(map.labels); !ok)
             return ok.error();
         nameParts(map, reading.values(), *grid);
-        if (map.parts.empty())
+        if (map.parts.empty() && unmarked == Unmarked::refused)
             return noLabels(file, phrase("it marks no voxel"));
         return map;
     } catch (const std::bad_alloc&) {

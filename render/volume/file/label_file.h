@@ -10,12 +10,18 @@
 
 namespace pdr {
 
+/// What becomes of a file that marks no voxel.
+enum class Unmarked {
+    refused,
+    taken,  ///< as a map without parts
+};
+
 /// Reads the labels of `file` on the grid of the file. The parts are those that have voxels, in the order of their
 /// numbers, with the names and colours that the file has for them (label_table.h), or else the standard ones; notes
 /// say how many names have no voxels. If the only number is 1 and has no name, the file's own name is that of the part.
 /// Errors: those of readGridFile() and GridSamples; values that are no labels, being fractions or negative; more than
-/// 255 labels, or none; not enough memory; cancelled().
+/// 255 labels; none, where `unmarked` says so; not enough memory; cancelled().
 Result<LabelMap> readLabelFile(const std::filesystem::path& file, const Progress& progress,
-                               const OpenBytes& open = onDisk);
+                               const OpenBytes& open = onDisk, Unmarked unmarked = Unmarked::refused);
 
 }  // namespace pdr
