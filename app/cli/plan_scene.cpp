@@ -22,6 +22,8 @@ Result<LoadedScene> sceneOfPlan(const Plan& plan, const ScannedVolume& scanned, 
     work.scene.mask = *mask;
     if (*mask)
         work.notes.push_back((*mask)->hidden());
+    if (auto ok = denoiseCt(work, progress); !ok)
+        return ok.error();
     if (auto ok = work.scene.check(); !ok)
         return ok.error();
     return work;

@@ -120,16 +120,6 @@ Result<void> hide(LoadedScene& work, const SceneInput& input, const segment::Bod
     return {};
 }
 
-/// Replaces the voxels that the image shows by denoised ones. Parts of the body are found in the scan itself before.
-Result<void> denoise(LoadedScene& work, const Progress& progress) {
-    auto denoised = ctDenoised(*work.scene.volume, progress);
-    if (!denoised)
-        return denoised.error().in("--ct-denoised");
-    work.scene.volume = std::make_shared<const Volume>(*std::move(denoised));
-    work.notes.push_back("the CT is denoised for this image; no value may be read from it");
-    return {};
-}
-
 /// Sets the exposure so that the tissue lies in the middle of the display range.
 Result<void> expose(LoadedScene& work, const segment::BodyParts& parts, const VolumeGeometry& body) {
     Scene coarse = work.scene;
@@ -192,9 +182,9 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
     const segment::BodyParts parts(work.scene.volume);
     if (auto ok = hide(work, input, parts, partOf(progress, 0.9, 0.95)); !ok)
         return ok.error();
-    if (input.ctDenoised)
-        if (auto ok = denoise(work, partOf(progress, 0.95, 1)); !ok)
-            return ok.error();
+    work.scene.ctDenoised = work.scene.ctDenoised || input.ctDenoised;
+    if (auto ok = denoiseCt(work, partOf(progress, 0.95, 1)); !ok)
+        return input.ctDenoised ? ok.error().in("--ct-denoised") : ok.error();
     if (*look)
         nameLook(work.scene, **look);
     if (input.autoExposure && followsTissue(work.scene.model))
@@ -213,6 +203,17 @@ Result<LoadedScene> loadSceneShown(const SceneInput& input) {
     if (loaded)
         tellNotes(*loaded);
     return loaded;
+}
+
+Result<void> denoiseCt(LoadedScene& work, const Progress& progress) {
+    if (!work.scene.ctDenoised)
+        return {};
+    auto denoised = ctDenoised(*work.scene.volume, progress);
+    if (!denoised)
+        return denoised.error();
+    work.scene.volume = std::make_shared<const Volume>(*std::move(denoised));
+    work.notes.emplace_back("the CT is denoised for this image; no value may be read from it");
+    return {};
 }
 
 void tellNotes(const LoadedScene& loaded) {

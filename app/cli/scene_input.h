@@ -29,7 +29,7 @@ struct SceneInput {
     std::optional<Table> table;        ///< absent: hidden for a folder, as the file says for a scene
     std::optional<Visible> parts;      ///< shown and hidden parts; absent: as the look or the scene file says
     std::optional<double> peelMm;      ///< absent: as the look or the scene file says
-    bool ctDenoised = false;           ///< whether the image shows the scan with less noise
+    bool ctDenoised = false;  ///< the image shows the scan with less noise, also where the scene does not say so
     std::optional<double> exposure;
     std::optional<ToneCurve> toneCurve;  ///< absent: the look's
     bool autoExposure = false;           ///< true: set from the tissue of a small image, as in the window
@@ -55,6 +55,9 @@ struct LoadedScene {
 Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress);
 /// Calls loadScene() with a progress line, and writes the notes to standard error.
 Result<LoadedScene> loadSceneShown(const SceneInput& input);
+/// Replaces the voxels that the image shows by denoised ones if the scene wants that. Parts of the body are found in
+/// the scan itself before. Errors: those of ctDenoised().
+Result<void> denoiseCt(LoadedScene& work, const Progress& progress);
 /// Writes the notes to standard error.
 void tellNotes(const LoadedScene& loaded);
 

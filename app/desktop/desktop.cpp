@@ -10,6 +10,7 @@
 #include "app/presenters/accuracy_presenter.h"
 #include "app/presenters/camera_presenter.h"
 #include "app/presenters/crosshair_presenter.h"
+#include "app/presenters/ct_noise_presenter.h"
 #include "app/presenters/cut_presenter.h"
 #include "app/presenters/effects_presenter.h"
 #include "app/presenters/help_presenter.h"
@@ -98,6 +99,7 @@ void Desktop::addPresenters(const QString& beside, std::filesystem::path powerSu
     add<ViewPresenter>();
     auto& looks = add<LooksPresenter>(beside.isEmpty() ? OwnLooks::usualFolder() : beside + "/looks");
     add<VisiblePresenter>(looks.visibleRow());
+    add<CtNoisePresenter>(looks.panel());
     auto& tissue = add<TissuePresenter>();
     add<LightPresenter>();
     auto& camera = add<CameraPresenter>();

@@ -126,6 +126,7 @@ void Document::closeVolume() {
     hidden_.reset();
     parts_.reset();
     masks_.clear();
+    denoisedScan_.clear();
     scene_.volume.reset();
     scene_.mask.reset();
 }
@@ -203,7 +204,7 @@ void Document::setVisible(const Visible& visible, bool moving) {
 
 void Document::setMask(const Visible& visible, const std::shared_ptr<const Mask>& mask) {
     if (!mask)
-        return visible == setup().look.visible ? fallBackTo({}) : void();
+        return visible == setup().look.visible ? fallBackTo(Visible{}) : void();
     masks_.add(visible, mask);
     if (!hasVolume() || visible != setup().look.visible)
         return;
@@ -215,13 +216,42 @@ void Document::keepVisible() {
     fallBackTo(masks_.shown());
 }
 
-/// Replaces a choice that cannot be shown by `visible`. If the choice was all that its undo step changed, the step is
-/// removed.
+void Document::setCtDenoised(bool denoised) {
+    Look look = setup().look;
+    look.ctDenoised = denoised;
+    setLook(look);
+}
+
+void Document::takeDenoisedCt(const std::shared_ptr<const Volume>& scan,
+                              const std::shared_ptr<const Volume>& denoised) {
+    if (!hasVolume() || scan != seen())
+        return;
+    denoisedScan_.take(scan, denoised);
+    if (!setup().look.ctDenoised)
+        return;
+    show(false);
+    report(plan_, Changes::mask);
+}
+
+void Document::keepNoise() {
+    Look look = setup().look;
+    look.ctDenoised = false;
+    fallBackTo(look);
+}
+
 void Document::fallBackTo(const Visible& visible) {
-    if (visible == setup().look.visible)
+    Look look = setup().look;
+    look.visible = visible;
+    fallBackTo(look);
+}
+
+/// Replaces a choice that cannot be shown by `look`. If the choice was all that its undo step changed, the step is
+/// removed.
+void Document::fallBackTo(const Look& look) {
+    if (look == setup().look)
         return;
     const Plan before = plan_;
-    plan_.image.look.visible = visible;
+    plan_.image.look = look;
     plan_.image = looks_.named(setup(), setup().lookName);
     history_.forgetStepTo(plan_);
     show(false);
@@ -370,15 +400,24 @@ void Document::show(Scene scene, bool moving) {
     emit sceneChanged(scene_, moving);
     if (masks_.shown() != setup().look.visible)
         emit maskWanted(parts_, setup().look.visible);
+    if (setup().look.ctDenoised && !denoisedScan_.of(seen()))
+        emit denoisedCtWanted(scene_.volume);
 }
 
 /// Builds the scene of the plan. Its mask is that of the choice if it is known, else the one shown so far.
 Scene Document::made() {
     masks_.show(setup().look.visible);
-    Scene scene = sceneOf(setup(), seen(), film_);
+    Scene scene = sceneOf(setup(), shownVolume(), film_);
     scene.mask = masks_.mask();
     scene.maskAwaited = masks_.shown() != setup().look.visible;
     return scene;
+}
+
+/// Returns the volume of the plan's scene: what is seen, with less noise if that is wanted and known.
+std::shared_ptr<const Volume> Document::shownVolume() const {
+    std::shared_ptr<const Volume> scan = seen();
+    std::shared_ptr<const Volume> denoised = setup().look.ctDenoised ? denoisedScan_.of(scan) : nullptr;
+    return denoised ? denoised : scan;
 }
 
 std::shared_ptr<const Volume> Document::seen() const {

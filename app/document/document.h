@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/document/denoised_scan.h"
 #include "app/document/part_masks.h"
 #include "app/looks/fitted_looks.h"
 #include "app/plan/history.h"
@@ -120,6 +121,13 @@ class Document : public QObject {
     void setMask(const pdr::Visible& visible, const std::shared_ptr<const pdr::Mask>& mask);
     /// Reports that the requested mask will not come: the choice returns to what the scene shows. No step to undo.
     void keepVisible();
+    /// Sets whether the image shows the CT with less noise. It is a part of the look.
+    void setCtDenoised(bool denoised);
+    /// Takes what denoisedCtWanted() has requested for `scan`. Slices and measurements never see it.
+    void takeDenoisedCt(const std::shared_ptr<const pdr::Volume>& scan,
+                        const std::shared_ptr<const pdr::Volume>& denoised);
+    /// Reports that the requested volume will not come: the image shows the CT as it is. No step to undo.
+    void keepNoise();
     /// Replaces the setup of the image. One step to undo.
     void setSetup(const pdr::ImageSetup& setup);
     void setEstimator(pdr::Estimator estimator);
@@ -155,6 +163,8 @@ class Document : public QObject {
     void displayChanged(const pdr::Display& display);
     /// Requests the mask of the parts that `visible` shows. Until setMask() the scene keeps the mask that it has.
     void maskWanted(const std::shared_ptr<const pdr::segment::BodyParts>& parts, const pdr::Visible& visible);
+    /// Requests `scan` with less noise. Until takeDenoisedCt() the scene shows it as it is.
+    void denoisedCtWanted(const std::shared_ptr<const pdr::Volume>& scan);
 
   private:
     void closeVolume();
@@ -167,6 +177,8 @@ class Document : public QObject {
     void report(const Plan& before, Changes also = Changes::none);
     void show(bool moving);
     void fallBackTo(const Visible& visible);
+    void fallBackTo(const Look& look);
+    std::shared_ptr<const Volume> shownVolume() const;
     Scene made();
     void show(Scene scene, bool moving);
     Framed framed() const;
@@ -187,6 +199,7 @@ class Document : public QObject {
     Plan plan_;  ///< everything that undo restores
     History history_;
     PartMasks masks_;
+    DenoisedScan denoisedScan_;
     bool denoised_ = true;
     ivec2 film_ = Scene{}.film;      ///< size of the scene's film [pixels]
     ivec2 nextFilm_ = Scene{}.film;  ///< size of the next film [pixels]

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace pdr::app {
@@ -19,12 +20,13 @@ struct Part {
     StepName name;  ///< name of a step that changes this part alone; empty: it depends on the values, see nameOf()
 };
 
-/// Returns whether two looks agree in all but tissue, light and visible part.
+/// Returns whether two looks agree in all but tissue, light, visible part and noise of the CT.
 bool agreeOtherwise(Look a, const Look& b) {
     a.transferFunction = b.transferFunction;
     a.rig = b.rig;
     a.environment = b.environment;
     a.visible = b.visible;
+    a.ctDenoised = b.ctDenoised;
     return a == b;
 }
 
@@ -45,6 +47,9 @@ const std::vector<Part>& parts() {
         {Changes::visible,
          [](const Plan& a, const Plan& b) { return a.image.look.visible != b.image.look.visible; },
          {phrase("Undo choosing the visible part"), phrase("Redo choosing the visible part")}},
+        {Changes::ctDenoised,
+         [](const Plan& a, const Plan& b) { return a.image.look.ctDenoised != b.image.look.ctDenoised; },
+         {phrase("Undo switching CT denoising"), phrase("Redo switching CT denoising")}},
         {Changes::otherLook,
          [](const Plan& a, const Plan& b) { return !agreeOtherwise(a.image.look, b.image.look); },
          {}},
@@ -129,7 +134,8 @@ Changes namedParts(Changes changes) {
     const Changes look = changes & Changes::look;
     if (has(look, Changes::lookName))
         return (changes & ~(Changes::look | Changes::brightness)) | Changes::lookName;
-    const bool onePart = look == Changes::tissue || look == Changes::light || look == Changes::visible;
+    constexpr Changes kParts[]{Changes::tissue, Changes::light, Changes::visible, Changes::ctDenoised};
+    const bool onePart = std::ranges::find(kParts, look) != std::end(kParts);
     return look == Changes::none || onePart ? changes : (changes & ~Changes::look) | Changes::lookName;
 }
 

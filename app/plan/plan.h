@@ -35,15 +35,16 @@ enum class Changes : unsigned {
     framing = 1 << 13,  ///< zoom and place of the slices in their views
     window = 1 << 14,   ///< the grey window of the slices
     measurements = 1 << 15,
-    layout = 1 << 20,  ///< which views are shown, and where
+    layout = 1 << 20,      ///< which views are shown, and where
+    ctDenoised = 1 << 22,  ///< whether the CT is shown with less noise
     // What a document holds beside its plan
     series = 1 << 16,   ///< a volume has been opened or closed
     arrival = 1 << 21,  ///< a volume is being read, and its slices can be seen
     looks = 1 << 17,    ///< the list of looks
-    mask = 1 << 18,     ///< the mask of the visible part has arrived
+    mask = 1 << 18,     ///< the mask of the visible part, or the denoised CT, has arrived
     display = 1 << 19,  ///< whether the image is shown denoised
     // Groups
-    look = lookName | tissue | light | visible | otherLook,
+    look = lookName | tissue | light | visible | ctDenoised | otherLook,
     navigation = crosshair | framing | window | layout,
     all = ~0u,
 };

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/presenters/look_text.h"
+#include "render/smooth/non_local_means.h"
 #include "ui/annotation/annotation_text.h"
 #include "ui/text/room_text.h"
 
@@ -20,13 +21,13 @@ ui::Annotations annotations(const Workspace& workspace, const Camera& camera, co
 
 ui::Annotations annotationsOf(const Workspace& workspace, const Frame& frame) {
     return annotations(workspace, frame.camera, frame.lookName,
-                       {{}, frame.maskAwaited, ui::inWords(frame.notShown), frame.clip, {}});
+                       {{}, frame.maskAwaited, ui::inWords(frame.notShown), frame.clip, {}, frame.ctDenoised});
 }
 
 ui::Annotations annotationsOf(const Workspace& workspace, const Scene& scene) {
     const Text notShown = scene.mask ? scene.mask->hidden() : Text();
     return annotations(workspace, scene.camera, scene.lookName,
-                       {{}, scene.maskAwaited, ui::inWords(notShown), scene.clip, {}});
+                       {{}, scene.maskAwaited, ui::inWords(notShown), scene.clip, {}, isCtDenoised(*scene.volume)});
 }
 
 std::optional<ui::Annotations> leaving(ui::Annotations all, ui::Annotate choice) {

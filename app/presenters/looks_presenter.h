@@ -20,6 +20,8 @@ class LooksPresenter : public Presenter {
     void showDocument(Changes changes) override;
     void showFrame(const std::shared_ptr<const Frame>& frame) override;
     void releaseVolume() override;
+    /// The panel of the looks, for the presenter of the CT's noise.
+    ui::LookPanel& panel() { return *panel_; }
     /// The row below the looks, for the presenter of the visible parts.
     ui::VisibleRow& visibleRow() { return *visible_; }
     LookImages& images() { return images_; }

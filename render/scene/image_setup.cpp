@@ -45,6 +45,7 @@ std::optional<ImageSetup> setupOf(const Scene& scene, ImageSetup setup) {
     setup.look.rayOrigin = scene.rayOrigin;
     setup.look.environment = scene.environment;
     setup.look.visible = scene.visible;
+    setup.look.ctDenoised = scene.ctDenoised;
     if (scene.lights.empty())
         for (RigPanel& panel : setup.look.rig.panels)
             panel.radiance = 0;

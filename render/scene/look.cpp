@@ -26,6 +26,7 @@ Scene withLook(Scene scene, const Look& look) {
     scene.lights = panelsOf(look.rig, scene.volume->geometry(), scene.camera);
     scene.environment = look.environment;
     scene.visible = look.visible;
+    scene.ctDenoised = look.ctDenoised;
     return scene;
 }
 

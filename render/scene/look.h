@@ -17,6 +17,7 @@ struct Look {
     Environment environment{vec3(0.1f), false};
     Display display;
     Visible visible;
+    bool ctDenoised = false;  ///< as Scene::ctDenoised
     bool operator==(const Look&) const = default;
 };
 

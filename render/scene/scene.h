@@ -52,6 +52,8 @@ struct Scene {
     Camera camera;
     Clip clip;
     Visible visible;             ///< the choice that `mask` was made for; no image depends on it
+    bool ctDenoised = false;     ///< whether `volume` is to be the scan with less noise (smooth/non_local_means.h) or
+                                 ///< is so already; no image depends on it
     bool maskAwaited = false;    ///< whether `mask` shows another part until it is replaced; no image depends on it
     ivec2 film{512, 512};        ///< pixels; each in [1, kLongestSide]
     int maxBounces = 1000;       ///< multiple scattering: most events on a path; cut paths are counted; [1, 100000]

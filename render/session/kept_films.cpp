@@ -17,6 +17,7 @@ Scene valuesOf(Scene scene) {
     scene.volume = nullptr;
     scene.mask = nullptr;
     scene.visible = {};
+    scene.ctDenoised = false;
     scene.maskAwaited = false;
     scene.revision = 0;
     scene.lookName.clear();

@@ -19,6 +19,7 @@ bool differInViewOnly(Scene a, const Scene& b) {
     a.revision = b.revision;
     a.lookName = b.lookName;
     a.maskAwaited = b.maskAwaited;
+    a.ctDenoised = b.ctDenoised;
     return a == b;
 }
 

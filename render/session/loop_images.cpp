@@ -4,6 +4,7 @@
 
 #include "render/session/known_bias.h"
 #include "render/session/loop.h"
+#include "render/smooth/non_local_means.h"
 
 namespace pdr {
 
@@ -147,6 +148,7 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedImage image, std::uint32_
     frame->camera = scene_.camera;
     frame->notShown = scene_.mask ? scene_.mask->hidden() : Text();
     frame->clip = scene_.clip;
+    frame->ctDenoised = isCtDenoised(*scene_.volume);
     frame->estimator = scene_.estimator;
     // State the progress
     frame->coarse = coarse();

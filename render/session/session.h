@@ -38,6 +38,7 @@ struct Frame {
     bool maskAwaited = false;
     Text notShown;  ///< what the scene's mask hides, in sentences; empty without a mask
     Clip clip;
+    bool ctDenoised = false;  ///< whether the scene's volume is a scan with less noise
     Estimator estimator = Estimator::unbiased;
     bool coarse = false;             ///< first image of an edit or image during interaction; finer ones follow at rest
     ivec2 size{0};                   ///< pixels; fewer than Scene::film if coarse: stretch the image

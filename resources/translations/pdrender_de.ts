@@ -1250,6 +1250,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>CPU</translation>
     </message>
     <message>
+        <source>CT &amp;denoised</source>
+        <translation>CT &amp;entrauscht</translation>
+    </message>
+    <message>
         <source>CT denoised</source>
         <translation>CT entrauscht</translation>
     </message>
@@ -3206,6 +3210,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Wiederholen: Tisch zeigen</translation>
     </message>
     <message>
+        <source>Redo switching CT denoising</source>
+        <translation>Wiederholen: Entrauschen der CT umschalten</translation>
+    </message>
+    <message>
         <source>Redo turning the view</source>
         <translation>Wiederholen: Ansicht drehen</translation>
     </message>
@@ -3612,6 +3620,12 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Shows or hides what is solid, outside the body and thinner than 20 mm.</source>
         <translation>Zeigt oder verbirgt, was fest ist, außerhalb des Körpers liegt und dünner als 20 mm ist.</translation>
+    </message>
+    <message>
+        <source>Shows the CT with less noise than it has. Slices and measurements stay as they are.
+It takes as much memory again as the voxels of the scan.</source>
+        <translation>Zeigt die CT mit weniger Rauschen, als sie hat. Schichten und Messungen bleiben, wie sie sind.
+Das braucht noch einmal so viel Speicher wie die Voxel der Aufnahme.</translation>
     </message>
     <message>
         <source>Shows the denoised or the raw image.</source>
@@ -4194,6 +4208,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Undo showing the table</source>
         <translation>Rückgängig: Tisch zeigen</translation>
+    </message>
+    <message>
+        <source>Undo switching CT denoising</source>
+        <translation>Rückgängig: Entrauschen der CT umschalten</translation>
     </message>
     <message>
         <source>Undo that side or plane of the cut</source>

@@ -1250,6 +1250,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>CPU</translation>
     </message>
     <message>
+        <source>CT &amp;denoised</source>
+        <translation>&amp;Reducir ruido de la TC</translation>
+    </message>
+    <message>
         <source>CT denoised</source>
         <translation>Ruido de la TC reducido</translation>
     </message>
@@ -3206,6 +3210,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Rehacer: mostrar la mesa</translation>
     </message>
     <message>
+        <source>Redo switching CT denoising</source>
+        <translation>Rehacer: cambiar la reducción de ruido de la TC</translation>
+    </message>
+    <message>
         <source>Redo turning the view</source>
         <translation>Rehacer: girar la vista</translation>
     </message>
@@ -3612,6 +3620,12 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Shows or hides what is solid, outside the body and thinner than 20 mm.</source>
         <translation>Muestra u oculta lo que es sólido, está fuera del cuerpo y tiene menos de 20 mm de grosor.</translation>
+    </message>
+    <message>
+        <source>Shows the CT with less noise than it has. Slices and measurements stay as they are.
+It takes as much memory again as the voxels of the scan.</source>
+        <translation>Muestra la TC con menos ruido del que tiene. Los cortes y las mediciones quedan como están.
+Requiere otra vez tanta memoria como los vóxeles del estudio.</translation>
     </message>
     <message>
         <source>Shows the denoised or the raw image.</source>
@@ -4194,6 +4208,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Undo showing the table</source>
         <translation>Deshacer: mostrar la mesa</translation>
+    </message>
+    <message>
+        <source>Undo switching CT denoising</source>
+        <translation>Deshacer: cambiar la reducción de ruido de la TC</translation>
     </message>
     <message>
         <source>Undo that side or plane of the cut</source>

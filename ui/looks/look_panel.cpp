@@ -29,6 +29,12 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     connect(&brightness_, &QSlider::valueChanged, this, choose);
     connect(&brightness_, &QSlider::sliderReleased, this, choose);
 
+    ctDenoised_.setText(tr("CT &denoised"));
+    ctDenoised_.setToolTip(
+        tr("Shows the CT with less noise than it has. Slices and measurements stay as they are.\n"
+           "It takes as much memory again as the voxels of the scan."));
+    connect(&ctDenoised_, &QCheckBox::clicked, this, &LookPanel::ctDenoisedChosen);
+
     pause_.setAccessibleName(tr("Pause"));
     pause_.setToolTip(tr("Pause or continue rendering (Space)"));
     pause_.setCheckable(true);
@@ -39,7 +45,7 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     brightnessLabel->setBuddy(&brightness_);
 
     // A click leaves the keyboard focus with the image, so that Space continues to pause; Tab still reaches everything.
-    for (QWidget* control : std::initializer_list<QWidget*>{&brightness_, &pause_})
+    for (QWidget* control : std::initializer_list<QWidget*>{&brightness_, &ctDenoised_, &pause_})
         control->setFocusPolicy(Qt::TabFocus);
 
     scroll_.setWidget(&gallery_);
@@ -62,8 +68,9 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     column->addWidget(&doesNotShow_);
     column->addWidget(brightnessLabel);
     column->addWidget(&brightness_);
+    column->addWidget(&ctDenoised_);
     column->addWidget(&pause_);
-    gallery_.setNeighbours(&menu_, {&brightness_, &pause_});
+    gallery_.setNeighbours(&menu_, {&brightness_, &ctDenoised_, &pause_});
 }
 
 void LookPanel::setLook(int index) {
@@ -79,6 +86,11 @@ void LookPanel::setDoesNotShow(const QString& sentence) {
 void LookPanel::setBrightness(double stops) {
     const QSignalBlocker silent(this);
     brightness_.setValue(int(std::lround(stops * kStepsPerStop)));
+}
+
+void LookPanel::setCtDenoised(bool denoised, bool offered) {
+    ctDenoised_.setChecked(denoised);
+    ctDenoised_.setEnabled(offered);
 }
 
 void LookPanel::setPaused(bool paused) {

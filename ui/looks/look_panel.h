@@ -2,6 +2,7 @@
 /// The panel for the volume's appearance: the gallery of looks, what the current one does not show, brightness, and
 /// whether rendering is paused. Setters emit no signals.
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -27,6 +28,8 @@ class LookPanel : public QWidget {
     void setDoesNotShow(const QString& sentence);
     /// Sets the brightness in stops, clamped to [-4, 4]: one more is twice as bright, 0 is as the look defines it.
     void setBrightness(double stops);
+    /// Sets whether the CT is shown with less noise, and whether that can be chosen.
+    void setCtDenoised(bool denoised, bool offered);
     void setPaused(bool paused);
 
     QSize sizeHint() const override { return {230, 400}; }
@@ -36,6 +39,7 @@ class LookPanel : public QWidget {
     /// Reports the chosen brightness [stops]. `moving`: the slider is still held down; the last report of a gesture
     /// comes with false.
     void brightnessChosen(double stops, bool moving);
+    void ctDenoisedChosen(bool denoised);
     void pauseChosen(bool paused);
 
   private:
@@ -43,6 +47,7 @@ class LookPanel : public QWidget {
     LookGallery gallery_;
     QLabel doesNotShow_;
     QSlider brightness_;
+    QCheckBox ctDenoised_;
     LookMenu menu_;
     QPushButton pause_;
 };

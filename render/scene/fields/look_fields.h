@@ -27,6 +27,7 @@ void describe(Visit& visit, Look& look) {
                 "proportion, then towards white; or `perChannel`, each alone, which turns bright ivory yellow"},
                look.display.curve, kToneCurveWords);
     visit.object({"visible", "which part of the patient is shown"}, look.visible);
+    visit({"ctDenoised", "whether the CT is shown with less noise than it has; images say so"}, look.ctDenoised);
 }
 
 template <class Visit>

@@ -71,6 +71,7 @@ void describe(Visit& visit, Scene& scene) {
     visit.object({"camera", "from where it is seen", {}, kRequired}, scene.camera);
     visit.object({"clip", "what is cut away"}, scene.clip);
     visit.object({"visible", "which part of the patient is shown"}, scene.visible);
+    visit({"ctDenoised", "whether the CT is shown with less noise than it has; images say so"}, scene.ctDenoised);
     visit.object({"film", "the size of the image"}, film);
     visit({"maxBounces",
            "`multipleScattering`: events on a path, at most; paths that are cut there are counted and reported",

@@ -60,6 +60,11 @@ class CliImagesTest : public QObject {
         QCOMPARE(denoised.code, 0);
         QVERIFY(denoised.err.contains("the CT is denoised for this image"));
         QCOMPARE(QImage(at("ct.png")).text("pdrender/remarks"), QString("CT denoised"));
+        QByteArray wanting = BallScene::contents(scene());
+        wanting.replace("\"camera\"", "\"ctDenoised\": true, \"camera\"");
+        BallScene::write(at("quiet.json"), wanting);
+        QCOMPARE(BallScene::run({"render", at("quiet.json"), "-o", at("ct.png"), "--samples", "2"}).code, 0);
+        QCOMPARE(QImage(at("ct.png")).text("pdrender/remarks"), QString("CT denoised"));
     }
 
     /// What is printed is true of the file.
