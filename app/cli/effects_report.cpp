@@ -60,7 +60,7 @@ QJsonObject object(const TriedEffect& tried) {
 
 std::string verdictText(const TriedEffect& tried) {
     if (!tried.effect.needed)
-        return "off";
+        return tried.effect.bringIn ? "left out" : "off";
     return tried.effect.couldBeLeftOut || tried.couldBeLeftOut() ? "could be left out" : "needed";
 }
 

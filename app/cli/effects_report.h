@@ -18,7 +18,8 @@ struct EffectsReport {
     std::vector<TriedModel> models;  ///< costs of the scene under each model
 };
 
-/// Returns "needed", "off" or "could be left out". The last is an effect that is enabled but changes nothing visible.
+/// Returns "needed", "off", "left out" (by choice: the image would change with it) or "could be left out". The last is
+/// an effect that is enabled but changes nothing visible.
 std::string verdictText(const TriedEffect& tried);
 
 /// Returns a table of all effects, including those that are off, and a table of models. Milliseconds are processor

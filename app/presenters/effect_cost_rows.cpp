@@ -87,7 +87,7 @@ ui::EffectRows effectRows(const EffectCosts& effectCosts, const QStringList& lef
     if (effectCosts.effects.empty())
         return rows;
     for (const TriedEffect& tried : effectCosts.effects)
-        if (tried.effect.needed)
+        if (tried.effect.needed || tried.canBeTried())
             rows.needed << rowOf(tried, effectCosts.complete);
         else
             rows.off << ui::inWords(tried.effect.name) + ": " + ui::inWords(tried.effect.reason);

@@ -13,6 +13,8 @@ namespace {
 
 constexpr float kSharpPhase = 0.5f;  ///< |g| from which scattering counts as sharper than lights are large
 
+constexpr int kManyEvents = 64;  ///< number of events after which the next one changes nothing visible
+
 bool isBlack(vec3 colour) {
     return colour == vec3(0);
 }
@@ -155,6 +157,17 @@ Effect surfaces(const Subject& subject) {
     return effect(name, surfacesCanShow(subject), phrase("the gradient factor is above 0"),
                   phrase("at this gradient factor no edge is ever steep enough"), kSurface,
                   [](Scene& s) { s.gradientFactor = 0; });
+}
+
+Effect softEdges(const Subject& subject) {
+    const Text name = phrase("light from outside soft edges");
+    if (!surfaces(subject).needed)
+        return off(name, phrase("there are no surfaces"));
+    const bool outside = subject.scene.rayOrigin == RayOrigin::outsideEdge;
+    return effect(name, outside && subject.scene.estimator != Estimator::kroesMarch,
+                  phrase("rays to the light leave surfaces one voxel out"),
+                  phrase("rays to the light start at their event"), 0,
+                  [](Scene& s) { s.rayOrigin = RayOrigin::event; });
 }
 
 Effect highlights(const Subject& subject) {
@@ -302,15 +315,48 @@ Effect bounces(const Subject& subject) {
                   [](Scene& s) { s.model = Model::singleScattering; });
 }
 
+/// The first event that paths do not have: later ones are cut off at maxBounces, or are not part of the model.
+Effect oneMoreEvent(const Subject& subject) {
+    const Text name = phrase("one more event");
+    const Scene& scene = subject.scene;
+    const int events = scene.model == Model::singleScattering ? 1 : scene.maxBounces;
+    if (isProjection(scene.model))
+        return off(name, phrase("the model does not scatter"));
+    if (scene.estimator == Estimator::kroesMarch)
+        return off(name, phrase("the march has one event on a path"));
+    if (events >= kManyEvents)
+        return off(name, phrase("paths have as many events as they need"));
+    if (const Text why = whyNothingScatters(subject); !why.empty())
+        return off(name, why);
+    Effect more = off(name, events == 1 ? phrase("paths have one event") : phrase("paths have %1 events", events));
+    more.bringIn = [](Scene& s) {
+        s.maxBounces = s.model == Model::singleScattering ? 2 : s.maxBounces + 1;
+        s.model = Model::multipleScattering;
+    };
+    return more;
+}
+
 }  // namespace
 
 std::vector<Effect> needs(const Scene& scene) {
     const Subject subject(scene);
     return {
-        shadows(subject),      surfaces(subject),   highlights(subject),   directedScattering(subject),
-        placedLights(subject), lightsInView(scene), surroundings(subject), alongScatter(subject),
-        background(scene),     emission(subject),   depthOfField(scene),   clipping(scene),
-        hiding(scene),         bounces(subject),
+        shadows(subject),
+        surfaces(subject),
+        softEdges(subject),
+        highlights(subject),
+        directedScattering(subject),
+        placedLights(subject),
+        lightsInView(scene),
+        surroundings(subject),
+        alongScatter(subject),
+        background(scene),
+        emission(subject),
+        depthOfField(scene),
+        clipping(scene),
+        hiding(scene),
+        bounces(subject),
+        oneMoreEvent(subject),
     };
 }
 

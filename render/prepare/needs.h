@@ -18,6 +18,8 @@ struct Effect {
     std::uint32_t features = 0;  ///< bits of kernel/features.h that it compiles in; 0: a number in the kernel decides
     /// Changes a scene so that it does without the effect; null if nothing in a scene can.
     void (*leaveOut)(Scene&) = nullptr;
+    /// Changes a scene so that it has the effect, which is off by choice and not for lack of influence; null otherwise.
+    void (*bringIn)(Scene&) = nullptr;
     bool couldBeLeftOut = false;  ///< needed only so that the samples do not change: it does not affect the scene
 };
 

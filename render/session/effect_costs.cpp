@@ -15,7 +15,7 @@ constexpr int kWantedIterations = 8;
 }  // namespace
 
 bool TriedEffect::couldBeLeftOut() const {
-    return trial && verdictOf(trial->share) != CostVerdict::saves && isUnseen(trial->change);
+    return effect.needed && trial && verdictOf(trial->share) != CostVerdict::saves && isUnseen(trial->change);
 }
 
 Calibration::Calibration(Scene scene, const Display& display, const DevicePair& devices, const Effort& effort)

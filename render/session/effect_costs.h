@@ -15,10 +15,11 @@ namespace pdr {
 
 struct TriedEffect {
     Effect effect;
-    std::optional<EffectTrial> trial;  ///< result if the effect is needed and can be left out; none: not measured yet
+    std::optional<EffectTrial> trial;  ///< result if the effect can be tried; none: not measured yet
     bool ofViewBefore = false;         ///< the trial is that of an earlier view of the same scene
 
-    bool canBeTried() const { return effect.needed && effect.leaveOut != nullptr; }
+    /// Returns whether it is needed and can be left out, or is left out by choice and can be brought in.
+    bool canBeTried() const { return effect.needed ? effect.leaveOut != nullptr : effect.bringIn != nullptr; }
     /// Returns whether rendering takes no longer without the effect and nobody would see a difference.
     bool couldBeLeftOut() const;
 };

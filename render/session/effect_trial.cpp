@@ -21,8 +21,15 @@ std::uint32_t iterationsFor(double secondsOfARound, double budgetSeconds) {
     return std::uint32_t(std::clamp(fitting, 1.0, double(kMostIterations)));
 }
 
-Scene leanScene(const Effect& effect, Scene scene) {
-    effect.leaveOut(scene);
+Scene sceneWith(const Effect& effect, Scene scene) {
+    if (!effect.needed)
+        effect.bringIn(scene);
+    return scene;
+}
+
+Scene sceneWithout(const Effect& effect, Scene scene) {
+    if (effect.needed)
+        effect.leaveOut(scene);
     return scene;
 }
 
@@ -113,7 +120,7 @@ bool isUnseen(const ImageChange& change) {
 }
 
 EffectTrying::EffectTrying(const Effect& effect, const Scene& scene, const DevicePair& devices, double budgetSeconds)
-    : EffectTrying(scene, leanScene(effect, scene), devices, budgetSeconds) {}
+    : EffectTrying(sceneWith(effect, scene), sceneWithout(effect, scene), devices, budgetSeconds) {}
 
 EffectTrying::EffectTrying(const Scene& with, const Scene& without, const DevicePair& devices, double budgetSeconds)
     : with_(with, devices.with, TrialImage::Use::alone),

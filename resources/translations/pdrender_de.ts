@@ -5614,6 +5614,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Licht von allen Seiten</translation>
     </message>
     <message>
+        <source>light from outside soft edges</source>
+        <translation>Licht von außerhalb weicher Ränder</translation>
+    </message>
+    <message>
         <source>light is let through everything, to see what shadows do</source>
         <translation>Licht geht durch alles hindurch, um zu sehen, was Schatten bewirken</translation>
     </message>
@@ -6026,6 +6030,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>an einem Bild von %1 × %2 Pixeln auf der CPU (%3)</translation>
     </message>
     <message>
+        <source>one more event</source>
+        <translation>ein Ereignis mehr</translation>
+    </message>
+    <message>
         <source>one of its code tables has more codes than there can be</source>
         <translation>eine seiner Codetabellen hat mehr Codes, als es geben kann</translation>
     </message>
@@ -6082,6 +6090,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Teile mit einem Namen und ohne Voxel: %1</translation>
     </message>
     <message>
+        <source>paths have %1 events</source>
+        <translation>Wege haben %1 Ereignisse</translation>
+    </message>
+    <message>
+        <source>paths have as many events as they need</source>
+        <translation>Wege haben so viele Ereignisse, wie sie brauchen</translation>
+    </message>
+    <message>
+        <source>paths have one event</source>
+        <translation>Wege haben ein Ereignis</translation>
+    </message>
+    <message>
         <source>paused</source>
         <translation>angehalten</translation>
     </message>
@@ -6112,6 +6132,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>rays less exact than asked for</source>
         <translation>Strahlen, die weniger genau sind als verlangt</translation>
+    </message>
+    <message>
+        <source>rays to the light leave surfaces one voxel out</source>
+        <translation>Strahlen zum Licht verlassen Oberflächen ein Voxel weiter außen</translation>
+    </message>
+    <message>
+        <source>rays to the light start at their event</source>
+        <translation>Strahlen zum Licht beginnen bei ihrem Ereignis</translation>
     </message>
     <message>
         <source>reading headers</source>
@@ -6680,6 +6708,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the masks have more than %1 labels</source>
         <translation>die Masken haben mehr als %1 Labels</translation>
+        <source>the march has one event on a path</source>
+        <translation>der Marsch hat ein Ereignis je Weg</translation>
     </message>
     <message>
         <source>the measurements do not tell the parts of a frame's time apart</source>

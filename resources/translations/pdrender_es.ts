@@ -5614,6 +5614,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>luz de todos los lados</translation>
     </message>
     <message>
+        <source>light from outside soft edges</source>
+        <translation>luz desde fuera de los bordes suaves</translation>
+    </message>
+    <message>
         <source>light is let through everything, to see what shadows do</source>
         <translation>la luz lo atraviesa todo, para ver qué hacen las sombras</translation>
     </message>
@@ -6026,6 +6030,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>en una imagen de %1 × %2 píxeles en la CPU (%3)</translation>
     </message>
     <message>
+        <source>one more event</source>
+        <translation>un evento más</translation>
+    </message>
+    <message>
         <source>one of its code tables has more codes than there can be</source>
         <translation>una de sus tablas de códigos tiene más códigos de los posibles</translation>
     </message>
@@ -6082,6 +6090,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>partes que tienen nombre y ningún vóxel: %1</translation>
     </message>
     <message>
+        <source>paths have %1 events</source>
+        <translation>los caminos tienen %1 eventos</translation>
+    </message>
+    <message>
+        <source>paths have as many events as they need</source>
+        <translation>los caminos tienen tantos eventos como necesitan</translation>
+    </message>
+    <message>
+        <source>paths have one event</source>
+        <translation>los caminos tienen un evento</translation>
+    </message>
+    <message>
         <source>paused</source>
         <translation>en pausa</translation>
     </message>
@@ -6112,6 +6132,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>rays less exact than asked for</source>
         <translation>rayos menos exactos de lo pedido</translation>
+    </message>
+    <message>
+        <source>rays to the light leave surfaces one voxel out</source>
+        <translation>los rayos hacia la luz salen de las superficies un vóxel más afuera</translation>
+    </message>
+    <message>
+        <source>rays to the light start at their event</source>
+        <translation>los rayos hacia la luz empiezan en su evento</translation>
     </message>
     <message>
         <source>reading headers</source>
@@ -6680,6 +6708,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the masks have more than %1 labels</source>
         <translation>las máscaras tienen más de %1 etiquetas</translation>
+        <source>the march has one event on a path</source>
+        <translation>la marcha tiene un evento por camino</translation>
     </message>
     <message>
         <source>the measurements do not tell the parts of a frame's time apart</source>

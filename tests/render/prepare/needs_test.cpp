@@ -277,6 +277,42 @@ class NeedsTest : public QObject {
         }
     }
 
+    /// The next event on a path is left out by choice: a scene can be given it, one at a time, as long as it may show.
+    void oneMoreEventCanBeBroughtIn() {
+        Scene scene = plain();
+        for (const int events : {2, 3}) {
+            const Effect more = effect(scene, "one more event");
+            QVERIFY(!more.needed && more.bringIn != nullptr);
+            more.bringIn(scene);
+            QVERIFY(scene.model == Model::multipleScattering && bool(scene.check()));
+            QCOMPARE(scene.maxBounces, events);
+        }
+        Scene many = scene, dark = plain(), march = plain(), projection = plain();
+        many.maxBounces = 1000;
+        dark.lights.clear();
+        march.estimator = Estimator::kroesMarch;
+        projection.model = Model::emission;
+        for (const Scene& none : {many, dark, march, projection})
+            QVERIFY(effect(none, "one more event").bringIn == nullptr);
+    }
+
+    /// The model in which rays leave surfaces outside their soft edge is told apart from the exact one.
+    void raysFromOutsideSoftEdgesCanBeLeftOut() {
+        const std::string name = "light from outside soft edges";
+        Scene scene = plain();
+        scene.rayOrigin = RayOrigin::outsideEdge;
+        QVERIFY(!effect(scene, name).needed);  // no surfaces
+        scene.gradientFactor = 3;
+        const Effect outside = effect(scene, name);
+        QVERIFY(outside.needed);
+        Scene exact = scene;
+        outside.leaveOut(exact);
+        QVERIFY(exact.rayOrigin == RayOrigin::event && !effect(exact, name).needed);
+        QVERIFY(!sameBits(test::render(scene, 32), test::render(exact, 32)));
+        scene.estimator = Estimator::kroesMarch;
+        QVERIFY(!effect(scene, name).needed);
+    }
+
     void effectsWithInfluenceChangeTheImage() {
         const Film lean = renderedWith(plain(), 0);
         for (const Case& one : onePerEffect())

@@ -50,8 +50,10 @@ class EffectCostsTest : public QObject {
             QVERIFY(isOrdered(row.trial->change.mean) && isOrdered(row.trial->change.ninetyFifth));
             QVERIFY(row.trial->time && isOrdered(*row.trial->time));
             QVERIFY(row.trial->share.high < 1);
+            if (row.effect.name == "one more event")  // is not there, and is measured as if it were
+                QVERIFY(!row.effect.needed && row.trial->change.mean.low > 1 && row.trial->share.middle > 0);
         }
-        QCOMPARE(tried, 2);
+        QCOMPARE(tried, 3);
     }
 
     /// A few bright pixels are seen, however many dark ones there are.
@@ -68,6 +70,8 @@ class EffectCostsTest : public QObject {
         QVERIFY(!row.couldBeLeftOut());
         row.trial.reset();
         QVERIFY(!row.couldBeLeftOut());
+        const TriedEffect left{needs(litBumps()).back(), EffectTrial{}};  // one more event, which is not there
+        QVERIFY(!left.effect.needed && !left.couldBeLeftOut());
     }
 
     void aSceneWithoutEffectsIsDoneAtOnce() {
