@@ -99,7 +99,7 @@ class LooksTest : public QObject {
         std::ranges::sort(saturations);
         const double hue = hues[hues.size() / 2], saturation = saturations[saturations.size() / 2];
         qInfo("hue %.1f degrees, saturation %.2f", hue, saturation);
-        QVERIFY(hue > 30 && hue < 45 && saturation > 0.4);
+        QVERIFY(hue > 30 && hue < 45 && saturation > 0.35);
     }
 
     void everyScanHasALookToBeginWith() {
