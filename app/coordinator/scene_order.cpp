@@ -76,6 +76,9 @@ bool fill(T& values, std::span<const std::byte> bytes) {
 }  // namespace
 
 Result<OutgoingScene> outgoingScene(std::uint64_t number, const Scene& scene, const HashOf& hashOf) {
+    if (scene.parts.map)
+        return Error{phrase("images with materials of parts are not sent to render nodes yet"), "",
+                     phrase("It is rendered on this machine alone.")};
     OutgoingScene going;
     const auto add = [&](const auto& owner, std::span<const std::byte> bytes) {
         going.contents.push_back({hashOf(owner, bytes), owner, bytes});

@@ -35,6 +35,7 @@ struct FlatTransferFunction {
     const std::uint16_t* pieceAt;
     int pieceCount;
     float extinctionPerMm;
+    int firstPiece;  ///< row of its first piece in FlatOptics::table
 };
 
 /// Values on a grid, interpolated trilinearly between its voxels.
@@ -63,6 +64,18 @@ struct FlatMask : FlatGrid {
     ivec3 shift;
     vec3 nodesPerVoxel;  ///< 2^-shift
 };
+
+/// The curves of parts of the patient (scene/parts.h). At a position the curves of the eight voxels around it are mixed
+/// by trilinear interpolation. Without parts `labels` is null.
+struct FlatParts {
+    const std::uint8_t* labels;          ///< of each voxel, in the order of the volume's
+    const std::uint8_t* curveOf;         ///< 256 entries: the number of each label's curve; 0: the scene's own
+    const std::uint8_t* onlyCurve;       ///< the curve of all voxels of each fine cell, or kMixedCell
+    const FlatTransferFunction* curves;  ///< all curves, the scene's own first
+    int curveCount;
+};
+/// FlatParts::onlyCurve of a fine cell whose voxels have several curves, or the last of 256.
+inline constexpr int kMixedCell = 255;
 
 /// Upper bounds on the extinction [1/mm] in the cells of a two-level grid; volume/ranges.h defines where the cells lie.
 struct FlatMajorants {
@@ -166,9 +179,9 @@ inline constexpr int kOpticsColumns = int(OpticsColumn::sourceRise) + 3;
 /// Tables and constants of the models without scattering.
 struct FlatOptics {
     FlatModel model;
-    const float* table;           ///< kOpticsColumns columns of `stride` entries, one per piece of the curve
+    const float* table;           ///< kOpticsColumns columns of `stride` entries, one per piece of each curve
     int stride;                   ///< pieces, rounded up to a multiple of kLanes
-    float clearUpTo, clearFrom;   ///< HU below clearUpTo and HU at or above clearFrom have no extinction
+    float clearUpTo, clearFrom;   ///< no curve has extinction below clearUpTo and from clearFrom on
     float rounding;               ///< error bound of interpolation in single precision [HU]
     float quadrature;             ///< tolerated error of the sum along a ray, as a fraction of the ray's radiance
     float cutOff;                 ///< fraction of a ray's radiance that may be omitted at its end
@@ -182,6 +195,7 @@ struct FlatScene {
     FlatVolume volume;
     FlatMask mask;
     FlatTransferFunction transferFunction;
+    FlatParts parts;
     FlatMajorants majorants;
     FlatOptics optics;
     FlatCamera camera;

@@ -2,6 +2,7 @@
 /// The medium: opacity, extinction and material as functions of the HU.
 
 #include "render/kernel/mask.h"
+#include "render/kernel/parts.h"
 
 namespace pdr {
 
@@ -58,11 +59,63 @@ PDR_HD_INLINE Real extinctionOf(const FlatTransferFunction& function, Real hu) {
     return function.extinctionPerMm * opacityIn(pieceHolding(function, hu), hu);
 }
 
-/// Returns the extinction at `position` (index space) [1/mm]: that of the tissue times its visibility weight.
+/// Where a position lies between voxels: the lowest corner of its cell, and the fractions of the cell.
+struct PlaceInCell {
+    ivec3 corner;
+    vec3 fraction;
+};
+
+PDR_HD inline PlaceInCell placeInCell(const FlatGrid& volume, vec3 position) {
+    const vec3 inside = glm::min(glm::max(position, vec3(0)), volume.lastIndex);
+    const ivec3 corner(glm::min(inside, volume.lastCorner));
+    return {corner, inside - vec3(corner)};
+}
+
+/// Returns the extinction of each corner's curve at `hu` [1/mm].
+PDR_HD inline VoxelCell<float> cornerExtinctions(const FlatScene& scene, const CornerCurves& corners, float hu) {
+    VoxelCell<float> extinctions{};
+    for (int n = 0; n < 8; ++n) {
+        int same = 0;  // most cells have few curves
+        while (corners.curve[same] != corners.curve[n])
+            ++same;
+        extinctions.hu[n] = same < n ? extinctions.hu[same] : extinctionOf(scene.parts.curves[corners.curve[n]], hu);
+    }
+    return extinctions;
+}
+
+/// Returns the extinction at a position with `hu` where parts have curves of their own [1/mm].
+PDR_HD inline float partedExtinction(const FlatScene& scene, const Vec3<float>& position, float hu) {
+    const PlaceInCell place = placeInCell(scene.volume, vec3(position.x, position.y, position.z));
+    const int only = onlyCurve(scene, place.corner);
+    if (only != kSeveralCurves)
+        return extinctionOf(scene.parts.curves[only], hu);
+    const VoxelCell<float> corners = cornerExtinctions(scene, cornerCurves(scene, place.corner), hu);
+    return trilinear(corners, {place.fraction.x, place.fraction.y, place.fraction.z});
+}
+
+#if !defined(__CUDACC__)
+
+inline FloatLanes partedExtinction(const FlatScene& scene, const Vec3<FloatLanes>& position, FloatLanes hu) {
+    FloatLanes extinction;
+    for (int lane = 0; lane < kLanes; ++lane)
+        extinction[lane] = partedExtinction(scene, {position.x[lane], position.y[lane], position.z[lane]}, hu[lane]);
+    return extinction;
+}
+
+#endif
+
+/// Returns the extinction at a `position` (index space) with `hu` [1/mm]: that of the tissue times its visibility
+/// weight.
+template <class Real>
+PDR_HD_INLINE Real extinction(const FlatScene& scene, const Vec3<Real>& position, Real hu) {
+    const Real whole =
+        hasParts(scene) ? partedExtinction(scene, position, hu) : extinctionOf(scene.transferFunction, hu);
+    return isMasked(scene) ? whole * weightAt(scene, position) : whole;
+}
+
 template <class Real>
 PDR_HD_INLINE Real extinction(const FlatScene& scene, const Vec3<Real>& position) {
-    const Real whole = extinctionOf(scene.transferFunction, hounsfield(scene.volume, position));
-    return isMasked(scene) ? whole * weightAt(scene, position) : whole;
+    return extinction(scene, position, hounsfield(scene.volume, position));
 }
 
 PDR_HD inline float extinction(const FlatScene& scene, vec3 position) {
@@ -78,6 +131,37 @@ PDR_HD_INLINE Material materialAt(const FlatTransferFunction& function, float hu
     const float fraction = width < 1e6f ? (hu - piece.start) / width : 0.0f;  // the outermost pieces are constant
     return {glm::mix(a.albedo, b.albedo, fraction), glm::mix(a.emission, b.emission, fraction),
             glm::mix(a.specular, b.specular, fraction), glm::mix(a.roughness, b.roughness, fraction)};
+}
+
+/// Returns the curve whose tissue light meets at `position` (index space), where the HU are `hu`: each curve with the
+/// probability of its share of the extinction. `u` decides, and is uniform again afterwards.
+PDR_HD_INLINE const FlatTransferFunction& curveMet(const FlatScene& scene, vec3 position, float hu, float& u) {
+    if (!hasParts(scene))
+        return scene.transferFunction;
+    const PlaceInCell place = placeInCell(scene.volume, position);
+    const int only = onlyCurve(scene, place.corner);
+    if (only != kSeveralCurves)
+        return scene.parts.curves[only];
+    const CornerCurves corners = cornerCurves(scene, place.corner);
+    const VoxelCell<float> extinctions = cornerExtinctions(scene, corners, hu);
+    const vec3 f = place.fraction;
+    float shares[8], sum = 0;
+    for (int n = 0; n < 8; ++n) {
+        shares[n] = extinctions.hu[n] * (n & 1 ? f.x : 1 - f.x) * (n & 2 ? f.y : 1 - f.y) * (n & 4 ? f.z : 1 - f.z);
+        sum += shares[n];
+    }
+    float left = u * sum;
+    int met = 0;
+    for (int n = 0; n < 8; ++n)
+        if (shares[n] > 0) {
+            met = n;
+            if (left < shares[n])
+                break;
+            left -= shares[n];
+        }
+    if (shares[met] > 0)
+        u = glm::min(left / shares[met], 1 - 0x1p-24f);
+    return scene.parts.curves[corners.curve[met]];
 }
 
 }  // namespace pdr

@@ -88,7 +88,14 @@ bool sameMajorants(const PreparedScene& a, const PreparedScene& b) {
     const auto highestHu = [](const PreparedScene& scene) {
         return scene.flat.optics.model == FlatModel::maximumIntensity;
     };
-    return a.volume == b.volume && a.mask == b.mask && a.tables.sameOpacity(b.tables) && highestHu(a) == highestHu(b);
+    return a.volume == b.volume && a.mask == b.mask && a.tables.sameOpacity(b.tables) && a.parts.sameOpacity(b.parts) &&
+           highestHu(a) == highestHu(b);
+}
+
+std::span<const FlatTransferFunction> curvesOf(const PreparedScene& scene) {
+    if (scene.parts.empty())
+        return {&scene.flat.transferFunction, 1};
+    return scene.parts.curves;
 }
 
 std::shared_ptr<const PreparedScene> Flattener::prepare(const Scene& scene) {
@@ -110,6 +117,8 @@ std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
     prepared->volume = scene.volume;
     prepared->tables = TransferTables(scene.transferFunction);
     prepared->flat.transferFunction = prepared->tables.flat();
+    prepared->parts.take(scene.parts, scene.transferFunction, last_ ? &last_->parts : nullptr);
+    prepared->flat.parts = prepared->parts.flat();
     flattenVolume(prepared->flat.volume, *scene.volume);
     prepared->seen = {scene.clip.freehand, scene.mask, scene.volume->geometry(), last_ ? &last_->seen : nullptr};
     prepared->mask = prepared->seen.mask();
@@ -129,7 +138,8 @@ std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
     FlatScene& flat = prepared->flat;
     // Set the numbers and flags that select effects in the kernel.
     flat.fastFiltering = scene.filtering == Filtering::fast && !isProjection(scene.model);
-    flat.looksAtThin = showsThinTissue(flat.transferFunction, flat.volume);
+    const auto showsThin = [&](const FlatTransferFunction& curve) { return showsThinTissue(curve, flat.volume); };
+    flat.looksAtThin = std::ranges::any_of(curvesOf(*prepared), showsThin);
     flat.marched = scene.estimator == Estimator::kroesMarch;
     flat.phaseG = scene.phaseG;
     flat.surfaceFactor = surfaceFactorOf(scene.gradientFactor);
@@ -152,10 +162,11 @@ void Flattener::bound(PreparedScene& prepared) const {
     const bool sameVolume = last_ && last_->ranges && last_->volume == prepared.volume;
     const ivec3 size = prepared.volume->size();
     prepared.ranges = sameVolume ? last_->ranges : std::make_shared<const CellRanges>(*prepared.volume);
-    prepared.majorants =
-        sameVolume && sameMajorants(*last_, prepared) ? last_->majorants
-        : highest ? std::make_shared<const Majorants>(highestHu(*prepared.ranges, size, prepared.flat.mask))
-                  : std::make_shared<const Majorants>(*prepared.ranges, prepared.tables, size, prepared.flat.mask);
+    prepared.majorants = sameVolume && sameMajorants(*last_, prepared) ? last_->majorants
+                         : highest
+                             ? std::make_shared<const Majorants>(highestHu(*prepared.ranges, size, prepared.flat.mask))
+                             : std::make_shared<const Majorants>(*prepared.ranges, prepared.tables, size,
+                                                                 prepared.flat.mask, prepared.flat.parts);
     flattenMajorants(prepared);
     prepared.viewDepths = viewDepths(prepared.flat);
     prepared.flat.viewBounds = {prepared.viewDepths.data(), viewBlocks(prepared.flat.camera.film).x};

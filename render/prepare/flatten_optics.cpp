@@ -41,14 +41,24 @@ FlatModel flatModel(Model model) {
     return FlatModel::scattering;
 }
 
+int pieceCount(std::span<const FlatTransferFunction> curves) {
+    int count = 0;
+    for (const FlatTransferFunction& curve : curves)
+        count += curve.pieceCount;
+    return count;
+}
+
 /// Returns the table column by column, each padded with its last entry.
-std::vector<float> opticsTable(const PreparedScene& prepared, int stride) {
-    const FlatTransferFunction& function = prepared.flat.transferFunction;
+std::vector<float> opticsTable(std::span<const FlatTransferFunction> curves, int stride) {
     std::vector<float> table(std::size_t(kOpticsColumns) * stride);
+    const FlatTransferFunction* curve = curves.data();
     for (int row = 0; row < stride; ++row) {
-        const int i = std::min(row, function.pieceCount - 1);
-        const OpacityPiece& piece = prepared.tables.pieces[i];
-        const Material &from = prepared.tables.materials[2 * i], &to = prepared.tables.materials[2 * i + 1];
+        if (row == curve->firstPiece + curve->pieceCount && curve != &curves.back())
+            ++curve;
+        const FlatTransferFunction& function = *curve;
+        const int i = std::min(row - function.firstPiece, function.pieceCount - 1);
+        const OpacityPiece& piece = function.pieces[i];
+        const Material &from = function.materials[2 * i], &to = function.materials[2 * i + 1];
         const bool inner = i > 0 && i + 1 < function.pieceCount;
         const auto set = [&](OpticsColumn column, int offset, float value) {
             table[(std::size_t(int(column)) + offset) * stride + row] = value;
@@ -71,20 +81,19 @@ std::vector<float> opticsTable(const PreparedScene& prepared, int stride) {
     return table;
 }
 
-/// Sets the HU below and above which the curve is transparent.
-void flattenClearRange(FlatOptics& optics, const PreparedScene& prepared) {
-    const auto opaque = [&](int i) {
-        return prepared.tables.pieces[i].opacity > 0 || prepared.tables.pieces[i].slope != 0;
-    };
-    const int count = int(prepared.tables.pieces.size());
+/// Lowers clearUpTo and raises clearFrom to the HU below and above which a curve is transparent.
+void includeInClearRange(FlatOptics& optics, const FlatTransferFunction& curve) {
+    const auto opaque = [&](int i) { return curve.pieces[i].opacity > 0 || curve.pieces[i].slope != 0; };
+    const int count = curve.pieceCount;
     int first = 0, last = count - 1;
     while (first < count && !opaque(first))
         ++first;
     while (last >= 0 && !opaque(last))
         --last;
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    optics.clearUpTo = first == 0 ? -kInfinity : first < count ? prepared.tables.pieces[first].start : kInfinity;
-    optics.clearFrom = last >= 0 ? prepared.tables.pieces[last].end : -kInfinity;
+    const float upTo = first == 0 ? -kInfinity : first < count ? curve.pieces[first].start : kInfinity;
+    optics.clearUpTo = std::min(optics.clearUpTo, upTo);
+    optics.clearFrom = std::max(optics.clearFrom, last >= 0 ? curve.pieces[last].end : -kInfinity);
 }
 
 }  // namespace
@@ -118,26 +127,31 @@ Majorants highestHu(const CellRanges& ranges, ivec3 volumeSize, const FlatMask& 
 
 void flattenOptics(PreparedScene& prepared, const Scene& scene) {
     FlatScene& flat = prepared.flat;
-    const int stride = (flat.transferFunction.pieceCount + kLanes - 1) / kLanes * kLanes;
-    prepared.optics = opticsTable(prepared, stride);
+    const std::span<const FlatTransferFunction> curves = curvesOf(prepared);
+    const int stride = (pieceCount(curves) + kLanes - 1) / kLanes * kLanes;
+    prepared.optics = opticsTable(curves, stride);
     vec3 brightest = glm::max(scene.environment.radiance, scene.environment.nadir.value_or(vec3(0)));
     if (prepared.environment)
         brightest *= prepared.environment->brightest;
     brightest = glm::max(brightest, scene.background.value_or(vec3(0)));
-    for (const Material& material : prepared.tables.materials)
-        brightest = glm::max(brightest, material.albedo + material.emission);
+    for (const FlatTransferFunction& curve : curves)
+        for (int i = 0; i < 2 * curve.pieceCount; ++i)
+            brightest = glm::max(brightest, curve.materials[i].albedo + curve.materials[i].emission);
     const HuRange whole = prepared.volume->storedRange();
     const float tolerance = float(relativeTolerance(scene.toleranceLevels));
     flat.optics = {.model = flatModel(scene.model),
                    .table = prepared.optics.data(),
                    .stride = stride,
+                   .clearUpTo = std::numeric_limits<float>::infinity(),
+                   .clearFrom = -std::numeric_limits<float>::infinity(),
                    .rounding = kRoundingPerHu * float(std::max(-int(whole.lowest), int(whole.highest))),
                    .quadrature = float(kQuadratureShare) * tolerance,
                    .cutOff = float(1 - kQuadratureShare) * tolerance,
                    .brightest = brightest,
                    .windowLow = scene.window.lowHu,
                    .windowHigh = scene.window.highHu};
-    flattenClearRange(flat.optics, prepared);
+    for (const FlatTransferFunction& curve : curves)
+        includeInClearRange(flat.optics, curve);
 }
 
 }  // namespace pdr

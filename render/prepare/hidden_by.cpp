@@ -33,17 +33,19 @@ struct Passed {
     double tissueMm = 0;  ///< length with an extinction above 0
 };
 
-template <bool Masked>
+template <Tissue Kind>
 Passed passedOn(const FlatScene& scene, const Ray& ray) {
     Passed passed;
-    PieceWalk<float, Masked> walk;
+    PieceWalk<float, Kind> walk;
     walk.start(scene.majorants, {ray.origin.x, ray.origin.y, ray.origin.z},
                {ray.direction.x, ray.direction.y, ray.direction.z}, ray.length);
     while (walk.going())
         walk.step(scene, [&](const auto& way, bool ready, bool) {
             const OpticsAlong<float> along = opticsAlong(scene.optics, way.piece, way.hu);
             float extinction = along.meanExtinction;
-            if constexpr (Masked)
+            if constexpr (Kind == Tissue::parted)
+                extinction = PartedExtinction<float>{along, way.hu, way.weight, way.mixed}.mean();
+            if constexpr (Kind == Tissue::masked)
                 extinction = seenAlong(along, way.weight).meanExtinction;
             if (ready && extinction > 0) {
                 passed.depth += double(extinction) * double(way.length);
@@ -83,7 +85,7 @@ std::optional<HiddenBy> hiddenBy(const PreparedScene& scene, dvec3 placeMm) {
     before.length = std::min(before.length, float(glm::dot(fromStart, dvec3(segment.direction))));
     if (!(before.length > 0))
         return HiddenBy{1, 0, cutAway};
-    const Passed passed = isMasked(flat) ? passedOn<true>(flat, before) : passedOn<false>(flat, before);
+    const Passed passed = forTissue(flat, [&]<Tissue Kind>() { return passedOn<Kind>(flat, before); });
     return HiddenBy{std::exp(-passed.depth), passed.tissueMm, cutAway};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/kernel/bounds/mask_bound.h"
+#include "render/kernel/bounds/part_bound.h"
 #include "render/prepare/majorants.h"
 #include "render/prepare/opacity_maximum.h"
 
@@ -20,16 +21,46 @@ struct Box {
     }
 };
 
+/// Bounds on the extinction of one curve.
+class CurveBound {
+  public:
+    CurveBound(const FlatTransferFunction& curve, HuRange domain)
+        : maximum_(curve, domain), extinctionPerMm_(curve.extinctionPerMm), highest_(highestOpacity(curve)) {}
+
+    float over(HuRange range) const { return extinctionBound(extinctionPerMm_, maximum_.over(range), highest_); }
+
+  private:
+    OpacityMaximum maximum_;
+    float extinctionPerMm_, highest_;
+};
+
+std::vector<CurveBound> curveBounds(const FlatTransferFunction& common, const FlatParts& parts, HuRange domain) {
+    std::vector<CurveBound> bounds;
+    for (int i = 0; i < parts.curveCount; ++i)
+        bounds.emplace_back(parts.curves[i], domain);
+    if (bounds.empty())
+        bounds.emplace_back(common, domain);
+    return bounds;
+}
+
 }  // namespace
 
-Majorants::Majorants(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize, const FlatMask& mask)
+Majorants::Majorants(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize, const FlatMask& mask,
+                     const FlatParts& parts)
     : fine(ranges.cells().size()),
       coarse(std::size_t(ranges.coarseSize().x) * ranges.coarseSize().y * ranges.coarseSize().z, 0.0f) {
-    const OpacityMaximum maximum(tables.flat(), ranges.whole());
+    const std::vector<CurveBound> curves = curveBounds(tables.flat(), parts, ranges.whole());
     const ivec3 size = ranges.fineSize(), coarseSize = ranges.coarseSize();
-    const float highest = tables.highestOpacity();
+    const auto tissueBound = [&](HuRange range, ivec3 cell) {
+        if (parts.labels == nullptr)
+            return curves[0].over(range);
+        float most = 0;
+        forCurvesIn(parts, volumeSize, size, cell,
+                    [&](int curve) { most = std::max(most, curves[std::size_t(curve)].over(range)); });
+        return most;
+    };
     const auto boundIn = [&](HuRange range, ivec3 cell) {
-        const float whole = extinctionBound(tables.extinctionPerMm, maximum.over(range), highest);
+        const float whole = tissueBound(range, cell);
         return whole > 0 && mask.voxels != nullptr ? maskedBound(whole, highestWeight(mask, volumeSize, cell)) : whole;
     };
     // Bound the fine and coarse cells, slab by slab in parallel.

@@ -14,7 +14,9 @@ struct Majorants {
     vec3 occupiedLow{0}, occupiedHigh{0};
 
     Majorants() = default;
-    Majorants(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize, const FlatMask& mask = {});
+    /// `parts`: the curves of the scene, where it has parts.
+    Majorants(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize, const FlatMask& mask = {},
+              const FlatParts& parts = {});
 };
 
 }  // namespace pdr

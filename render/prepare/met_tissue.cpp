@@ -21,12 +21,22 @@ double steepestIn(const Volume& volume) {
 
 }  // namespace
 
-MetTissue::MetTissue(const TransferFunction& function, const Volume& volume)
-    : extinctionPerMm_(function.extinctionPerMm), steepest_(steepestIn(volume)) {
+MetTissue::MetTissue(const Scene& scene) : steepest_(steepestIn(*scene.volume)) {
+    const HuRange range = scene.volume->storedRange();
+    add(scene.transferFunction, range);
+    for (const PartCurve& part : scene.parts.curves)
+        if (scene.parts.map)
+            add(part.transferFunction, range);
+}
+
+void MetTissue::add(const TransferFunction& function, HuRange range) {
     const TransferTables tables(function);
     const FlatTransferFunction flat = tables.flat();
-    const HuRange range = volume.storedRange();
-    highestOpacity_ = pdr::highestOpacity(flat, range);
+    const float highest = function.extinctionPerMm > 0 ? pdr::highestOpacity(flat, range) : 0;
+    highestOpacity_ = std::max(highestOpacity_, highest);
+    highestExtinction_ = std::max(highestExtinction_, double(function.extinctionPerMm) * highest);
+    if (!(highest > 0))
+        return;
     const float room = range.lowest < range.highest ? kHuSlack : 0;  // interpolation rounds
     const float low = float(range.lowest) - room, high = float(range.highest) + room;
     for (int i = pieceOf(flat, low); i < flat.pieceCount && tables.pieces[i].start <= high; ++i)

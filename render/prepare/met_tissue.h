@@ -1,27 +1,26 @@
 #pragma once
-/// Visible tissue: the pieces of a transfer function's curve between the lowest and the highest HU of a volume. Only
+/// Visible tissue: the pieces of the curves between the lowest and the highest HU of a volume. Only
 /// these can affect the image, whatever else the curve contains.
 
 #include <algorithm>
 #include <vector>
 
 #include "render/prepare/transfer_tables.h"
-#include "render/scene/transfer_function.h"
-#include "render/volume/volume.h"
+#include "render/scene/scene.h"
 
 namespace pdr {
 
 class MetTissue {
   public:
-    /// Finds the visible tissue. `function` must have passed its check().
-    MetTissue(const TransferFunction& function, const Volume& volume);
+    /// Finds the visible tissue of a scene with a volume, in all its parts. `scene` must have passed its check().
+    explicit MetTissue(const Scene& scene);
 
     /// Returns whether some of the tissue is opaque. If none is, no light meets anything.
-    bool any() const { return extinctionPerMm_ > 0 && highestOpacity_ > 0; }
+    bool any() const { return highestExtinction_ > 0; }
     /// Returns the highest opacity of any point of the volume, 0 to 1.
     float highestOpacity() const { return highestOpacity_; }
     /// Returns the highest extinction of any point [1/mm].
-    double highestExtinction() const { return double(extinctionPerMm_) * highestOpacity_; }
+    double highestExtinction() const { return highestExtinction_; }
     /// Returns a bound on the gradients in the volume [HU/mm]. Each axis is counted separately, so the bound may be too
     /// high by a factor of up to sqrt(3).
     double steepest() const { return steepest_; }
@@ -33,8 +32,10 @@ class MetTissue {
     }
 
   private:
+    void add(const TransferFunction& function, HuRange range);
+
     std::vector<Material> materials_;  ///< at the ends of the opaque pieces
-    float extinctionPerMm_ = 0;
+    double highestExtinction_ = 0;
     float highestOpacity_ = 0;
     double steepest_ = 0;
 };

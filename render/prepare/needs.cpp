@@ -53,15 +53,29 @@ bool isPlaced(const Light& light) {
     return !std::holds_alternative<DirectionalLight>(light);
 }
 
-/// Returns whether the transfer function allows shiny surfaces, whatever the volume holds: whether a specular node is
+/// Calls visit(function) for the scene's own transfer function and for those of its parts.
+template <class AnyScene, class Visit>
+void forEachFunction(AnyScene& scene, Visit&& visit) {
+    visit(scene.transferFunction);
+    for (auto& part : scene.parts.curves)
+        visit(part.transferFunction);
+}
+
+/// Returns whether a transfer function allows shiny surfaces, whatever the volume holds: whether a specular node is
 /// opaque or next to an opaque one.
-bool speaksOfHighlights(const Scene& scene) {
-    const std::vector<TransferNode>& nodes = scene.transferFunction.nodes;
+bool allowsHighlights(const TransferFunction& function) {
+    const std::vector<TransferNode>& nodes = function.nodes;
     const auto opaque = [&](std::size_t i) { return i < nodes.size() && nodes[i].opacity > 0; };
     bool shiny = false;
     for (std::size_t i = 0; i < nodes.size(); ++i)
         shiny = shiny || (!isBlack(nodes[i].specular) && (opaque(i) || opaque(i + 1) || (i > 0 && opaque(i - 1))));
-    return shiny && scene.gradientFactor > 0 && scene.transferFunction.extinctionPerMm > 0;
+    return shiny && function.extinctionPerMm > 0;
+}
+
+bool speaksOfHighlights(const Scene& scene) {
+    bool speaks = false;
+    forEachFunction(scene, [&](const TransferFunction& function) { speaks = speaks || allowsHighlights(function); });
+    return speaks && scene.gradientFactor > 0;
 }
 
 /// A scene and its visible tissue.
@@ -73,7 +87,7 @@ struct Subject {
 
     explicit Subject(const Scene& s)
         : scene(s),
-          tissue(s.transferFunction, *s.volume),
+          tissue(s),
           lit(std::ranges::any_of(s.lights, shines) || !s.environment.isBlack()),
           glows(tissue.anywhere([](const Material& m) { return m.emission; })) {}
 
@@ -178,8 +192,10 @@ Effect highlights(const Subject& subject) {
                   speaksOfHighlights(subject.scene) ? phrase("the volume holds no values that are specular")
                                                     : phrase("no point of the curve is specular"),
                   0, [](Scene& s) {
-                      for (TransferNode& node : s.transferFunction.nodes)
-                          node.specular = vec3(0);
+                      forEachFunction(s, [](TransferFunction& function) {
+                          for (TransferNode& node : function.nodes)
+                              node.specular = vec3(0);
+                      });
                   });
 }
 
@@ -197,15 +213,20 @@ Effect emission(const Subject& subject) {
     const Model model = subject.scene.model;
     if (model == Model::absorption || model == Model::maximumIntensity)
         return off(phrase("emission"), phrase("the model shows no light from within"));
-    const bool emits = std::ranges::any_of(subject.scene.transferFunction.nodes,
-                                           [](const TransferNode& node) { return !isBlack(node.emission); });
+    bool emits = false;
+    forEachFunction(subject.scene, [&](const TransferFunction& function) {
+        for (const TransferNode& node : function.nodes)
+            emits = emits || !isBlack(node.emission);
+    });
     const std::uint32_t features = isProjection(model) ? 0u : std::uint32_t(kEmission);
     return effect(phrase("emission"), subject.glows, phrase("a point of the curve emits light"),
                   emits ? phrase("no opaque tissue that the volume holds emits light")
                         : phrase("no point of the curve emits light"),
                   features, [](Scene& s) {
-                      for (TransferNode& node : s.transferFunction.nodes)
-                          node.emission = vec3(0);
+                      forEachFunction(s, [](TransferFunction& function) {
+                          for (TransferNode& node : function.nodes)
+                              node.emission = vec3(0);
+                      });
                   });
 }
 

@@ -2,6 +2,7 @@
 /// A scene prepared for kernels.
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "render/kernel/flat_scene.h"
@@ -9,6 +10,7 @@
 #include "render/prepare/freehand_mask.h"
 #include "render/prepare/light_tables.h"
 #include "render/prepare/majorants.h"
+#include "render/prepare/part_tables.h"
 #include "render/prepare/transfer_tables.h"
 #include "render/volume/mask.h"
 #include "render/volume/ranges.h"
@@ -31,6 +33,7 @@ struct PreparedScene {
     std::shared_ptr<const CellRanges> ranges;    ///< null after Flattener::flatten()
     std::shared_ptr<const Majorants> majorants;  ///< null after Flattener::flatten()
     TransferTables tables;
+    PartTables parts;  ///< empty without parts
     std::vector<float> optics;
     std::vector<FlatLight> lights;
     LightTables lightTables;
@@ -39,8 +42,11 @@ struct PreparedScene {
     std::vector<vec2> viewDepths;  ///< empty after Flattener::flatten()
 };
 
+/// Returns all curves of a scene: its own, and then those of its parts.
+std::span<const FlatTransferFunction> curvesOf(const PreparedScene& scene);
+
 /// Returns whether both scenes have the same majorants, wherever these are computed: for the same voxels, the same
-/// opacity and the same visible part.
+/// opacity, parts and visible part.
 bool sameMajorants(const PreparedScene& a, const PreparedScene& b);
 
 }  // namespace pdr

@@ -9,8 +9,7 @@ std::vector<Warning> warnings(const Scene& scene) {
     if (!scene.volume || scene.model != Model::multipleScattering || scene.maxBounces == 1)
         return {};
     const dvec3 spacing = scene.volume->geometry().spacingMm();
-    const double freePaths = MetTissue(scene.transferFunction, *scene.volume).highestExtinction() *
-                             glm::max(spacing.x, glm::max(spacing.y, spacing.z));
+    const double freePaths = MetTissue(scene).highestExtinction() * glm::max(spacing.x, glm::max(spacing.y, spacing.z));
     if (freePaths <= kMostFreePathsPerVoxel)
         return {};
     return {{"overDense", phrase("%1 free paths between voxels, above %2 multiple scattering comes out wrong",

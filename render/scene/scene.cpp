@@ -80,7 +80,7 @@ bool canBeDenoised(const Scene& scene) {
 Result<void> Scene::check() const {
     for (const auto& ok :
          {transferFunction.check(), FieldCheck::check(*this), pdr::check(window), checkEstimator(*this),
-          checkLights(*this), camera.check(), checkClip(clip), checkMask(*this)})
+          checkLights(*this), camera.check(), checkClip(clip), checkMask(*this), checkParts(*this)})
         if (!ok)
             return ok;
     return {};

@@ -13,6 +13,7 @@
 #include "render/scene/clip.h"
 #include "render/scene/light.h"
 #include "render/scene/model.h"
+#include "render/scene/parts.h"
 #include "render/scene/schedule.h"
 #include "render/scene/transfer_function.h"
 #include "render/scene/visible.h"
@@ -35,6 +36,7 @@ struct Scene {
     std::shared_ptr<const Volume> volume;  ///< never null in a scene that is rendered
     std::shared_ptr<const Mask> mask;      ///< visible voxels, a mask of the volume's size; null: all
     TransferFunction transferFunction;
+    Parts parts;  ///< parts of the patient with curves of their own
     Model model = Model::singleScattering;
     Estimator estimator = Estimator::unbiased;
     Schedule schedule;

@@ -11,11 +11,12 @@ namespace pdr {
 
 namespace {
 
-/// Returns `scene` without what its film does not depend on, and without the volume and the mask. Whatever is not named
-/// here counts, so that a field that is new in Scene cannot be forgotten.
+/// Returns `scene` without what its film does not depend on, and without the volume, mask and label map. Whatever is
+/// not named here counts, so that a field that is new in Scene cannot be forgotten.
 Scene valuesOf(Scene scene) {
     scene.volume = nullptr;
     scene.mask = nullptr;
+    scene.parts.map = nullptr;
     scene.visible = {};
     scene.ctDenoised = false;
     scene.maskAwaited = false;
@@ -36,16 +37,18 @@ KeptScene::KeptScene(const Scene& scene, bool texturesFilter)
     : values_(valuesOf(scene)),
       texturesFilter_(texturesFilter),
       masked_(scene.mask != nullptr),
+      parted_(scene.parts.map != nullptr),
       volume_(scene.volume),
-      mask_(scene.mask) {}
+      mask_(scene.mask),
+      map_(scene.parts.map) {}
 
 bool KeptScene::operator==(const KeptScene& other) const {
-    return sameObject(volume_, other.volume_) && sameObject(mask_, other.mask_) &&
+    return sameObject(volume_, other.volume_) && sameObject(mask_, other.mask_) && sameObject(map_, other.map_) &&
            texturesFilter_ == other.texturesFilter_ && values_ == other.values_;
 }
 
 bool KeptScene::isGone() const {
-    return volume_.expired() || (masked_ && mask_.expired());
+    return volume_.expired() || (masked_ && mask_.expired()) || (parted_ && map_.expired());
 }
 
 std::size_t KeptFilm::bytes() const {

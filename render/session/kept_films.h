@@ -14,25 +14,26 @@
 
 namespace pdr {
 
-/// Everything of a scene that the samples of its film depend on. It holds neither the volume nor the mask: these are
+/// Everything of a scene that the samples of its film depend on. It holds no volume, mask or label map: these are
 /// too large to stay for an image that is not shown.
 class KeptScene {
   public:
     /// `texturesFilter`: see known_bias.h; texture units take other samples of the same scene.
     KeptScene(const Scene& scene, bool texturesFilter);
 
-    /// Returns whether both have the same samples. Volumes, masks and images of the environment are the same if they
-    /// are one object; all else is compared value by value.
+    /// Returns whether both have the same samples. Volumes, masks, label maps and images of the environment are the
+    /// same if they are one object; all else is compared value by value.
     bool operator==(const KeptScene& other) const;
-    /// Returns whether its volume or its mask exists no longer, so that it cannot come back.
+    /// Returns whether its volume, mask or label map exists no longer, so that it cannot come back.
     bool isGone() const;
 
   private:
     Scene values_;  ///< without volume, mask, and what no image depends on
     bool texturesFilter_;
-    bool masked_;
+    bool masked_, parted_;
     std::weak_ptr<const Volume> volume_;
-    std::weak_ptr<const Mask> mask_;  ///< empty without a mask
+    std::weak_ptr<const Mask> mask_;     ///< empty without a mask
+    std::weak_ptr<const LabelMap> map_;  ///< empty without parts
 };
 
 /// A film that was put away, and what was known of its images.

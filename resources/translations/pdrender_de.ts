@@ -2366,6 +2366,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Latenz</translation>
     </message>
     <message>
+        <source>Lay it onto the grid of this scan.</source>
+        <translation>Legen Sie sie auf das Gitter dieser Aufnahme.</translation>
+    </message>
+    <message>
         <source>Leave it; the tile is rendered again.</source>
         <translation>So lassen; die Kachel wird noch einmal gerechnet.</translation>
     </message>
@@ -3808,6 +3812,10 @@ Das braucht noch einmal so viel Speicher wie die Voxel der Aufnahme.</translatio
         <translation>Nehmen Sie eine Aufnahme mit Kontrastmittel oder die Labelkarte eines anderen Programms.</translation>
     </message>
     <message>
+        <source>Take singleScattering or multipleScattering, or leave the parts out.</source>
+        <translation>Nehmen Sie singleScattering oder multipleScattering, oder lassen Sie die Teile weg.</translation>
+    </message>
+    <message>
         <source>Take the model singleScattering, or the estimator unbiased.</source>
         <translation>Das Modell singleScattering nehmen oder den Schätzer unbiased.</translation>
     </message>
@@ -5098,6 +5106,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>wie viel, ist noch nicht bekannt</translation>
     </message>
     <message>
+        <source>images with materials of parts are not sent to render nodes yet</source>
+        <translation>Bilder mit Materialien von Teilen werden noch nicht an Render-Rechner gesendet</translation>
+    </message>
+    <message>
         <source>in at most %1 % of the tissue</source>
         <translation>in höchstens %1 % des Gewebes</translation>
     </message>
@@ -5584,6 +5596,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>label maps are written to files that end in %1</source>
         <translation>Labelkarten werden in Dateien geschrieben, die auf %1 enden</translation>
+    </message>
+    <message>
+        <source>labels must ascend from 1 on</source>
+        <translation>Labels müssen von 1 an aufsteigen</translation>
     </message>
     <message>
         <source>left</source>
@@ -6678,6 +6694,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die Labelkarte liegt woanders: sie reicht %1 Voxel über die Aufnahme hinaus</translation>
     </message>
     <message>
+        <source>the label map lies on another grid than the volume</source>
+        <translation>die Labelkarte liegt auf einem anderen Gitter als das Volumen</translation>
+    </message>
+    <message>
         <source>the lens is open</source>
         <translation>die Blende ist offen</translation>
     </message>
@@ -6722,6 +6742,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the memory of the GPU is taken: %1 are free</source>
         <translation>der Speicher der GPU ist belegt: %1 sind frei</translation>
+    </message>
+    <message>
+        <source>the model %1 knows no materials of parts</source>
+        <translation>das Modell %1 kennt keine Materialien von Teilen</translation>
     </message>
     <message>
         <source>the model asks for no light</source>

@@ -2366,6 +2366,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Latencia</translation>
     </message>
     <message>
+        <source>Lay it onto the grid of this scan.</source>
+        <translation>Páselo a la cuadrícula de este estudio.</translation>
+    </message>
+    <message>
         <source>Leave it; the tile is rendered again.</source>
         <translation>Déjelo; la tesela se calcula de nuevo.</translation>
     </message>
@@ -3808,6 +3812,10 @@ Requiere otra vez tanta memoria como los vóxeles del estudio.</translation>
         <translation>Tome un estudio con medio de contraste, o un mapa de etiquetas de otro programa.</translation>
     </message>
     <message>
+        <source>Take singleScattering or multipleScattering, or leave the parts out.</source>
+        <translation>Use singleScattering o multipleScattering, o deje fuera las partes.</translation>
+    </message>
+    <message>
         <source>Take the model singleScattering, or the estimator unbiased.</source>
         <translation>Elija el modelo singleScattering o el estimador unbiased.</translation>
     </message>
@@ -5098,6 +5106,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>aún no se sabe cuánto</translation>
     </message>
     <message>
+        <source>images with materials of parts are not sent to render nodes yet</source>
+        <translation>las imágenes con materiales de partes aún no se envían a los equipos de render</translation>
+    </message>
+    <message>
         <source>in at most %1 % of the tissue</source>
         <translation>en un %1 % del tejido como máximo</translation>
     </message>
@@ -5584,6 +5596,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>label maps are written to files that end in %1</source>
         <translation>los mapas de etiquetas se escriben en archivos que terminan en %1</translation>
+    </message>
+    <message>
+        <source>labels must ascend from 1 on</source>
+        <translation>las etiquetas deben ir en orden creciente desde 1</translation>
     </message>
     <message>
         <source>left</source>
@@ -6678,6 +6694,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>el mapa de etiquetas está en otro lugar: sobresale %1 vóxeles del estudio</translation>
     </message>
     <message>
+        <source>the label map lies on another grid than the volume</source>
+        <translation>el mapa de etiquetas está en otra cuadrícula que el volumen</translation>
+    </message>
+    <message>
         <source>the lens is open</source>
         <translation>el objetivo está abierto</translation>
     </message>
@@ -6722,6 +6742,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the memory of the GPU is taken: %1 are free</source>
         <translation>la memoria de la GPU está ocupada: quedan libres %1</translation>
+    </message>
+    <message>
+        <source>the model %1 knows no materials of parts</source>
+        <translation>el modelo %1 no conoce materiales de partes</translation>
     </message>
     <message>
         <source>the model asks for no light</source>

@@ -36,8 +36,7 @@ void FlightBatch::flyInLanes(const FlatScene& scene) {
 template <FlightEnd End, ThinTissue Thin>
 void FlightBatch::flyAll(const FlatScene& scene) {
     if (lanesCanRead(scene.volume))
-        return isMasked(scene) ? flyInLanes<FreeFlight<FloatLanes, true, End, Thin>>(scene)
-                               : flyInLanes<FreeFlight<FloatLanes, false, End, Thin>>(scene);
+        return forTissue(scene, [&]<Tissue Kind>() { flyInLanes<FreeFlight<FloatLanes, Kind, End, Thin>>(scene); });
     for (int row = 0; row < size_; ++row) {
         const Flight flight = Thin == ThinTissue::looked ? lookFlight<End>(scene, rays_.at(row), depth_[row],
                                                                            RandomStream{{counter_[row], key_[row]}})

@@ -22,17 +22,18 @@ void append(std::vector<const void*>& kernels, const std::vector<const void*>& o
 }
 
 /// Returns the kernels that traceLaunchFor() launches, except those of pathProgram().
-template <bool Masked>
+template <Tissue Kind>
 std::vector<const void*> samplingKernels(const FlatScene& scene) {
+    constexpr bool kMasked = Kind != Tissue::whole;
     switch (scene.optics.model) {
         case FlatModel::absorption:
-            return queuedKernelsOf<TraceKernel<ProjectionSampler<FlatModel::absorption, Masked>>>();
+            return queuedKernelsOf<TraceKernel<ProjectionSampler<FlatModel::absorption, kMasked>>>();
         case FlatModel::emission:
-            return queuedKernelsOf<TraceKernel<ProjectionSampler<FlatModel::emission, Masked>>>();
+            return queuedKernelsOf<TraceKernel<ProjectionSampler<FlatModel::emission, kMasked>>>();
         case FlatModel::emissionAbsorption:
-            return queuedKernelsOf<TraceKernel<ProjectionSampler<FlatModel::emissionAbsorption, Masked>>>();
+            return queuedKernelsOf<TraceKernel<ProjectionSampler<FlatModel::emissionAbsorption, kMasked>>>();
         case FlatModel::maximumIntensity:
-            return queuedKernelsOf<TraceKernel<ProjectionSampler<FlatModel::maximumIntensity, Masked>>>();
+            return queuedKernelsOf<TraceKernel<ProjectionSampler<FlatModel::maximumIntensity, kMasked>>>();
         case FlatModel::scattering:
             break;
     }
@@ -40,8 +41,8 @@ std::vector<const void*> samplingKernels(const FlatScene& scene) {
         return queuedKernelsOf<TraceKernel<MarchSampler>>();
     constexpr ThinTissue kSolved = ThinTissue::solved, kLooked = ThinTissue::looked;
     std::vector<const void*> kernels =
-        scene.looksAtThin ? queuedKernelsOf<CameraKernel<Masked, kLooked>, ShadowKernel<Masked, kLooked>>()
-                          : queuedKernelsOf<CameraKernel<Masked, kSolved>, ShadowKernel<Masked, kSolved>>();
+        scene.looksAtThin ? queuedKernelsOf<CameraKernel<Kind, kLooked>, ShadowKernel<Kind, kLooked>>()
+                          : queuedKernelsOf<CameraKernel<Kind, kSolved>, ShadowKernel<Kind, kSolved>>();
     append(kernels, kernelsOf<AddLightKernel>());
     append(kernels, pathProgram(scene.features).kernels);
     return kernels;
@@ -61,40 +62,66 @@ void prepareKernels<CudaGpu>(CudaGpu& gpu, const FlatScene& scene) {
         kernelsOf<BuildRangesKernel, BoundFineKernel, BoundCoarseKernel, ClearDepthsKernel, ProjectCellsKernel,
                   SpreadWideCellsKernel, ViewDepthsKernel, ForgetFaultsKernel, AccumulateKernel, ResolveKernel,
                   CountErrorsKernel, FinalizeKernel>();
-    append(kernels, isMasked(scene) ? samplingKernels<true>(scene) : samplingKernels<false>(scene));
+    append(kernels, forTissue(scene, [&]<Tissue Kind>() { return samplingKernels<Kind>(scene); }));
     gpu.prepare(kernels);
 }
 
 template <>
-void launchCamera(CudaGpu& gpu, const CameraKernel<false, ThinTissue::solved>& kernel, std::int64_t samples) {
+void launchCamera(CudaGpu& gpu, const CameraKernel<Tissue::whole, ThinTissue::solved>& kernel, std::int64_t samples) {
     gpu.launchQueued(kernel, samples, GpuStream::compute);
 }
 template <>
-void launchCamera(CudaGpu& gpu, const CameraKernel<false, ThinTissue::looked>& kernel, std::int64_t samples) {
+void launchCamera(CudaGpu& gpu, const CameraKernel<Tissue::whole, ThinTissue::looked>& kernel, std::int64_t samples) {
     gpu.launchQueued(kernel, samples, GpuStream::compute);
 }
 template <>
-void launchCamera(CudaGpu& gpu, const CameraKernel<true, ThinTissue::solved>& kernel, std::int64_t samples) {
+void launchCamera(CudaGpu& gpu, const CameraKernel<Tissue::masked, ThinTissue::solved>& kernel, std::int64_t samples) {
     gpu.launchQueued(kernel, samples, GpuStream::compute);
 }
 template <>
-void launchCamera(CudaGpu& gpu, const CameraKernel<true, ThinTissue::looked>& kernel, std::int64_t samples) {
+void launchCamera(CudaGpu& gpu, const CameraKernel<Tissue::masked, ThinTissue::looked>& kernel, std::int64_t samples) {
+    gpu.launchQueued(kernel, samples, GpuStream::compute);
+}
+
+template <>
+void launchCamera(CudaGpu& gpu, const CameraKernel<Tissue::parted, ThinTissue::solved>& kernel, std::int64_t samples) {
+    gpu.launchQueued(kernel, samples, GpuStream::compute);
+}
+
+template <>
+void launchCamera(CudaGpu& gpu, const CameraKernel<Tissue::parted, ThinTissue::looked>& kernel, std::int64_t samples) {
     gpu.launchQueued(kernel, samples, GpuStream::compute);
 }
 template <>
-void launchShadow(CudaGpu& gpu, const ShadowKernel<false, ThinTissue::solved>& kernel, std::int64_t lightPaths) {
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::whole, ThinTissue::solved>& kernel,
+                  std::int64_t lightPaths) {
     gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
 }
 template <>
-void launchShadow(CudaGpu& gpu, const ShadowKernel<false, ThinTissue::looked>& kernel, std::int64_t lightPaths) {
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::whole, ThinTissue::looked>& kernel,
+                  std::int64_t lightPaths) {
     gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
 }
 template <>
-void launchShadow(CudaGpu& gpu, const ShadowKernel<true, ThinTissue::solved>& kernel, std::int64_t lightPaths) {
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::masked, ThinTissue::solved>& kernel,
+                  std::int64_t lightPaths) {
     gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
 }
 template <>
-void launchShadow(CudaGpu& gpu, const ShadowKernel<true, ThinTissue::looked>& kernel, std::int64_t lightPaths) {
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::masked, ThinTissue::looked>& kernel,
+                  std::int64_t lightPaths) {
+    gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
+}
+
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::parted, ThinTissue::solved>& kernel,
+                  std::int64_t lightPaths) {
+    gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
+}
+
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::parted, ThinTissue::looked>& kernel,
+                  std::int64_t lightPaths) {
     gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
 }
 template <>

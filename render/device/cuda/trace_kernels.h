@@ -27,21 +27,33 @@ TraceLaunch<CudaGpu> pathLaunch<CudaGpu>(std::uint32_t needed);
 template <>
 void prepareKernels<CudaGpu>(CudaGpu& gpu, const FlatScene& scene);
 template <>
-void launchCamera(CudaGpu& gpu, const CameraKernel<false, ThinTissue::solved>& kernel, std::int64_t samples);
+void launchCamera(CudaGpu& gpu, const CameraKernel<Tissue::whole, ThinTissue::solved>& kernel, std::int64_t samples);
 template <>
-void launchCamera(CudaGpu& gpu, const CameraKernel<false, ThinTissue::looked>& kernel, std::int64_t samples);
+void launchCamera(CudaGpu& gpu, const CameraKernel<Tissue::whole, ThinTissue::looked>& kernel, std::int64_t samples);
 template <>
-void launchCamera(CudaGpu& gpu, const CameraKernel<true, ThinTissue::solved>& kernel, std::int64_t samples);
+void launchCamera(CudaGpu& gpu, const CameraKernel<Tissue::masked, ThinTissue::solved>& kernel, std::int64_t samples);
 template <>
-void launchCamera(CudaGpu& gpu, const CameraKernel<true, ThinTissue::looked>& kernel, std::int64_t samples);
+void launchCamera(CudaGpu& gpu, const CameraKernel<Tissue::masked, ThinTissue::looked>& kernel, std::int64_t samples);
 template <>
-void launchShadow(CudaGpu& gpu, const ShadowKernel<false, ThinTissue::solved>& kernel, std::int64_t lightPaths);
+void launchCamera(CudaGpu& gpu, const CameraKernel<Tissue::parted, ThinTissue::solved>& kernel, std::int64_t samples);
 template <>
-void launchShadow(CudaGpu& gpu, const ShadowKernel<false, ThinTissue::looked>& kernel, std::int64_t lightPaths);
+void launchCamera(CudaGpu& gpu, const CameraKernel<Tissue::parted, ThinTissue::looked>& kernel, std::int64_t samples);
 template <>
-void launchShadow(CudaGpu& gpu, const ShadowKernel<true, ThinTissue::solved>& kernel, std::int64_t lightPaths);
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::whole, ThinTissue::solved>& kernel, std::int64_t lightPaths);
 template <>
-void launchShadow(CudaGpu& gpu, const ShadowKernel<true, ThinTissue::looked>& kernel, std::int64_t lightPaths);
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::whole, ThinTissue::looked>& kernel, std::int64_t lightPaths);
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::masked, ThinTissue::solved>& kernel,
+                  std::int64_t lightPaths);
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::masked, ThinTissue::looked>& kernel,
+                  std::int64_t lightPaths);
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::parted, ThinTissue::solved>& kernel,
+                  std::int64_t lightPaths);
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::parted, ThinTissue::looked>& kernel,
+                  std::int64_t lightPaths);
 template <>
 void launchAddLight(CudaGpu& gpu, const AddLightKernel& kernel, std::int64_t samples);
 

@@ -5,7 +5,7 @@
 #include <climits>
 
 #include "render/device/gpu/atomic.h"
-#include "render/kernel/bounds/cell_bound.h"
+#include "render/kernel/bounds/part_bound.h"
 #include "render/kernel/bounds/view_footprint.h"
 #include "render/kernel/quadrature/ray_maximum.h"
 
@@ -34,14 +34,24 @@ struct BoundFineKernel {
     float highestOfCurve;
     bool highestHu;  ///< whether the bounds are those of HU, for maximumIntensity
     FlatMask mask;
+    FlatParts parts;
     ivec3 volume;  ///< size in voxels
     ivec3 fineGrid;
     float* fine;
 
+    PDR_HD static float curveBound(const FlatTransferFunction& curve, HuRange range, float highest) {
+        return extinctionBound(curve.extinctionPerMm, highestOpacity(curve, range), highest);
+    }
     PDR_HD float bound(HuRange range, ivec3 cell) const {
         if (highestHu)
             return highestHuBound(range, mask, volume, cell);
-        const float whole = extinctionBound(function.extinctionPerMm, highestOpacity(function, range), highestOfCurve);
+        float whole = 0;
+        if (parts.labels == nullptr)
+            whole = curveBound(function, range, highestOfCurve);
+        else
+            forCurvesIn(parts, volume, fineGrid, cell, [&](int curve) {
+                whole = glm::max(whole, curveBound(parts.curves[curve], range, highestOpacity(parts.curves[curve])));
+            });
         return whole > 0 && mask.voxels != nullptr ? maskedBound(whole, highestWeight(mask, volume, cell)) : whole;
     }
 

@@ -47,6 +47,8 @@ class GpuScene {
     Result<void> takeVolume(const PreparedScene& scene);
     Result<void> takeTexture(const PreparedScene& scene);
     Result<void> takeMask(const PreparedScene& scene);
+    Result<void> takeParts(const PreparedScene& scene);
+    void sendPartTables(const PartTables& parts);
     void sendTables(const PreparedScene& scene);
     void sendEnvironment(const PreparedScene& scene);
     Result<void> bound(const PreparedScene& scene);
@@ -61,6 +63,10 @@ class GpuScene {
     GpuTexture<G> texture_{gpu_};
     std::shared_ptr<const Mask> mask_;
     GpuArray<G, std::int16_t> weights_{gpu_};
+    std::shared_ptr<const LabelMap> map_;
+    GpuArray<G, std::uint8_t> labels_{gpu_};
+    std::shared_ptr<const CellCurves> cells_;
+    GpuArray<G, std::uint8_t> onlyCurve_{gpu_};
     GpuArray<G, HuRange> ranges_{gpu_};
     GpuArray<G, float> fine_{gpu_}, coarse_{gpu_};
     GpuArray<G, BoundsSummary> summary_{gpu_};
@@ -68,6 +74,11 @@ class GpuScene {
     GpuTable<G, OpacityPiece> pieces_{gpu_};
     GpuTable<G, Material> materials_{gpu_};
     GpuTable<G, std::uint16_t> pieceAt_{gpu_};
+    GpuTable<G, std::uint8_t> curveOf_{gpu_};
+    GpuTable<G, OpacityPiece> partPieces_{gpu_};
+    GpuTable<G, Material> partMaterials_{gpu_};
+    GpuTable<G, std::uint16_t> partPieceAt_{gpu_};
+    GpuTable<G, FlatTransferFunction> curves_{gpu_};
     GpuTable<G, float> optics_{gpu_};
     GpuTable<G, FlatLight> lights_{gpu_};
     GpuTable<G, float> lightSums_{gpu_};
@@ -96,13 +107,15 @@ Result<void> GpuScene<G>::upload(std::shared_ptr<const PreparedScene> scene) {
     const bool sameVolume = scene_ && scene_->volume == scene->volume;
     const bool sameBounds = scene_ && sameMajorants(*scene_, *scene);
     scene_ = nullptr;
-    // Upload voxels, texture and mask
+    // Upload voxels, texture, mask and labels
     if (!sameVolume)
         if (Result<void> fits = takeVolume(*scene); !fits)
             return fits;
     if (Result<void> fits = takeTexture(*scene); !fits)
         return fits;
     if (Result<void> fits = takeMask(*scene); !fits)
+        return fits;
+    if (Result<void> fits = takeParts(*scene); !fits)
         return fits;
     // Let the scene point to device memory
     const FlatMajorants bounds = flat_.majorants;
@@ -111,6 +124,7 @@ Result<void> GpuScene<G>::upload(std::shared_ptr<const PreparedScene> scene) {
     flat_.volume.voxels = voxels_.data();
     flat_.volume.texture = texture_.handle();
     sendTables(*scene);
+    sendPartTables(scene->parts);
     sendEnvironment(*scene);
     // Rebuild the majorants if they have changed
     if (sameBounds)
@@ -209,6 +223,53 @@ Result<void> GpuScene<G>::takeMask(const PreparedScene& scene) {
     return {};
 }
 
+/// Uploads the labels, which are kept as long as they are the scene's, and the curves of cells.
+template <Gpu G>
+Result<void> GpuScene<G>::takeParts(const PreparedScene& scene) {
+    const PartTables& parts = scene.parts;
+    if (map_ != parts.map) {
+        map_ = nullptr;
+        labels_.free();
+        if (!parts.empty()) {
+            if (Result<void> fits = room(scene, parts.map->labels.size()); !fits)
+                return fits;
+            labels_.assign(parts.map->labels);
+        }
+    }
+    if (cells_ != parts.cells) {
+        cells_ = nullptr;
+        onlyCurve_.free();
+        if (!parts.empty())
+            onlyCurve_.assign(*parts.cells);
+    }
+    if (Result<void> sent = takeStatus(gpu_); !sent)
+        return sent;
+    map_ = parts.map;
+    cells_ = parts.cells;
+    return {};
+}
+
+template <Gpu G>
+void GpuScene<G>::sendPartTables(const PartTables& parts) {
+    if (parts.empty())
+        return;
+    curveOf_.update(parts.curveOf);
+    partPieces_.update(parts.pieces);
+    partMaterials_.update(parts.materials);
+    partPieceAt_.update(parts.pieceAt);
+    std::vector<FlatTransferFunction> curves = parts.curves;
+    for (FlatTransferFunction& curve : curves) {
+        curve.pieces = partPieces_.data() + (curve.pieces - parts.pieces.data());
+        curve.materials = partMaterials_.data() + (curve.materials - parts.materials.data());
+        curve.pieceAt = partPieceAt_.data() + (curve.pieceAt - parts.pieceAt.data());
+    }
+    curves_.update(curves);
+    flat_.parts.labels = labels_.data();
+    flat_.parts.curveOf = curveOf_.data();
+    flat_.parts.onlyCurve = onlyCurve_.data();
+    flat_.parts.curves = curves_.data();
+}
+
 template <Gpu G>
 void GpuScene<G>::sendTables(const PreparedScene& scene) {
     pieces_.update(scene.tables.pieces);
@@ -265,7 +326,7 @@ Result<void> GpuScene<G>::bound(const PreparedScene& scene) {
         *summaryHere_.data() = {};
     summary_.copyFrom(summaryHere_.data());
     gpu_.launch(BoundFineKernel{ranges_.data(), flat_.transferFunction, scene.tables.highestOpacity(), highestHu,
-                                flat_.mask, scene.volume->size(), coarse * kFinePerCoarse, fine_.data()},
+                                flat_.mask, flat_.parts, scene.volume->size(), coarse * kFinePerCoarse, fine_.data()},
                 std::int64_t(fine_.size()), GpuStream::compute);
     gpu_.launch(BoundCoarseKernel{fine_.data(), coarse, coarse_.data(), summary_.data()}, std::int64_t(coarse_.size()),
                 GpuStream::compute);
@@ -317,6 +378,11 @@ void GpuScene<G>::forget() {
     pieces_.forget();
     materials_.forget();
     pieceAt_.forget();
+    curveOf_.forget();
+    partPieces_.forget();
+    partMaterials_.forget();
+    partPieceAt_.forget();
+    curves_.forget();
     optics_.forget();
     lights_.forget();
     lightSums_.forget();
@@ -324,6 +390,8 @@ void GpuScene<G>::forget() {
     planes_.forget();
     sobol_.forget();
     mask_ = nullptr;
+    map_ = nullptr;
+    cells_ = nullptr;
     environment_ = nullptr;
 }
 
@@ -336,6 +404,8 @@ Result<void> GpuScene<G>::close() {
     forget();
     texture_.free();
     weights_.free();
+    labels_.free();
+    onlyCurve_.free();
     voxels_.free();
     ranges_.free();
     fine_.free();

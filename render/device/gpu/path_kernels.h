@@ -1,11 +1,11 @@
 #pragma once
 /// Path tracing in kernels that do one thing each, so that 32 threads in lockstep do the same, and in few registers.
 ///
-/// - CameraKernel<Masked, Thin>: a sample's camera ray and first flight. A queue: lanes take the next when one has
+/// - CameraKernel<Kind, Thin>: a sample's camera ray and first flight. A queue: lanes take the next when one has
 ///   ended.
 /// - ShadeKernel<F>: the end of that flight, and the event there (endSegment). One thread for each, so that all lanes
 ///   look for ends together; in the queue one or two would, while the others wait.
-/// - ShadowKernel<Masked, Thin>: the flights from there to the lights. A queue, with an entry for each light path, so
+/// - ShadowKernel<Kind, Thin>: the flights from there to the lights. A queue, with an entry for each light path, so
 ///   that no lane waits for another's second one.
 /// - AddLightKernel: the light that has come through. One thread for each event, in the order of its light paths.
 /// - OnwardKernel<F>: all further segments of paths that continue, one after the other. A queue.
@@ -33,7 +33,7 @@ PDR_HD inline float distanceOf(const FlatScene& scene, const FlightEnding& end) 
 
 /// The first segment of a path, and the result of its flight.
 struct FirstFlight {
-    FlightEnding ending;  ///< where it ends, without a mask; with one the place is looked for in flight
+    FlightEnding ending;  ///< where it ends, in Tissue::whole; in others the place is looked for in flight
     PathSegment segment;
     /// Distance of the collision; see endSegment(). 0: it is at `ending`, to be looked for.
     float collision;
@@ -72,8 +72,8 @@ struct PathLists {
     Counts* counts;
 };
 
-/// Traces the camera rays and first flights of samples. Masked: see PieceWalk. Thin: see FreeFlight.
-template <bool Masked, ThinTissue Thin>
+/// Traces the camera rays and first flights of samples. Kind: see PieceWalk. Thin: see FreeFlight.
+template <Tissue Kind, ThinTissue Thin>
 struct CameraKernel {
     static constexpr const char* kName = "camera";
     FlatScene scene;
@@ -82,7 +82,7 @@ struct CameraKernel {
     std::int64_t first;  ///< index of the first of these samples in the launch
 
     struct Walk {
-        FreeFlight<float, Masked, FlightEnd::place, Thin> flight;
+        FreeFlight<float, Kind, FlightEnd::place, Thin> flight;
         std::int32_t slot;
     };
 
@@ -107,7 +107,7 @@ struct CameraKernel {
 
     PDR_HD bool step(Walk& walk) const {
         FirstFlight& flight = lists.flights[walk.slot];
-        if constexpr (Masked)
+        if constexpr (Kind != Tissue::whole)
             walk.flight.step(scene);
         else
             walk.flight.step(scene, [&](const auto&, const auto& way, float left, bool) {
@@ -143,7 +143,8 @@ struct ShadeKernel {
     }
 
     PDR_HD float collisionOf(const FirstFlight& flight) const {
-        return flight.collision != 0 || isMasked(scene) ? flight.collision : distanceOf(scene, flight.ending);
+        return flight.collision != 0 || isMasked(scene) || hasParts(scene) ? flight.collision
+                                                                           : distanceOf(scene, flight.ending);
     }
 
     PDR_HD void handOnLight(const Path& path, const PathVertex& vertex, std::int64_t place) const {
@@ -161,15 +162,15 @@ struct ShadeKernel {
     }
 };
 
-/// Traces the light paths of all vertices. Masked, Thin: as for CameraKernel.
-template <bool Masked, ThinTissue Thin>
+/// Traces the light paths of all vertices. Kind, Thin: as for CameraKernel.
+template <Tissue Kind, ThinTissue Thin>
 struct ShadowKernel {
     static constexpr const char* kName = "shadow";
     FlatScene scene;
     PathLists lists;
 
     struct Walk {
-        FreeFlight<float, Masked, FlightEnd::whether, Thin> flight;
+        FreeFlight<float, Kind, FlightEnd::whether, Thin> flight;
         std::int32_t index;
     };
 

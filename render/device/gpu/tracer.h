@@ -38,12 +38,12 @@ void launchTrace(G& gpu, const FlatScene& scene, const TraceTarget& target, Path
 
 /// Launch the path kernels that are the same for all effects. They are specialized where the compiler takes long over
 /// them: cuda/.
-template <Gpu G, bool Masked, ThinTissue Thin>
-void launchCamera(G& gpu, const CameraKernel<Masked, Thin>& kernel, std::int64_t samples) {
+template <Gpu G, Tissue Kind, ThinTissue Thin>
+void launchCamera(G& gpu, const CameraKernel<Kind, Thin>& kernel, std::int64_t samples) {
     gpu.launchQueued(kernel, samples, GpuStream::compute);
 }
-template <Gpu G, bool Masked, ThinTissue Thin>
-void launchShadow(G& gpu, const ShadowKernel<Masked, Thin>& kernel, std::int64_t lightPaths) {
+template <Gpu G, Tissue Kind, ThinTissue Thin>
+void launchShadow(G& gpu, const ShadowKernel<Kind, Thin>& kernel, std::int64_t lightPaths) {
     gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
 }
 template <Gpu G>
@@ -51,15 +51,15 @@ void launchAddLight(G& gpu, const AddLightKernel& kernel, std::int64_t samples) 
     gpu.launch(kernel, samples, GpuStream::compute);
 }
 
-/// Launches all kernels of paths. Masked: isMasked() of the scene; Thin: as its looksAtThin says.
-template <Gpu G, std::uint32_t F, bool Masked, ThinTissue Thin>
+/// Launches all kernels of paths. Kind: that of the scene's tissue; Thin: as its looksAtThin says.
+template <Gpu G, std::uint32_t F, Tissue Kind, ThinTissue Thin>
 void launchPathsOf(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& memory) {
     const bool onward = has(F, kBounces) && scene.maxBounces > 1;
     inParts(target.grid.count(), gpu.pathsTogether(), [&](std::int64_t first, std::int64_t samples) {
         const PathLists lists = memory.emptied(samples, onward);
-        launchCamera(gpu, CameraKernel<Masked, Thin>{scene, target, lists, first}, samples);
+        launchCamera(gpu, CameraKernel<Kind, Thin>{scene, target, lists, first}, samples);
         gpu.launch(ShadeKernel<F>{scene, target, lists}, samples, GpuStream::compute);
-        launchShadow(gpu, ShadowKernel<Masked, Thin>{scene, lists}, samples * kMostLightPaths);
+        launchShadow(gpu, ShadowKernel<Kind, Thin>{scene, lists}, samples * kMostLightPaths);
         launchAddLight(gpu, AddLightKernel{target, lists}, samples);
         if constexpr (has(F, kBounces))
             if (onward)
@@ -67,20 +67,17 @@ void launchPathsOf(G& gpu, const FlatScene& scene, const TraceTarget& target, Pa
     });
 }
 
-template <Gpu G, std::uint32_t F, bool Masked>
+template <Gpu G, std::uint32_t F, Tissue Kind>
 void launchPaths(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& memory) {
     if (scene.looksAtThin)
-        launchPathsOf<G, F, Masked, ThinTissue::looked>(gpu, scene, target, memory);
+        launchPathsOf<G, F, Kind, ThinTissue::looked>(gpu, scene, target, memory);
     else
-        launchPathsOf<G, F, Masked, ThinTissue::solved>(gpu, scene, target, memory);
+        launchPathsOf<G, F, Kind, ThinTissue::solved>(gpu, scene, target, memory);
 }
 
 template <Gpu G, std::uint32_t F>
 void launchPaths(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& memory) {
-    if (isMasked(scene))
-        launchPaths<G, F, true>(gpu, scene, target, memory);
-    else
-        launchPaths<G, F, false>(gpu, scene, target, memory);
+    forTissue(scene, [&]<Tissue Kind>() { launchPaths<G, F, Kind>(gpu, scene, target, memory); });
 }
 
 /// Returns the mask of the program for a scene that needs `needed`. Effects that are not specialized are always in it,

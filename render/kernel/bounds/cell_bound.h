@@ -97,6 +97,22 @@ PDR_HD_INLINE Real extinctionBound(const FlatTransferFunction& function, const V
     return most > 0.0f ? function.extinctionPerMm * (most + kOpacityRoom) : Real{};
 }
 
+/// Returns the same for the curves of a scene, in the lanes of `mask`.
+template <class Real>
+PDR_HD_INLINE Real extinctionBound(const FlatScene& scene, const VoxelCell<Real>& cell,
+                                   typename SimdTraits<Real>::Mask mask) {
+    if (!hasParts(scene))
+        return extinctionBound(scene.transferFunction, cell);
+    const Vec3<typename SimdTraits<Real>::Int> corner{toInt(cell.lowest.x), toInt(cell.lowest.y), toInt(cell.lowest.z)};
+    Real most{};
+    for (int n = 0; n < 8; ++n)
+        forEachCurve(cornerCurve(scene, corner, n, mask), mask, [&](int curve, auto here) {
+            const Real bound = extinctionBound(scene.parts.curves[curve], cell);
+            most = here ? max(most, bound) : most;
+        });
+    return most;
+}
+
 /// Returns the lowest corner of a fine cell in index space; highCorner() returns the highest.
 PDR_HD inline vec3 lowCorner(ivec3 cell) {
     return vec3((cell - 1) * kFineCell);

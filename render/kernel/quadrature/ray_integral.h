@@ -23,7 +23,8 @@ struct RayResult {
     Real exceeded{};            ///< 1: a step could not be made short enough for the tolerance
 };
 
-/// Accumulates the sum along one ray, or along several in lanes. Masked: see PieceWalk.
+/// Accumulates the sum along one ray, or along several in lanes. Masked: for scenes with a mask. Parts are refused, see
+/// Scene::check().
 template <class Real, FlatModel Model, bool Masked>
 class RayIntegral {
   public:
@@ -71,7 +72,8 @@ class RayIntegral {
     }
 
   private:
-    using Way = typename PieceWalk<Real, Masked>::Way;
+    using Walk = PieceWalk<Real, Masked ? Tissue::masked : Tissue::whole>;
+    using Way = typename Walk::Way;
 
     /// Adds a segment through one piece where `ready` holds. Returns the lanes in which it was added; in the others it
     /// must be halved.
@@ -143,7 +145,7 @@ class RayIntegral {
         return dark & (sum_.left * optics.brightest.z <= optics.cutOff * sum_.value[2]);
     }
 
-    PieceWalk<Real, Masked> walk_;
+    Walk walk_;
     RayResult<Real> sum_;
     Real bound_[3]{};  ///< bounds on the errors of sum_.value
     Real depth_{};     ///< optical depth (absorption)

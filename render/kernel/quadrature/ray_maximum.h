@@ -23,7 +23,7 @@ PDR_HD inline float highestHuBound(HuRange range, const FlatMask& mask, ivec3 vo
     return seen ? float(range.highest + kMipBias) : 0.0f;
 }
 
-/// Finds the highest HU along one ray, or along several in lanes. Masked: see PieceWalk.
+/// Finds the highest HU along one ray, or along several in lanes. Masked: for scenes with a mask.
 template <class Real, bool Masked = false>
 class RayMaximum {
   public:

@@ -49,11 +49,12 @@ PDR_HD inline vec3 facing(vec3 wo, vec3 normal) {
     return glm::dot(normal, wo) < 0 ? -normal : normal;
 }
 
-/// Returns the normal of a surface at `position`; zero if `u` chooses none or there is no gradient. The probability of
-/// a surface is never above the opacity, so the gradient, which costs 64 voxels, is read only where `u` is below the
-/// opacity.
-PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, vec3 position, vec3 wo, float hu, float u) {
-    const float most = opacity(scene.transferFunction, hu);
+/// Returns the normal of a surface at `position`, in tissue of `curve`; zero if `u` chooses none or there is no
+/// gradient. The probability of a surface is never above the opacity, so the gradient, which costs 64 voxels, is read
+/// only where `u` is below the opacity.
+PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, const FlatTransferFunction& curve, vec3 position, vec3 wo,
+                                 float hu, float u) {
+    const float most = opacity(curve, hu);
     if (u >= most)
         return vec3(0);
     const vec3 gradient = seenGradient(scene, position, hu);
@@ -73,28 +74,31 @@ PDR_HD inline float cutSteepness(float hu, float voxelMm) {
 /// Returns the normal of a cut face; zero if `u` chooses no surface. Tissue that a plane cuts through ends at that
 /// plane: it reflects with the plane's normal, like an edge against air that is one voxel wide. The gradient of the HU
 /// does not know about the cut; inside tissue it is that of the noise.
-PDR_HD inline vec3 cutFaceNormal(const FlatScene& scene, const CutFace& face, vec3 wo, float hu, float u) {
+PDR_HD inline vec3 cutFaceNormal(const FlatScene& scene, const FlatTransferFunction& curve, const CutFace& face,
+                                 vec3 wo, float hu, float u) {
     const float steepness = cutSteepness(hu, face.voxelMm);
-    if (u >= surfaceProbability(scene, opacity(scene.transferFunction, hu), steepness))
+    if (u >= surfaceProbability(scene, opacity(curve, hu), steepness))
         return vec3(0);
     return facing(wo, glm::normalize(glm::transpose(scene.volume.indexFromLocal) * face.normal));
 }
 
 /// Returns the normal of the surface at an event; zero if there is none.
-PDR_HD inline vec3 normalAt(const FlatScene& scene, vec3 position, vec3 wo, float hu, float u) {
+PDR_HD inline vec3 normalAt(const FlatScene& scene, const FlatTransferFunction& curve, vec3 position, vec3 wo, float hu,
+                            float u) {
     const CutFace face = cutFaceNear(scene.clip, position);
-    if (face.voxelMm > 0 && opacity(scene.transferFunction, hounsfield(scene.volume, face.foot)) > 0)
-        return cutFaceNormal(scene, face, wo, hu, u);
-    return surfaceNormal(scene, position, wo, hu, u);
+    if (face.voxelMm > 0 && opacity(curve, hounsfield(scene.volume, face.foot)) > 0)
+        return cutFaceNormal(scene, curve, face, wo, hu, u);
+    return surfaceNormal(scene, curve, position, wo, hu, u);
 }
 
-/// Returns the event at `position`. `u` decides whether it is at a surface.
+/// Returns the event at `position`. `u` decides which tissue it is in, and whether it is at a surface.
 template <std::uint32_t F>
 PDR_HD_INLINE Event eventAt(const FlatScene& scene, vec3 position, vec3 wo, float u) {
     const float hu = hounsfield(scene.volume, position);
-    Event event{position, wo, materialAt(scene.transferFunction, hu), vec3(0)};
+    const FlatTransferFunction& curve = curveMet(scene, position, hu, u);
+    Event event{position, wo, materialAt(curve, hu), vec3(0)};
     if constexpr (has(F, kSurface))
-        event.normal = normalAt(scene, position, wo, hu, u);
+        event.normal = normalAt(scene, curve, position, wo, hu, u);
     return event;
 }
 

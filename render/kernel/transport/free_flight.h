@@ -52,8 +52,9 @@ enum class FlightEnd { place, whether };
 /// How a flight passes thin tissue: by exact integrals, or by looks (ThinWalk), which cost less. Both are unbiased.
 enum class ThinTissue { solved, looked };
 
-/// The flight of one ray, or of several in lanes. Masked: see PieceWalk.
-template <class Real, bool Masked = false, FlightEnd End = FlightEnd::place, ThinTissue Thin = ThinTissue::solved>
+/// The flight of one ray, or of several in lanes. Kind: see PieceWalk.
+template <class Real, Tissue Kind = Tissue::whole, FlightEnd End = FlightEnd::place,
+          ThinTissue Thin = ThinTissue::solved>
 class FreeFlight {
   public:
     using Int = typename SimdTraits<Real>::Int;
@@ -128,7 +129,7 @@ class FreeFlight {
         passed = mask ? Real{} : passed;
     }
 
-    using Walk = PieceWalk<Real, Masked, std::conditional_t<kLooks, ThinWalk<Real>, CellWalk<Real>>>;
+    using Walk = PieceWalk<Real, Kind, std::conditional_t<kLooks, ThinWalk<Real>, CellWalk<Real>>>;
     using Way = typename Walk::Way;
 
   private:
@@ -141,26 +142,34 @@ class FreeFlight {
     }
 
     PDR_HD_INLINE static Real meanExtinction(const OpticsAlong<Real>& along, const Way& way) {
-        if constexpr (Masked)
+        if constexpr (Kind == Tissue::parted)
+            return PartedExtinction<Real>{along, way.hu, way.weight, way.mixed}.mean();
+        else if constexpr (Kind == Tissue::masked)
             return seenAlong(along, way.weight).meanExtinction;
         else
             return along.meanExtinction;
     }
 
     PDR_HD_INLINE static Real endOn(const OpticsAlong<Real>& along, const Way& way, Real left, Mask ended) {
-        if constexpr (Masked)
-            return endOnSeen(along, way, left, ended);
-        else
+        if constexpr (Kind == Tissue::parted) {
+            const PartedExtinction<Real> extinction{along, way.hu, way.weight, way.mixed};
+            return endOnSeen(along, way, left, ended, extinction, extinction.differs(), extinction.mean());
+        } else if constexpr (Kind == Tissue::masked) {
+            const SeenAlong<Real> seen = seenAlong(along, way.weight);
+            return endOnSeen(along, way, left, ended, SeenExtinction<Real>{along, way.weight}, seen.partly,
+                             seen.meanExtinction);
+        } else
             return flightEndOn(along, way.length, left, ended);
     }
 
-    /// Returns what flightEndOn() returns, for a segment that may be partly hidden.
-    PDR_HD_INLINE static Real endOnSeen(const OpticsAlong<Real>& along, const Way& way, Real left, Mask ended) {
-        const SeenAlong<Real> seen = seenAlong(along, way.weight);
-        const Mask partly = ended & seen.partly;
-        Real end = flightEndOn(along, way.length, left, ended & !seen.partly);
+    /// Returns what flightEndOn() returns, for a segment of which `extinction` is the visible one where `differs`.
+    template <class Extinction>
+    PDR_HD_INLINE static Real endOnSeen(const OpticsAlong<Real>& along, const Way& way, Real left, Mask ended,
+                                        const Extinction& extinction, Mask differs, Real meanExtinction) {
+        const Mask partly = ended & differs;
+        Real end = flightEndOn(along, way.length, left, ended & !differs);
         if (any(partly)) {
-            const SeenDepthPassed<Real> depth{along, way.weight, 1.0f / seen.meanExtinction};
+            const DepthPassedByGauss<Real, Extinction> depth{extinction, 1.0f / meanExtinction};
             const Real wanted = left * depth.scale / way.length;
             const Real found = whereMonotoneIs(depth, wanted, Real{}, Real{} + 1.0f, partly);
             end = partly ? found : end;
@@ -190,16 +199,15 @@ PDR_HD inline Flight flown(const FlatScene& scene, const Ray& ray, float depth, 
 /// The exact flight of one ray.
 template <FlightEnd End = FlightEnd::place>
 PDR_HD inline Flight freeFlight(const FlatScene& scene, const Ray& ray, float depth) {
-    return isMasked(scene) ? flown<FreeFlight<float, true, End>>(scene, ray, depth, {})
-                           : flown<FreeFlight<float, false, End>>(scene, ray, depth, {});
+    return forTissue(scene, [&]<Tissue Kind>() { return flown<FreeFlight<float, Kind, End>>(scene, ray, depth, {}); });
 }
 
 /// The flight of one ray that looks at thin tissue.
 template <FlightEnd End = FlightEnd::place>
 PDR_HD inline Flight lookFlight(const FlatScene& scene, const Ray& ray, float depth, const RandomStream& random) {
     constexpr ThinTissue kLooked = ThinTissue::looked;
-    return isMasked(scene) ? flown<FreeFlight<float, true, End, kLooked>>(scene, ray, depth, random)
-                           : flown<FreeFlight<float, false, End, kLooked>>(scene, ray, depth, random);
+    return forTissue(
+        scene, [&]<Tissue Kind>() { return flown<FreeFlight<float, Kind, End, kLooked>>(scene, ray, depth, random); });
 }
 
 /// The flight of a path's first segment, and of the light at its end: it looks at thin tissue where the scene has much.

@@ -117,9 +117,7 @@ class MajorantTraversal {
                 hu = hounsfield(scene.volume, position);
             if (Dense && any(happened & here.voxelMajorant))
                 hu = here.voxelMajorant ? trilinear(here.voxels, fractionsIn(here.voxels, position)) : hu;
-            collision.extinction = extinctionOf(scene.transferFunction, hu);
-            if (isMasked(scene))
-                collision.extinction = collision.extinction * weightAt(scene, position);
+            collision.extinction = extinction(scene, position, hu);
             Real u, decision;
             random_.pair(happened, u, decision);
             depth_ = happened ? negativeLog(u) : depth_;
@@ -170,7 +168,7 @@ class MajorantTraversal {
         if constexpr (Dense)
             if (any(here.voxelMajorant)) {
                 here.voxels = nearestCell(scene.volume, ray_.voxel(), here.voxelMajorant);
-                const Real bound = extinctionBound(scene.transferFunction, here.voxels);
+                const Real bound = extinctionBound(scene, here.voxels, here.voxelMajorant);
                 here.template enter<1>(*this, here.voxelMajorant);
                 here.majorant = here.voxelMajorant ? min(here.majorant, bound) : here.majorant;
             }

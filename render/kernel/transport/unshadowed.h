@@ -21,14 +21,16 @@ inline constexpr float kFromAllSides = 0.02f;
 /// Returns the unshadowed radiance at `position` (index space). `wo`: unit, local, towards the viewer.
 PDR_HD inline UnshadowedPlace unshadowedAt(const FlatScene& scene, vec3 position, vec3 wo) {
     const float hu = hounsfield(scene.volume, position);
-    const Material material = materialAt(scene.transferFunction, hu);
+    float middle = 0.5f;
+    const FlatTransferFunction& curve = curveMet(scene, position, hu, middle);
+    const Material material = materialAt(curve, hu);
     const vec3 gradient = seenGradient(scene, position, hu);
     const float steepness = glm::length(gradient);
     UnshadowedPlace seen{material.emission};
     float surface = 0;
     if (steepness > 0) {
         seen.normal = gradient * ((glm::dot(gradient, wo) < 0 ? -1 : 1) / steepness);
-        surface = surfaceProbability(scene, opacity(scene.transferFunction, hu), steepness);
+        surface = surfaceProbability(scene, opacity(curve, hu), steepness);
     }
     vec3 arriving = 0.5f * (scene.environment.zenith + scene.environment.nadir);
     const vec3 place = localPosition(scene.volume, position);

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "render/kernel/grid_ray.h"
+#include "render/kernel/parts.h"
 #include "render/kernel/walk/weight_along.h"
 
 namespace pdr {
@@ -23,6 +24,22 @@ struct MaskedHuAlong : HuAlong<Real> {
     Cubic<Real> weight;  ///< in [0, 1]
 };
 
+/// The same where parts have curves of their own.
+template <class Real>
+struct PartedHuAlong : MaskedHuAlong<Real> {
+    using Int = typename SimdTraits<Real>::Int;
+
+    Int curve;              ///< the only curve of the cell, or kSeveralCurves
+    Vec3<Int> corner;       ///< lowest corner of the cell
+    Vec3<Real> begin, end;  ///< of the segment, as fractions of the cell
+};
+
+/// Assigns `other` where `mask` holds.
+template <class Number, class Mask>
+PDR_HD_INLINE void take(Vec3<Number>& mine, Mask mask, const Vec3<Number>& other) {
+    mine = {mask ? other.x : mine.x, mask ? other.y : mine.y, mask ? other.z : mine.z};
+}
+
 /// Reads the cell between voxels whose lowest corner is `voxel`, or the nearest one, and describes in `way` the segment
 /// from one position in it to another (index space), without its length; where `mask` holds.
 template <class Real, class Way>
@@ -36,6 +53,15 @@ PDR_HD_INLINE void readCell(const FlatScene& scene, const Vec3<typename SimdTrai
     way.hu.take(mask, hounsfieldAlong(cell, from, to));
     if constexpr (std::is_same_v<Way, MaskedHuAlong<Real>>)
         way.weight.take(mask, weightAlong(scene.mask, corner, from, to));
+    if constexpr (std::is_same_v<Way, PartedHuAlong<Real>>) {
+        const Real all = Real{} + 1.0f;
+        way.weight.take(mask,
+                        isMasked(scene) ? weightAlong(scene.mask, corner, from, to) : Cubic<Real>{all, all, all, all});
+        way.curve = mask ? onlyCurve(scene, corner, mask) : way.curve;
+        take(way.corner, mask, corner);
+        take(way.begin, mask, from);
+        take(way.end, mask, to);
+    }
 }
 
 template <class Real>
@@ -73,7 +99,7 @@ class CellWalk {
     }
     /// Moves the lanes of `mask`, all of them walking, through one cell: the largest cell whose bound is at most `bar`,
     /// or else one cell between voxels. Returns the lanes that took a cell between voxels; `way` then describes the
-    /// segment that was passed. Way: HuAlong, or MaskedHuAlong for scenes with a mask.
+    /// segment that was passed. Way: HuAlong, MaskedHuAlong or PartedHuAlong, as Tissue says.
     template <class Way>
     PDR_HD_INLINE Mask step(const FlatScene& scene, Mask mask, Real bar, Way& way) {
         const FlatMajorants& grid = scene.majorants;

@@ -66,12 +66,21 @@ PDR_HD_INLINE Real seenFraction(const OpticsAlong<Real>& along, const Cubic<Real
     return seen.partly ? max(min(partly, Real{} + 1.0f), Real{}) : whole;
 }
 
-/// The optical depth from 0 to s in [0, 1] of a partly visible segment, in units of the whole segment's depth.
+/// The visible extinction along a partly visible segment.
 template <class Real>
-struct SeenDepthPassed {
+struct SeenExtinction {
     const OpticsAlong<Real>& along;
     const Cubic<Real>& weight;
-    Real scale;  ///< 1 / SeenAlong::meanExtinction
+
+    PDR_HD_INLINE Real at(Real s) const { return extinctionAt(along, s) * max(weight.at(s), Real{}); }
+};
+
+/// The optical depth from 0 to s in [0, 1] of a segment whose extinction is a polynomial of degree nine at most, in
+/// units of the whole segment's depth.
+template <class Real, class Extinction>
+struct DepthPassedByGauss {
+    const Extinction& extinction;
+    Real scale;  ///< 1 / mean extinction
 
     PDR_HD_INLINE Real at(Real s) const {
         Real passed{};
@@ -79,7 +88,7 @@ struct SeenDepthPassed {
             passed = passed + gaussPlace(i).share * slopeAt(s * gaussPlace(i).place);
         return s * passed;
     }
-    PDR_HD_INLINE Real slopeAt(Real s) const { return extinctionAt(along, s) * max(weight.at(s), Real{}) * scale; }
+    PDR_HD_INLINE Real slopeAt(Real s) const { return extinction.at(s) * scale; }
 };
 
 }  // namespace pdr

@@ -25,12 +25,12 @@ PDR_HD_INLINE OpticsPiece<float> opticsPiece(const FlatOptics& optics, int index
             opticsColumn<float>(optics, int(OpticsColumn::end), index)};
 }
 
-/// Returns the piece that a segment begins in. At a border, this is the piece that the segment continues in.
-PDR_HD_INLINE OpticsPiece<float> pieceAtBegin(const FlatScene& scene, const Cubic<float>& hu) {
-    const FlatOptics& optics = scene.optics;
+/// Returns the piece of `curve` that a segment begins in. At a border, this is the piece that the segment continues in.
+PDR_HD_INLINE OpticsPiece<float> pieceAtBegin(const FlatOptics& optics, const FlatTransferFunction& curve,
+                                              const Cubic<float>& hu) {
     const bool falls = hu.b3 < hu.b0;
     // Interpolation leaves the range of voxels by less than 1 HU, which pieceAt allows for.
-    int index = scene.transferFunction.pieceAt[(int(hu.b0) + 32768) >> 4];
+    int index = curve.firstPiece + curve.pieceAt[(int(hu.b0) + 32768) >> 4];
     float end = opticsColumn<float>(optics, int(OpticsColumn::end), index);
     while (falls ? hu.b0 > end : hu.b0 >= end)
         end = opticsColumn<float>(optics, int(OpticsColumn::end), ++index);
@@ -40,11 +40,12 @@ PDR_HD_INLINE OpticsPiece<float> pieceAtBegin(const FlatScene& scene, const Cubi
 #if !defined(__CUDACC__)
 
 /// Returns the piece of each lane. It tries every piece, since curves have few and a look-up would gather.
-PDR_HD_INLINE OpticsPiece<FloatLanes> pieceAtBegin(const FlatScene& scene, const Cubic<FloatLanes>& hu) {
-    const FlatOptics& optics = scene.optics;
+PDR_HD_INLINE OpticsPiece<FloatLanes> pieceAtBegin(const FlatOptics& optics, const FlatTransferFunction& curve,
+                                                   const Cubic<FloatLanes>& hu) {
     const IntLanes falls = hu.b3 < hu.b0;
-    IntLanes index{};
-    for (int i = 1; i < scene.transferFunction.pieceCount; ++i) {
+    const int first = curve.firstPiece;
+    IntLanes index = IntLanes{} + first;
+    for (int i = first + 1; i < first + curve.pieceCount; ++i) {
         const float start = optics.table[int(OpticsColumn::start) * optics.stride + i];
         const IntLanes reached = falls ? hu.b0 > start : hu.b0 >= start;
         index = reached ? IntLanes{} + i : index;

@@ -3,10 +3,8 @@
 /// of pieces are found exactly: there is no step length. On each segment the HU are a cubic polynomial, and extinction
 /// and source are linear in them.
 
-#include <type_traits>
-
 #include "render/kernel/walk/cell_walk.h"
-#include "render/kernel/walk/masked_optics.h"
+#include "render/kernel/walk/parted_optics.h"
 
 namespace pdr {
 
@@ -25,14 +23,37 @@ struct MaskedPieceOfWay : PieceOfWay<Real> {
     Cubic<Real> weight;  ///< in [0, 1]
 };
 
-/// Walks along a ray segment by segment. Masked: for scenes with a mask; without it, no code for masks is compiled.
-/// Cells: CellWalk, or ThinWalk, of which some segments are looks.
-template <class Real, bool Masked, class Cells = CellWalk<Real>>
+/// A segment with the mixture of its curves, for scenes with parts.
+template <class Real>
+struct PartedPieceOfWay : MaskedPieceOfWay<Real> {
+    MixedAlong<Real> mixed;
+};
+
+/// The segments of a walk, of a cell and of a piece, in tissue of a kind.
+template <class Real, Tissue Kind>
+struct WayOf {
+    using InCell = HuAlong<Real>;
+    using InPiece = PieceOfWay<Real>;
+};
+template <class Real>
+struct WayOf<Real, Tissue::masked> {
+    using InCell = MaskedHuAlong<Real>;
+    using InPiece = MaskedPieceOfWay<Real>;
+};
+template <class Real>
+struct WayOf<Real, Tissue::parted> {
+    using InCell = PartedHuAlong<Real>;
+    using InPiece = PartedPieceOfWay<Real>;
+};
+
+/// Walks along a ray segment by segment. Kind: the scene's tissue; code for masks and parts is compiled only where it
+/// says so. Cells: CellWalk, or ThinWalk, of which some segments are looks.
+template <class Real, Tissue Kind, class Cells = CellWalk<Real>>
 class PieceWalk {
   public:
     using Int = typename SimdTraits<Real>::Int;
     using Mask = typename SimdTraits<Real>::Mask;
-    using Way = std::conditional_t<Masked, MaskedPieceOfWay<Real>, PieceOfWay<Real>>;
+    using Way = typename WayOf<Real, Kind>::InPiece;
 
     /// `random`: what Cells need of random numbers.
     template <class... Random>
@@ -83,7 +104,7 @@ class PieceWalk {
         const Mask clear =
             (inCell_.hu.highest() < scene.optics.clearUpTo) | (inCell_.hu.lowest() >= scene.optics.clearFrom);
         inCell_.length = (met & clear) ? Real{} : inCell_.length;
-        if constexpr (Masked)
+        if constexpr (Kind != Tissue::whole)
             inCell_.length = (met & !(inCell_.weight.highest() > 0.0f)) ? Real{} : inCell_.length;
     }
 
@@ -93,7 +114,8 @@ class PieceWalk {
         // Take the next part of the cell's segment and the piece that it begins in.
         Cubic<Real> before, behind;
         inCell_.hu.split(reach_, before, behind);
-        const OpticsPiece<Real> piece = pieceAtBegin(scene, before);
+        [[maybe_unused]] CornerPieces<Real> corners{};
+        const OpticsPiece<Real> piece = beginOf(scene, inCell, before, corners);
         const float rounding = scene.optics.rounding;
         const Mask fits = (before.lowest() >= piece.start - rounding) & (before.highest() <= piece.end + rounding);
         // Shorten it to the border of the piece, if it crosses one.
@@ -117,24 +139,42 @@ class PieceWalk {
         way.begin = cells_.reached() - inCell_.length;
         way.length = length;
         [[maybe_unused]] Cubic<Real> weightBehind{};
-        if constexpr (Masked)
+        if constexpr (Kind != Tissue::whole)
             inCell_.weight.split(reach, way.weight, weightBehind);
+        [[maybe_unused]] Vec3<Real> middle{};
+        if constexpr (Kind == Tissue::parted) {
+            middle = between(inCell_.begin, inCell_.end, reach);
+            way.mixed = mixedAlong(corners, inCell & (inCell_.curve == kSeveralCurves), inCell_.begin, middle);
+        }
         const Mask gone = ready & pass(way, ready, exceeded());
         // Continue behind it where it was accepted; halve it elsewhere.
         reach_ = inCell ? (gone ? Real{} + 1.0f : 0.5f * reach) : reach_;
         reach_ = max(reach_, Real{} + kShortest);
         const Mask split = gone & (reach < 1.0f);
         inCell_.hu.take(split, behind);
-        if constexpr (Masked)
+        if constexpr (Kind != Tissue::whole)
             inCell_.weight.take(split, weightBehind);
+        if constexpr (Kind == Tissue::parted)
+            pdr::take(inCell_.begin, split, middle);
         inCell_.length = gone ? inCell_.length - length : inCell_.length;
     }
 
+    /// Returns the piece that the segment `hu` begins in.
+    PDR_HD_INLINE OpticsPiece<Real> beginOf(const FlatScene& scene, [[maybe_unused]] Mask inCell, const Cubic<Real>& hu,
+                                            [[maybe_unused]] CornerPieces<Real>& corners) const {
+        if constexpr (Kind == Tissue::parted)
+            return pieceAtBegin(scene, inCell_, inCell, hu, corners);
+        else
+            return pieceAtBegin(scene.optics, scene.transferFunction, hu);
+    }
+    PDR_HD_INLINE static Vec3<Real> between(const Vec3<Real>& from, const Vec3<Real>& to, Real s) {
+        return {from.x + (to.x - from.x) * s, from.y + (to.y - from.y) * s, from.z + (to.z - from.z) * s};
+    }
+
     Cells cells_;
-    std::conditional_t<Masked, MaskedHuAlong<Real>, HuAlong<Real>>
-        inCell_{};                ///< rest of the segment through the current cell
-    Real reach_ = Real{} + 1.0f;  ///< fraction of this rest that is tried next
-    Real exceeded_{};             ///< 1: a segment reached the shortest length
+    typename WayOf<Real, Kind>::InCell inCell_{};  ///< rest of the segment through the current cell
+    Real reach_ = Real{} + 1.0f;                   ///< fraction of this rest that is tried next
+    Real exceeded_{};                              ///< 1: a segment reached the shortest length
 };
 
 }  // namespace pdr

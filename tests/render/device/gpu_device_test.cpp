@@ -10,6 +10,7 @@
 #include "tests/support/processor_time.h"
 #include "tests/support/scenes/images.h"
 #include "tests/support/scenes/masks.h"
+#include "tests/support/scenes/part_scenes.h"
 #include "tests/support/scenes/scenes.h"
 #include "tests/support/scenes/tissue_scene.h"
 
@@ -78,6 +79,29 @@ class GpuDeviceTest : public QObject {
                 scene.mask = nullptr;
                 ++scene.revision;
                 QVERIFY2(!same(theirs, test::render(scene, 20, *gpu)), "all of it is seen again");
+            }
+    }
+
+    void partsGiveTheCpusSums() {
+        const auto gpu = hostDevice();
+        const auto cpu = makeCpuDevice();
+        for (const Model model : {Model::singleScattering, Model::multipleScattering, Model::maximumIntensity})
+            for (const unsigned seed : {1u, 2u}) {
+                Scene scene = bumpyScene();
+                scene.model = model;
+                const Film without = test::render(scene, 20, *cpu);
+                scene.parts.map = test::anyParts(*scene.volume, 5, seed);
+                test::giveCurves(scene, seed);
+                scene.mask = seed == 2 ? test::anyMask(*scene.volume, seed) : nullptr;
+                ++scene.revision;
+                const Film theirs = test::render(scene, 20, *cpu);
+                QVERIFY(same(theirs, without) == (model == Model::maximumIntensity && seed == 1));
+                QVERIFY2(same(theirs, test::render(scene, 20, *gpu, 23, 32)), modelName(model));
+                QVERIFY2(same(theirs, *lived(*gpu, scene, 20, 20)), modelName(model));
+                scene.parts = {};
+                scene.mask = nullptr;
+                ++scene.revision;
+                QVERIFY2(same(without, test::render(scene, 20, *gpu)), "the parts are common again");
             }
     }
 

@@ -230,7 +230,7 @@ class LookFlightTest : public QObject {
             test::plainScene(test::makeVolume(ivec3(128), dvec3(1), [](int, int, int) { return 100; }), 0.001f);
         const auto prepared = Flattener().prepare(scene);
         const Ray ray{{-0.5f, 60.3f, 61.1f}, {1, 0, 0}, 128};
-        FreeFlight<float, false, FlightEnd::place, ThinTissue::looked> flight;
+        FreeFlight<float, Tissue::whole, FlightEnd::place, ThinTissue::looked> flight;
         flight.start(prepared->flat, ray, 100, randomOf(1, 1));
         int steps = 0;
         for (; flight.going(); ++steps)

@@ -22,6 +22,7 @@ std::shared_ptr<const Mask> someMask(const Volume& volume) {
 Scene fullScene() {
     Scene scene = test::plainScene(test::bumpyVolume({8, 8, 8}, dvec3(1), 3), 1);
     scene.mask = someMask(*scene.volume);
+    scene.parts = {std::make_shared<const LabelMap>(), {PartCurve{1, scene.transferFunction}}};
     scene.lights.push_back(RectangleLight{});
     scene.lights.push_back(SphereLight{});
     scene.environment.nadir = vec3(0.5f);
@@ -68,10 +69,11 @@ class KeptFilmsTest : public QObject {
   private slots:
     /// The names are all members of a Scene: one that is new does not compile until it has been added to this test.
     void noMemberOfASceneIsLeftOut() {
-        const auto& [volume, mask, transferFunction, model, estimator, schedule, filtering, window, toleranceLevels,
-                     phaseG, gradientFactor, rayOrigin, unshadowed, lights, environment, background, camera, clip,
-                     visible, ctDenoised, maskAwaited, film, maxBounces, seed, revision, lookName] = fullScene();
-        QVERIFY(volume && mask && !unshadowed);
+        const auto& [volume, mask, transferFunction, parts, model, estimator, schedule, filtering, window,
+                     toleranceLevels, phaseG, gradientFactor, rayOrigin, unshadowed, lights, environment, background,
+                     camera, clip, visible, ctDenoised, maskAwaited, film, maxBounces, seed, revision, lookName] =
+            fullScene();
+        QVERIFY(volume && mask && parts.map && !unshadowed);
     }
 
     /// Every field that scene files hold, by its smallest change.

@@ -1,0 +1,144 @@
+#pragma once
+/// A ray segment through parts with curves of their own. In a cell whose eight voxels have one curve, it is as if that
+/// were the scene's. Elsewhere the extinction is trilinear between those of the corners' curves. On a segment that
+/// crosses no border of a piece of any of these curves, each corner's extinction is linear in the HU; so, with base and
+/// slope trilinear between the corners,
+///   extinction(s) = base(s) + slope(s) (hu(s) - hu(0)),
+/// cubic polynomials all three. With the visibility weight the degree is nine, which Gauss's rule of five points
+/// integrates exactly.
+
+#include "render/kernel/medium.h"
+#include "render/kernel/walk/cell_walk.h"
+#include "render/kernel/walk/masked_optics.h"
+
+namespace pdr {
+
+/// What the curves at the corners of a cell have in common: for cells with several.
+template <class Real>
+struct CornerPieces {
+    VoxelCell<Real> base;     ///< extinction at the HU where a segment begins [1/mm]
+    VoxelCell<Real> slope;    ///< change of the extinction [1/mm per HU]
+    OpticsPiece<Real> piece;  ///< HU on which all corners' pieces hold; index: of the first corner's
+};
+
+/// Finds the pieces of the corners' curves in which a segment begins.
+PDR_HD inline CornerPieces<float> cornerPieces(const FlatScene& scene, ivec3 corner, const Cubic<float>& hu) {
+    const CornerCurves corners = cornerCurves(scene, corner);
+    CornerPieces<float> found{};
+    for (int n = 0; n < 8; ++n) {
+        int same = 0;
+        while (corners.curve[same] != corners.curve[n])
+            ++same;
+        if (same < n) {
+            found.base.hu[n] = found.base.hu[same];
+            found.slope.hu[n] = found.slope.hu[same];
+            continue;
+        }
+        const FlatTransferFunction& curve = scene.parts.curves[corners.curve[n]];
+        const OpticsPiece<float> piece = pieceAtBegin(scene.optics, curve, hu);
+        const OpacityPiece& line = curve.pieces[piece.index - curve.firstPiece];
+        found.base.hu[n] = max(curve.extinctionPerMm * opacityIn(line, hu.b0), 0.0f);
+        found.slope.hu[n] = curve.extinctionPerMm * line.slope;
+        if (n == 0)
+            found.piece = piece;
+        found.piece.start = max(found.piece.start, piece.start);
+        found.piece.end = min(found.piece.end, piece.end);
+    }
+    return found;
+}
+
+PDR_HD_INLINE void findCornerPieces(const FlatScene& scene, const PartedHuAlong<float>& cell, bool mask,
+                                    const Cubic<float>& hu, CornerPieces<float>& found) {
+    if (mask)
+        found = cornerPieces(scene, ivec3(cell.corner.x, cell.corner.y, cell.corner.z), hu);
+}
+
+#if !defined(__CUDACC__)
+
+/// Finds the same in the lanes of `mask`, one after the other: few lanes are in such a cell.
+inline void findCornerPieces(const FlatScene& scene, const PartedHuAlong<FloatLanes>& cell, IntLanes mask,
+                             const Cubic<FloatLanes>& hu, CornerPieces<FloatLanes>& found) {
+    for (int lane = 0; lane < kLanes; ++lane) {
+        if (!mask[lane])
+            continue;
+        const CornerPieces<float> one =
+            cornerPieces(scene, ivec3(cell.corner.x[lane], cell.corner.y[lane], cell.corner.z[lane]),
+                         {hu.b0[lane], hu.b1[lane], hu.b2[lane], hu.b3[lane]});
+        for (int n = 0; n < 8; ++n) {
+            found.base.hu[n][lane] = one.base.hu[n];
+            found.slope.hu[n][lane] = one.slope.hu[n];
+        }
+        found.piece.index[lane] = one.piece.index;
+        found.piece.start[lane] = one.piece.start;
+        found.piece.end[lane] = one.piece.end;
+    }
+}
+
+#endif
+
+/// Returns the piece that the segment `hu` through `cell` begins in, and what its corners have there in `corners`,
+/// where there are several curves.
+template <class Real>
+PDR_HD_INLINE OpticsPiece<Real> pieceAtBegin(const FlatScene& scene, const PartedHuAlong<Real>& cell,
+                                             typename SimdTraits<Real>::Mask mask, const Cubic<Real>& hu,
+                                             CornerPieces<Real>& corners) {
+    using Mask = typename SimdTraits<Real>::Mask;
+    const Mask several = mask & (cell.curve == kSeveralCurves);
+    if (any(several))
+        findCornerPieces(scene, cell, several, hu, corners);
+    OpticsPiece<Real> piece = corners.piece;
+    forEachCurve(cell.curve, mask & !several, [&](int curve, Mask here) {
+        const OpticsPiece<Real> one = pieceAtBegin(scene.optics, scene.parts.curves[curve], hu);
+        piece.index = here ? one.index : piece.index;
+        piece.start = here ? one.start : piece.start;
+        piece.end = here ? one.end : piece.end;
+    });
+    return piece;
+}
+
+/// The extinction along a segment of several curves: the formula at the top of this file.
+template <class Real>
+struct MixedAlong {
+    typename SimdTraits<Real>::Mask several;  ///< there are several curves
+    Cubic<Real> base, slope;
+};
+
+template <class Real>
+PDR_HD_INLINE MixedAlong<Real> mixedAlong(const CornerPieces<Real>& corners, typename SimdTraits<Real>::Mask several,
+                                          const Vec3<Real>& from, const Vec3<Real>& to) {
+    MixedAlong<Real> mixed{};
+    if (!any(several))
+        return mixed;
+    mixed.several = several;
+    mixed.base = hounsfieldAlong(corners.base, from, to);
+    mixed.slope = hounsfieldAlong(corners.slope, from, to);
+    return mixed;
+}
+
+/// The visible extinction along a segment through parts.
+template <class Real>
+struct PartedExtinction {
+    const OpticsAlong<Real>& along;
+    const Cubic<Real>& hu;
+    const Cubic<Real>& weight;
+    const MixedAlong<Real>& mixed;
+
+    PDR_HD_INLINE Real at(Real s) const {
+        const Real mix = max(mixed.base.at(s) + mixed.slope.at(s) * (hu.at(s) - hu.b0), Real{});
+        return (mixed.several ? mix : extinctionAt(along, s)) * max(weight.at(s), Real{});
+    }
+    /// Returns where the extinction is not that of the piece.
+    PDR_HD_INLINE typename SimdTraits<Real>::Mask differs() const { return mixed.several | (weight.lowest() < 1.0f); }
+    /// Returns its mean along the segment.
+    PDR_HD_INLINE Real mean() const {
+        const auto byGauss = differs();
+        if (!any(byGauss))
+            return along.meanExtinction;
+        Real mean{};
+        for (int i = 0; i < kGaussPlaces; ++i)
+            mean = mean + gaussPlace(i).share * at(Real{} + gaussPlace(i).place);
+        return byGauss ? mean : along.meanExtinction;
+    }
+};
+
+}  // namespace pdr

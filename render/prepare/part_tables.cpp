@@ -1,0 +1,103 @@
+#include "render/prepare/part_tables.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "render/base/cells.h"
+
+namespace pdr {
+namespace {
+
+/// Returns the only curve of the voxels in a fine cell, or kMixedCell; 0 for a cell without voxels.
+std::uint8_t curveOfCell(const LabelMap& map, const std::array<std::uint8_t, 256>& curveOf, ivec3 cell) {
+    const ivec3 size = map.geometry.size;
+    const VoxelSpan x = voxelsOfCell(cell.x, size.x), y = voxelsOfCell(cell.y, size.y),
+                    z = voxelsOfCell(cell.z, size.z);
+    if (x.first > x.last || y.first > y.last || z.first > z.last)
+        return 0;
+    const auto row = [&](int j, int k) {
+        return map.labels.data() + (std::size_t(k) * std::size_t(size.y) + std::size_t(j)) * std::size_t(size.x);
+    };
+    const std::uint8_t only = curveOf[row(y.first, z.first)[x.first]];
+    for (int k = z.first; k <= z.last; ++k)
+        for (int j = y.first; j <= y.last; ++j)
+            for (int i = x.first; i <= x.last; ++i)
+                if (curveOf[row(j, k)[i]] != only)
+                    return kMixedCell;
+    return only;
+}
+
+std::shared_ptr<const CellCurves> cellCurves(const LabelMap& map, const std::array<std::uint8_t, 256>& curveOf) {
+    const ivec3 voxels = map.geometry.size;
+    const ivec3 fine = coarseCells(voxels) * kFinePerCoarse;
+    auto cells = std::make_shared<CellCurves>(std::size_t(fine.x) * std::size_t(fine.y) * std::size_t(fine.z));
+    tbb::parallel_for(0, fine.z, [&](int k) {
+        for (int j = 0; j < fine.y; ++j)
+            for (int i = 0; i < fine.x; ++i)
+                (*cells)[std::size_t(cellIndex({i, j, k}, fine))] = curveOfCell(map, curveOf, {i, j, k});
+    });
+    return cells;
+}
+
+/// Returns the different curves of the parts, the common one first, and stores the number of each label's curve.
+std::vector<const TransferFunction*> differentCurves(const Parts& parts, const TransferFunction& common,
+                                                     std::array<std::uint8_t, 256>& curveOf) {
+    std::vector<const TransferFunction*> curves{&common};
+    for (const PartCurve& part : parts.curves) {
+        const auto known = std::ranges::find_if(
+            curves, [&](const TransferFunction* curve) { return *curve == part.transferFunction; });
+        curveOf[part.label] = std::uint8_t(known - curves.begin());
+        if (known == curves.end())
+            curves.push_back(&part.transferFunction);
+    }
+    return curves;
+}
+
+}  // namespace
+
+void PartTables::take(const Parts& parts, const TransferFunction& common, const PartTables* last) {
+    if (!parts.map)
+        return;
+    const std::vector<const TransferFunction*> different = differentCurves(parts, common, curveOf);
+    if (different.size() == 1)
+        return;
+    map = parts.map;
+    std::vector<TransferTables> tables;
+    for (const TransferFunction* curve : different)
+        add(tables.emplace_back(*curve));
+    // Point to the tables only now that they have their places.
+    int first = 0;
+    for (const TransferTables& one : tables) {
+        FlatTransferFunction curve = one.flat();
+        curve.pieces = pieces.data() + first;
+        curve.materials = materials.data() + 2 * std::ptrdiff_t(first);
+        curve.pieceAt = pieceAt.data() + curves.size() * one.pieceAt.size();
+        curve.firstPiece = first;
+        curves.push_back(curve);
+        first += curve.pieceCount;
+    }
+    cells = last && last->map == map && last->curveOf == curveOf ? last->cells : cellCurves(*map, curveOf);
+}
+
+void PartTables::add(const TransferTables& tables) {
+    pieces.insert(pieces.end(), tables.pieces.begin(), tables.pieces.end());
+    materials.insert(materials.end(), tables.materials.begin(), tables.materials.end());
+    pieceAt.insert(pieceAt.end(), tables.pieceAt.begin(), tables.pieceAt.end());
+}
+
+FlatParts PartTables::flat() const {
+    if (empty())
+        return {};
+    return {map->labels.data(), curveOf.data(), cells->data(), curves.data(), int(curves.size())};
+}
+
+bool PartTables::sameOpacity(const PartTables& other) const {
+    const auto sameCurve = [](const FlatTransferFunction& a, const FlatTransferFunction& b) {
+        return a.extinctionPerMm == b.extinctionPerMm && a.firstPiece == b.firstPiece && a.pieceCount == b.pieceCount;
+    };
+    return map == other.map && curveOf == other.curveOf && pieces == other.pieces &&
+           std::ranges::equal(curves, other.curves, sameCurve);
+}
+
+}  // namespace pdr

@@ -1,0 +1,33 @@
+#pragma once
+/// Parts of the patient with materials of their own: a curve with its colours for each label of a label map, where one
+/// curve over HU cannot tell blood with contrast medium from bone.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "render/scene/transfer_function.h"
+#include "render/volume/label_map.h"
+
+namespace pdr {
+
+/// The curve of the voxels of one label.
+struct PartCurve {
+    std::uint8_t label = 0;  ///< 1 to LabelMap::kMostParts
+    TransferFunction transferFunction;
+    bool operator==(const PartCurve&) const = default;
+};
+
+struct Parts {
+    std::shared_ptr<const LabelMap> map;  ///< on the grid of the scene's volume; null: there are no parts
+    std::vector<PartCurve> curves;        ///< ascending labels; all others have the scene's own curve
+    bool operator==(const Parts&) const = default;
+};
+
+struct Scene;
+
+/// Checks the parts of a scene: the map lies on the volume's grid, labels ascend, curves are valid, and the model knows
+/// parts: the scattering ones do, and maximumIntensity, which shows no curve. `where` of an error begins with "parts".
+Result<void> checkParts(const Scene& scene);
+
+}  // namespace pdr
