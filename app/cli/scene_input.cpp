@@ -94,7 +94,7 @@ Result<void> dress(LoadedScene& work, const SceneInput& input, const std::option
 /// Marks the look's name as changed if the scene differs from the look: an image must not bear the name of a look that
 /// it does not show.
 void nameLook(Scene& scene, const NamedLook& look) {
-    if (scene.model != look.model || scene.visible != look.look.visible)
+    if (scene.model != look.model || scene.visible != look.look.visible || scene.parts.map)
         scene.lookName += kChangedLook;
 }
 
@@ -120,11 +120,25 @@ Result<void> hide(LoadedScene& work, const SceneInput& input, const segment::Bod
     return {};
 }
 
-/// Sets the exposure so that the tissue lies in the middle of the display range.
+/// Gives parts of the patient the curves of their looks.
+Result<void> giveLooks(LoadedScene& work, const PartLooks& looks, const Progress& progress) {
+    if (looks.looks.empty())
+        return {};
+    auto parts = partsWithLooks(looks, *work.scene.volume, work.series.get(), progress);
+    if (!parts)
+        return parts.error();
+    work.scene.parts = *std::move(parts);
+    for (const Text& note : work.scene.parts.map->notes)
+        work.notes.push_back(note);
+    return work.scene.check();
+}
+
+/// Sets the exposure so that the tissue lies in the middle of the display range; parts count as common tissue.
 Result<void> expose(LoadedScene& work, const segment::BodyParts& parts, const VolumeGeometry& body) {
     Scene coarse = work.scene;
     coarse.volume = coarseCopy(*work.scene.volume);
     coarse.mask = coarseMask(*coarse.volume, parts, coarse.visible, noProgress);
+    coarse.parts = {};
     const std::unique_ptr<Device> device = makeCpuDevice();
     const auto small = smallImage(std::move(coarse), body, double(work.display.exposure), *device, {});
     if (!small)
@@ -182,8 +196,10 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
     const segment::BodyParts parts(work.scene.volume);
     if (auto ok = hide(work, input, parts, partOf(progress, 0.9, 0.95)); !ok)
         return ok.error();
+    if (auto ok = giveLooks(work, input.partLooks, partOf(progress, 0.95, 0.97)); !ok)
+        return ok.error();
     work.scene.ctDenoised = work.scene.ctDenoised || input.ctDenoised;
-    if (auto ok = denoiseCt(work, partOf(progress, 0.95, 1)); !ok)
+    if (auto ok = denoiseCt(work, partOf(progress, 0.97, 1)); !ok)
         return input.ctDenoised ? ok.error().in("--ct-denoised") : ok.error();
     if (*look)
         nameLook(work.scene, **look);

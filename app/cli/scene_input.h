@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/part_looks.h"
 #include "dicom/series.h"
 #include "render/base/progress.h"
 #include "render/base/result.h"
@@ -29,6 +30,7 @@ struct SceneInput {
     std::optional<Table> table;        ///< absent: hidden for a folder, as the file says for a scene
     std::optional<Visible> parts;      ///< shown and hidden parts; absent: as the look or the scene file says
     std::optional<double> peelMm;      ///< absent: as the look or the scene file says
+    PartLooks partLooks;               ///< parts of the patient with looks of their own
     bool ctDenoised = false;  ///< the image shows the scan with less noise, also where the scene does not say so
     std::optional<double> exposure;
     std::optional<ToneCurve> toneCurve;  ///< absent: the look's

@@ -3,9 +3,8 @@
 #include <QRegularExpression>
 #include <algorithm>
 
+#include "app/cli/look_option.h"
 #include "app/command_line/option_reader.h"
-#include "app/looks/look_files.h"
-#include "app/looks/looks.h"
 #include "render/base/image_size.h"
 
 namespace pdr::app {
@@ -100,25 +99,7 @@ std::optional<NamedLook> readLook(const Reader& reader) {
     const auto text = reader.text("look");
     if (!text)
         return std::nullopt;
-    if (isLookFile(*text)) {
-        const auto bundled = bundledLooks();
-        if (!bundled)
-            throw bundled.error();
-        const auto look = readLookFile(*text, bundled->front());
-        if (!look)
-            throw look.error();
-        return *look;
-    }
-    const auto looks = bundledLooks();
-    if (!looks)
-        throw looks.error();
-    std::string known;
-    for (const NamedLook& look : *looks) {
-        if (QString::fromStdString(look.name).compare(*text, Qt::CaseInsensitive) == 0)
-            return look;
-        known += (known.empty() ? "" : ", ") + look.name;
-    }
-    usageError("--look", "there is no look \"" + text->toStdString() + "\"", "There are: " + known + ".");
+    return namedLook(*text, "--look");
 }
 
 }  // namespace
@@ -173,6 +154,7 @@ void describeSceneOptions(QCommandLineParser& parser) {
         {"threads", "Threads; default: one per core.", "N", "0"},
         {"seed", "Seed of the random numbers; default 1, or what the scene file says.", "N"},
     });
+    describePartLooks(parser);
 }
 
 std::optional<ivec2> readSize(const QCommandLineParser& parser) {
@@ -216,6 +198,7 @@ SceneInput readSceneOptions(const QCommandLineParser& parser, const QString& com
     scene.toneCurve = readToneCurve(reader);
     scene.seed = reader.whole("seed", 0, UINT64_MAX);
     scene.look = readLook(reader);
+    scene.partLooks = readPartLooks(parser);
     scene.model = readModel(reader);
     scene.estimator = readEstimator(reader);
     scene.apertureMm = reader.number("aperture", {0, 200});

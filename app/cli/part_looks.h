@@ -1,0 +1,43 @@
+#pragma once
+/// Options that give parts of the patient a look of their own: where the parts come from, and the curve of each.
+
+#include <QCommandLineParser>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dicom/series.h"
+#include "render/base/progress.h"
+#include "render/base/result.h"
+#include "render/scene/named_look.h"
+#include "render/scene/parts.h"
+#include "render/volume/label_fit.h"
+
+namespace pdr::app {
+
+/// The look of the parts of one name.
+struct PartLook {
+    std::string part;
+    NamedLook look;
+};
+
+struct PartLooks {
+    std::filesystem::path labels;  ///< the label map; empty: parts are found
+    bool findsVessels = false, findsShells = false;
+    Resampling resampling = Resampling::refused;
+    std::vector<PartLook> looks;  ///< empty: all parts have the common look
+};
+
+void describePartLooks(QCommandLineParser& parser);
+
+/// Reads the options. Throws an Error that names the first wrong one.
+PartLooks readPartLooks(const QCommandLineParser& parser);
+
+/// Reads or finds the parts of a scan, and gives those that are named the curve of their look; parts of one name get
+/// the same. `series`: what the scan was read from, or null. Errors: those of reading or finding parts; a name that no
+/// part has.
+Result<Parts> partsWithLooks(const PartLooks& wanted, const Volume& scan, const dicom::Series* series,
+                             const Progress& progress);
+
+}  // namespace pdr::app
