@@ -11,6 +11,8 @@
 
 namespace pdr {
 
+static_assert(kFineCell == 4);
+
 PDR_HD inline bool hasParts(const FlatScene& scene) {
     return scene.parts.labels != nullptr;
 }
@@ -70,11 +72,18 @@ PDR_HD inline int onlyCurve(const FlatScene& scene, ivec3 corner) {
 
 /// Returns the curve of each lane in which `mask` holds; 0 in the others.
 inline IntLanes onlyCurve(const FlatScene& scene, const Vec3<IntLanes>& corner, IntLanes mask) {
+    const ivec3 fine = scene.majorants.fineSize;
+    const auto cell = [](IntLanes voxel) { return (voxel >> 2) + 1; };  // kFineCell is 4
+    const IntLanes index = (cell(corner.z) * fine.y + cell(corner.y)) * fine.x + cell(corner.x);
     IntLanes only{};
     for (int lane = 0; lane < kLanes; ++lane)
-        if (mask[lane])
-            only[lane] = onlyCurve(scene, ivec3(corner.x[lane], corner.y[lane], corner.z[lane]));
-    return only;
+        only[lane] = scene.parts.onlyCurve[index[lane]];
+    const IntLanes mixed = mask & (only == kMixedCell);
+    if (any(mixed))
+        for (int lane = 0; lane < kLanes; ++lane)
+            if (mixed[lane])
+                only[lane] = onlyCurve(scene, ivec3(corner.x[lane], corner.y[lane], corner.z[lane]));
+    return mask ? only : IntLanes{};
 }
 
 #endif

@@ -50,7 +50,8 @@ int pieceCount(std::span<const FlatTransferFunction> curves) {
 
 /// Returns the table column by column, each padded with its last entry.
 std::vector<float> opticsTable(std::span<const FlatTransferFunction> curves, int stride) {
-    std::vector<float> table(std::size_t(kOpticsColumns) * stride);
+    // tableLookup() reads the last curve's columns up to a multiple of kLanes behind its first piece.
+    std::vector<float> table(std::size_t(kOpticsColumns) * stride + kLanes);
     const FlatTransferFunction* curve = curves.data();
     for (int row = 0; row < stride; ++row) {
         if (row == curve->firstPiece + curve->pieceCount && curve != &curves.back())

@@ -36,9 +36,9 @@ class PartTables {
     bool sameOpacity(const PartTables& other) const;
 
     std::shared_ptr<const LabelMap> map;       ///< null: there are no parts
-    std::array<std::uint8_t, 256> curveOf{};   ///< of each label
+    std::array<std::uint8_t, 256> curveOf{};   ///< number of each label's curve
     std::shared_ptr<const CellCurves> cells;   ///< null without a map
-    std::vector<OpacityPiece> pieces;          ///< of all curves
+    std::vector<OpacityPiece> pieces;          ///< pieces of all curves
     std::vector<Material> materials;           ///< two per piece
     std::vector<std::uint16_t> pieceAt;        ///< 65536 / 16 entries for each curve
     std::vector<FlatTransferFunction> curves;  ///< the scene's own first

@@ -24,14 +24,14 @@ struct MaskedHuAlong : HuAlong<Real> {
     Cubic<Real> weight;  ///< in [0, 1]
 };
 
-/// The same where parts have curves of their own.
+/// HU, weight and curves along a ray segment inside one cell, for scenes with parts.
 template <class Real>
 struct PartedHuAlong : MaskedHuAlong<Real> {
     using Int = typename SimdTraits<Real>::Int;
 
     Int curve;              ///< the only curve of the cell, or kSeveralCurves
     Vec3<Int> corner;       ///< lowest corner of the cell
-    Vec3<Real> begin, end;  ///< of the segment, as fractions of the cell
+    Vec3<Real> begin, end;  ///< ends of the segment, as fractions of the cell
 };
 
 /// Assigns `other` where `mask` holds.
@@ -55,8 +55,10 @@ PDR_HD_INLINE void readCell(const FlatScene& scene, const Vec3<typename SimdTrai
         way.weight.take(mask, weightAlong(scene.mask, corner, from, to));
     if constexpr (std::is_same_v<Way, PartedHuAlong<Real>>) {
         const Real all = Real{} + 1.0f;
-        way.weight.take(mask,
-                        isMasked(scene) ? weightAlong(scene.mask, corner, from, to) : Cubic<Real>{all, all, all, all});
+        if (isMasked(scene))
+            way.weight.take(mask, weightAlong(scene.mask, corner, from, to));
+        else
+            way.weight = {all, all, all, all};
         way.curve = mask ? onlyCurve(scene, corner, mask) : way.curve;
         take(way.corner, mask, corner);
         take(way.begin, mask, from);

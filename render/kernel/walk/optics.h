@@ -43,15 +43,16 @@ PDR_HD_INLINE OpticsPiece<float> pieceAtBegin(const FlatOptics& optics, const Fl
 PDR_HD_INLINE OpticsPiece<FloatLanes> pieceAtBegin(const FlatOptics& optics, const FlatTransferFunction& curve,
                                                    const Cubic<FloatLanes>& hu) {
     const IntLanes falls = hu.b3 < hu.b0;
-    const int first = curve.firstPiece;
-    IntLanes index = IntLanes{} + first;
-    for (int i = first + 1; i < first + curve.pieceCount; ++i) {
-        const float start = optics.table[int(OpticsColumn::start) * optics.stride + i];
+    const float* starts = optics.table + int(OpticsColumn::start) * optics.stride + curve.firstPiece;
+    const float* ends = optics.table + int(OpticsColumn::end) * optics.stride + curve.firstPiece;
+    IntLanes index{};
+    for (int i = 1; i < curve.pieceCount; ++i) {
+        const float start = starts[i];
         const IntLanes reached = falls ? hu.b0 > start : hu.b0 >= start;
         index = reached ? IntLanes{} + i : index;
     }
-    return {index, opticsColumn<FloatLanes>(optics, int(OpticsColumn::start), index),
-            opticsColumn<FloatLanes>(optics, int(OpticsColumn::end), index)};
+    return {index + curve.firstPiece, tableLookup(starts, curve.pieceCount, index),
+            tableLookup(ends, curve.pieceCount, index)};
 }
 
 #endif

@@ -84,9 +84,12 @@ PDR_HD_INLINE OpticsPiece<Real> pieceAtBegin(const FlatScene& scene, const Parte
                                              CornerPieces<Real>& corners) {
     using Mask = typename SimdTraits<Real>::Mask;
     const Mask several = mask & (cell.curve == kSeveralCurves);
-    if (any(several))
+    OpticsPiece<Real> piece{};
+    if (any(several)) {
         findCornerPieces(scene, cell, several, hu, corners);
-    OpticsPiece<Real> piece = corners.piece;
+        piece = {several ? corners.piece.index : piece.index, several ? corners.piece.start : piece.start,
+                 several ? corners.piece.end : piece.end};
+    }
     forEachCurve(cell.curve, mask & !several, [&](int curve, Mask here) {
         const OpticsPiece<Real> one = pieceAtBegin(scene.optics, scene.parts.curves[curve], hu);
         piece.index = here ? one.index : piece.index;
@@ -103,16 +106,15 @@ struct MixedAlong {
     Cubic<Real> base, slope;
 };
 
+/// Sets `mixed`, which is 0 before, for the segment from one position in a cell to another, both as its fractions.
 template <class Real>
-PDR_HD_INLINE MixedAlong<Real> mixedAlong(const CornerPieces<Real>& corners, typename SimdTraits<Real>::Mask several,
-                                          const Vec3<Real>& from, const Vec3<Real>& to) {
-    MixedAlong<Real> mixed{};
+PDR_HD_INLINE void mix(const CornerPieces<Real>& corners, typename SimdTraits<Real>::Mask several,
+                       const Vec3<Real>& from, const Vec3<Real>& to, MixedAlong<Real>& mixed) {
     if (!any(several))
-        return mixed;
+        return;
     mixed.several = several;
     mixed.base = hounsfieldAlong(corners.base, from, to);
     mixed.slope = hounsfieldAlong(corners.slope, from, to);
-    return mixed;
 }
 
 /// The visible extinction along a segment through parts.

@@ -114,7 +114,7 @@ class PieceWalk {
         // Take the next part of the cell's segment and the piece that it begins in.
         Cubic<Real> before, behind;
         inCell_.hu.split(reach_, before, behind);
-        [[maybe_unused]] CornerPieces<Real> corners{};
+        [[maybe_unused]] CornerPieces<Real> corners;  // known where a cell has several curves
         const OpticsPiece<Real> piece = beginOf(scene, inCell, before, corners);
         const float rounding = scene.optics.rounding;
         const Mask fits = (before.lowest() >= piece.start - rounding) & (before.highest() <= piece.end + rounding);
@@ -139,12 +139,15 @@ class PieceWalk {
         way.begin = cells_.reached() - inCell_.length;
         way.length = length;
         [[maybe_unused]] Cubic<Real> weightBehind{};
-        if constexpr (Kind != Tissue::whole)
+        if constexpr (Kind == Tissue::masked)
             inCell_.weight.split(reach, way.weight, weightBehind);
         [[maybe_unused]] Vec3<Real> middle{};
         if constexpr (Kind == Tissue::parted) {
+            way.weight = weightBehind = inCell_.weight;
+            if (isMasked(scene))
+                inCell_.weight.split(reach, way.weight, weightBehind);
             middle = between(inCell_.begin, inCell_.end, reach);
-            way.mixed = mixedAlong(corners, inCell & (inCell_.curve == kSeveralCurves), inCell_.begin, middle);
+            mix(corners, inCell & (inCell_.curve == kSeveralCurves), inCell_.begin, middle, way.mixed);
         }
         const Mask gone = ready & pass(way, ready, exceeded());
         // Continue behind it where it was accepted; halve it elsewhere.
