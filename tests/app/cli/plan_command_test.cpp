@@ -198,6 +198,16 @@ class PlanCommandTest : public QObject {
         QVERIFY(QImage(at("a.png")).size() == bare.size() && QImage(at("a.png")) != bare);
     }
 
+    void aPlanWithADenoisedCtIsRenderedSo() {
+        SavedPlan saved = saved_;
+        saved.plan.image.look.ctDenoised = true;
+        save(saved, at("quiet.plan.json"));
+        const ProgramRun run = runPlan({at("quiet.plan.json"), "--scan", series(), "--render", "-o", at("quiet.png"),
+                                        "--size", "40x30", "--samples", "1"});
+        QVERIFY2(run.code == 0, run.err.constData());
+        QVERIFY(QImage(at("quiet.png")).text("pdrender/remarks").contains("CT denoised"));
+    }
+
     void foreignAndDamagedPlansAreRefused() {
         const QByteArray text = contents(plan());
         const auto said = [&](const QByteArray& content) {

@@ -116,7 +116,7 @@ class CtNoiseInWindowTest : public QObject {
         QVERIFY(!trial.frames.back()->ctDenoised);
     }
 
-    void aJobThatRunsGoesOn() {
+    void theNewestScanIsMade() {
         CtNoiseJob job;
         QSignalSpy made(&job, &CtNoiseJob::made), finished(&job, &CtNoiseJob::finished);
         const auto scan = noisyBall();
@@ -125,9 +125,14 @@ class CtNoiseInWindowTest : public QObject {
         QVERIFY(made.wait());
         QCOMPARE(made[0][0].value<std::shared_ptr<const Volume>>(), scan);
         QVERIFY(isCtDenoised(*made[0][1].value<std::shared_ptr<const Volume>>()));
+        const auto other = noisyBall();
+        job.reduce(scan);
+        job.reduce(other);
+        QVERIFY(made.wait());
+        QCOMPARE(made[1][0].value<std::shared_ptr<const Volume>>(), other);
         job.reduce(scan);
         job.cancel();
-        QVERIFY(!job.isRunning() && made.count() == 1 && finished.count() == 2);
+        QVERIFY(!job.isRunning() && made.count() == 2 && finished.count() == 3);
     }
 
   private:

@@ -1,6 +1,7 @@
 /// A scan whose values are no HU in the window: it is shown, and nothing says or needs HU.
 
 #include <QAction>
+#include <QCheckBox>
 #include <QMenu>
 #include <QTemporaryDir>
 #include <QTest>
@@ -74,6 +75,10 @@ class ValuesInWindowTest : public QObject {
         for (const QWidget* part : panel->findChildren<QWidget*>())
             for (const QString& text : {part->accessibleName(), part->accessibleDescription()})
                 QVERIFY2(!text.contains("HU") && !text.contains("Hounsfield"), qPrintable(text));
+    }
+
+    void theirNoiseIsNotTakenOff() {
+        QVERIFY(!window().findChild<ui::LookPanel*>()->findChild<QCheckBox*>()->isEnabled());
     }
 
     void aLookIsNotKept() {
