@@ -12,8 +12,7 @@ namespace pdr {
 namespace {
 
 constexpr float kSharpPhase = 0.5f;  ///< |g| from which scattering counts as sharper than lights are large
-
-constexpr int kManyEvents = 64;  ///< number of events after which the next one changes nothing visible
+constexpr int kManyEvents = 64;      ///< number of events after which the next one changes nothing visible
 
 bool isBlack(vec3 colour) {
     return colour == vec3(0);
@@ -174,7 +173,7 @@ Effect surfaces(const Subject& subject) {
 }
 
 Effect softEdges(const Subject& subject) {
-    const Text name = phrase("light from outside soft edges");
+    const Text name = phrase("rays outside soft edges");
     if (!surfaces(subject).needed)
         return off(name, phrase("there are no surfaces"));
     const bool outside = subject.scene.rayOrigin == RayOrigin::outsideEdge;

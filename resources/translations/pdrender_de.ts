@@ -5630,8 +5630,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Licht von allen Seiten</translation>
     </message>
     <message>
-        <source>light from outside soft edges</source>
-        <translation>Licht von außerhalb weicher Ränder</translation>
+        <source>rays outside soft edges</source>
+        <translation>Strahlen außerhalb weicher Ränder</translation>
     </message>
     <message>
         <source>light is let through everything, to see what shadows do</source>

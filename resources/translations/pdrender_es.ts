@@ -5630,8 +5630,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>luz de todos los lados</translation>
     </message>
     <message>
-        <source>light from outside soft edges</source>
-        <translation>luz desde fuera de los bordes suaves</translation>
+        <source>rays outside soft edges</source>
+        <translation>rayos fuera de los bordes suaves</translation>
     </message>
     <message>
         <source>light is let through everything, to see what shadows do</source>

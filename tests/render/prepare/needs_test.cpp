@@ -298,7 +298,7 @@ class NeedsTest : public QObject {
 
     /// The model in which rays leave surfaces outside their soft edge is told apart from the exact one.
     void raysFromOutsideSoftEdgesCanBeLeftOut() {
-        const std::string name = "light from outside soft edges";
+        const std::string name = "rays outside soft edges";
         Scene scene = plain();
         scene.rayOrigin = RayOrigin::outsideEdge;
         QVERIFY(!effect(scene, name).needed);  // no surfaces
