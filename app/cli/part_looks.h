@@ -3,16 +3,15 @@
 
 #include <QCommandLineParser>
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "app/cli/parts_source.h"
 #include "dicom/series.h"
 #include "render/base/progress.h"
 #include "render/base/result.h"
 #include "render/scene/named_look.h"
 #include "render/scene/parts.h"
-#include "render/volume/label_fit.h"
 
 namespace pdr::app {
 
@@ -23,9 +22,7 @@ struct PartLook {
 };
 
 struct PartLooks {
-    std::filesystem::path labels;  ///< the label map; empty: parts are found
-    bool findsVessels = false, findsShells = false;
-    Resampling resampling = Resampling::refused;
+    PartsSource source;
     std::vector<PartLook> looks;  ///< empty: all parts have the common look
 };
 

@@ -9,9 +9,6 @@
 #include "app/cli/run_command.h"
 #include "app/cli/scanned_volume.h"
 #include "app/program/interrupt.h"
-#include "app/scan/scan_labels.h"
-#include "render/segment/shells.h"
-#include "render/segment/vessels.h"
 #include "render/volume/file/label_nrrd.h"
 
 namespace pdr::app {
@@ -46,18 +43,9 @@ void printText(const Json& report) {
         std::printf("note: %s\n", note.get<std::string>().c_str());
 }
 
-Result<LabelMap> partsFrom(const PartsOptions& options, const ScannedVolume& scanned, const Progress& progress) {
-    if (options.findsVessels)
-        return segment::findVessels(*scanned.volume, progress);
-    if (options.findsShells)
-        return segment::findShells(*scanned.volume, nullptr, progress);
-    return readScanLabels(options.labels, scanned.volume->geometry(), scanned.series.get(), options.resampling,
-                          progress);
-}
-
 Result<LabelMap> readParts(const PartsOptions& options, const ScannedVolume& scanned, const std::stop_token& stop) {
     ProgressLine line;
-    Result<LabelMap> map = partsFrom(options, scanned, line.until(stop));
+    Result<LabelMap> map = partsFrom(options.source, *scanned.volume, scanned.series.get(), line.until(stop));
     line.finish();
     return map;
 }

@@ -10,19 +10,10 @@ namespace {
 void describeParts(QCommandLineParser& parser) {
     parser.setOptionsAfterPositionalArgumentsMode(QCommandLineParser::ParseAsOptions);
     parser.addPositionalArgument("scan", "The scan.", "FOLDER|SCENE.json");
+    describePartsSource(parser);
     parser.addOptions({
         {{"h", "help"}, "Show this text."},
         {"series", "Take the series with this UID; default: the first that can be loaded.", "UID"},
-        {"labels",
-         "The label map: NIfTI, NRRD (also .seg.nrrd), MetaImage or a DICOM segmentation, or a folder with a mask of "
-         "each part.",
-         "FILE|FOLDER"},
-        {"find",
-         "Find parts in the scan itself, by rules that may err: vessels, on a scan with contrast medium, or skin and "
-         "muscle (shells).",
-         "vessels|shells"},
-        {"resample",
-         "If the label map has other voxels than the scan, give each voxel of the scan the label of the nearest one."},
         {"json", "Print the list as JSON."},
         {{"o", "output"}, "Write the parts on the scan's grid, for 3D Slicer and others.", "FILE.seg.nrrd"},
     });
@@ -34,18 +25,11 @@ void readParts(const QCommandLineParser& parser, PartsOptions& options) {
     const Reader reader(parser);
     options.scan = parser.positionalArguments().front().toStdString();
     options.seriesUid = reader.text("series").value_or("").toStdString();
-    options.labels = reader.text("labels").value_or("").toStdString();
-    options.resampling = parser.isSet("resample") ? Resampling::nearest : Resampling::refused;
     options.output = reader.text("output").value_or("").toStdString();
     options.json = parser.isSet("json");
-    const std::string wanted = reader.text("find").value_or("").toStdString();
-    options.findsVessels = wanted == "vessels";
-    options.findsShells = wanted == "shells";
-    const bool finds = options.findsVessels || options.findsShells;
-    if (!wanted.empty() && !finds)
-        usageError("--find", "must be vessels or shells, not \"" + wanted + "\"");
-    if (options.labels.empty() != finds)
-        usageError("parts", "needs --labels or --find, and not both: they say where the parts come from");
+    options.source = readPartsSource(parser);
+    if (!options.source.isGiven())
+        usageError("parts", "needs --labels or --find, which say where the parts come from");
     if (!options.output.empty() && !isLabelFile(options.output))
         usageError("--output", std::string("must end in ") + kLabelEnding);
 }

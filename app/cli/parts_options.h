@@ -6,17 +6,15 @@
 #include <filesystem>
 #include <string>
 
+#include "app/cli/parts_source.h"
 #include "render/base/result.h"
-#include "render/volume/label_fit.h"
 
 namespace pdr::app {
 
 struct PartsOptions {
-    std::filesystem::path scan;    ///< a DICOM folder, an archive, a volume file or a scene file
-    std::string seriesUid;         ///< empty: the first series that can be loaded
-    std::filesystem::path labels;  ///< the label map; empty: parts are found
-    bool findsVessels = false, findsShells = false;
-    Resampling resampling = Resampling::refused;
+    std::filesystem::path scan;  ///< a DICOM folder, an archive, a volume file or a scene file
+    std::string seriesUid;       ///< empty: the first series that can be loaded
+    PartsSource source;
     std::filesystem::path output;  ///< where to write the parts on the scan's grid; empty: nowhere
     bool json = false;
     bool help = false;

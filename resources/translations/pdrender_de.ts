@@ -5630,10 +5630,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Licht von allen Seiten</translation>
     </message>
     <message>
-        <source>rays outside soft edges</source>
-        <translation>Strahlen außerhalb weicher Ränder</translation>
-    </message>
-    <message>
         <source>light is let through everything, to see what shadows do</source>
         <translation>Licht geht durch alles hindurch, um zu sehen, was Schatten bewirken</translation>
     </message>
@@ -6148,6 +6144,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>rays less exact than asked for</source>
         <translation>Strahlen, die weniger genau sind als verlangt</translation>
+    </message>
+    <message>
+        <source>rays outside soft edges</source>
+        <translation>Strahlen außerhalb weicher Ränder</translation>
     </message>
     <message>
         <source>rays to the light leave surfaces one voxel out</source>
@@ -6722,14 +6722,16 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>die Lungen sind nicht vom Übrigen zu unterscheiden</translation>
     </message>
     <message>
+        <source>the march has one event on a path</source>
+        <translation>der Marsch hat ein Ereignis je Weg</translation>
+    </message>
+    <message>
         <source>the mask has other voxels than those before it</source>
         <translation>die Maske hat andere Voxel als die vor ihr</translation>
     </message>
     <message>
         <source>the masks have more than %1 labels</source>
         <translation>die Masken haben mehr als %1 Labels</translation>
-        <source>the march has one event on a path</source>
-        <translation>der Marsch hat ein Ereignis je Weg</translation>
     </message>
     <message>
         <source>the measurements do not tell the parts of a frame's time apart</source>

@@ -5630,10 +5630,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>luz de todos los lados</translation>
     </message>
     <message>
-        <source>rays outside soft edges</source>
-        <translation>rayos fuera de los bordes suaves</translation>
-    </message>
-    <message>
         <source>light is let through everything, to see what shadows do</source>
         <translation>la luz lo atraviesa todo, para ver qué hacen las sombras</translation>
     </message>
@@ -6148,6 +6144,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>rays less exact than asked for</source>
         <translation>rayos menos exactos de lo pedido</translation>
+    </message>
+    <message>
+        <source>rays outside soft edges</source>
+        <translation>rayos fuera de los bordes suaves</translation>
     </message>
     <message>
         <source>rays to the light leave surfaces one voxel out</source>
@@ -6722,14 +6722,16 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>los pulmones no se distinguen del resto</translation>
     </message>
     <message>
+        <source>the march has one event on a path</source>
+        <translation>la marcha tiene un evento por camino</translation>
+    </message>
+    <message>
         <source>the mask has other voxels than those before it</source>
         <translation>la máscara tiene vóxeles distintos de las anteriores</translation>
     </message>
     <message>
         <source>the masks have more than %1 labels</source>
         <translation>las máscaras tienen más de %1 etiquetas</translation>
-        <source>the march has one event on a path</source>
-        <translation>la marcha tiene un evento por camino</translation>
     </message>
     <message>
         <source>the measurements do not tell the parts of a frame's time apart</source>

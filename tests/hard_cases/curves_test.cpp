@@ -263,11 +263,11 @@ class CurvesTest : public QObject {
             test::plainScene(test::makeVolume({9, 9, 9}, dvec3(1), [](int i, int, int) { return 100 * i; }), 1));
         FlatScene scene = ramp->flat;
         scene.surfaceFactor = INFINITY;
-        QVERIFY(surfaceNormal(scene, {4, 4, 4}, {-1, 0, 0}, 400, 0) == vec3(-1, 0, 0));
+        QVERIFY(surfaceNormal(scene, scene.transferFunction, {4, 4, 4}, {-1, 0, 0}, 400, 0) == vec3(-1, 0, 0));
         scene.volume.indexFromLocal = mat3(1e-25f);
         const vec3 gradient = hounsfieldGradient(scene.volume, {4, 4, 4});
         QVERIFY(gradient.x > 0 && glm::length(gradient) == 0);
-        QVERIFY(surfaceNormal(scene, {4, 4, 4}, {-1, 0, 0}, 400, 0) == vec3(0));
+        QVERIFY(surfaceNormal(scene, scene.transferFunction, {4, 4, 4}, {-1, 0, 0}, 400, 0) == vec3(0));
 
         const auto texture = [](float x) { return 100 * (std::floor(x) + textureFraction(x - std::floor(x))); };
         double naiveWorst = 0, worst = 0;

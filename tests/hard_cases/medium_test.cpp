@@ -56,7 +56,8 @@ class MediumTest : public QObject {
                 QVERIFY(std::fabs(got.z(std::exp(-0.4 * size[axis]))) < test::allowedZ(15));
             }
             QVERIFY(hounsfieldGradient(prepared->flat.volume, middle) == vec3(0));
-            QVERIFY(surfaceNormal(prepared->flat, middle, {0, 0, -1}, 7, 0) == vec3(0));  // the phase function holds
+            QVERIFY(surfaceNormal(prepared->flat, prepared->flat.transferFunction, middle, {0, 0, -1}, 7, 0) ==
+                    vec3(0));  // the phase function holds
         }
     }
 

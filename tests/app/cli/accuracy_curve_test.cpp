@@ -129,6 +129,17 @@ class AccuracyCurveTest : public QObject {
         other.lights.clear();
         QVERIFY(filmKey(other, "cpu") != key && filmKey(scene, "cuda:0") != key);
         other = scene;
+        LabelMap map;
+        map.geometry = scene.volume->geometry();
+        map.labels.assign(map.geometry.voxelCount(), 1);
+        other.parts = {std::make_shared<const LabelMap>(map), {{1, scene.transferFunction}}};
+        const std::uint64_t parted = filmKey(other, "cpu");
+        other.parts.curves[0].transferFunction.extinctionPerMm *= 2;
+        QVERIFY(parted != key && filmKey(other, "cpu") != parted);
+        map.labels[0] = 0;
+        other.parts = {std::make_shared<const LabelMap>(map), {{1, scene.transferFunction}}};
+        QVERIFY(filmKey(other, "cpu") != parted);
+        other = scene;
         other.volume = test::bumpyVolume({50, 41, 37}, {0.9, 1.1, 1.3}, 4);
         QVERIFY(filmKey(other, "cpu") != key && !readFilm(scene, filmKey(other, "cpu"), file));
         const std::filesystem::path pipe = folder.filePath("pipe.film").toStdString();

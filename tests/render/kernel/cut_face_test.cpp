@@ -75,7 +75,8 @@ class CutFaceTest : public QObject {
         scene.clip.planes = {{{0, 0, 15}, {1, 0, 2}}};  // through (0, 0, 15) and (12, 12, 9)
         const auto prepared = test::prepared(scene);
         const auto normal = [&](double z) {
-            return normalAt(prepared->flat, vec3(dvec3(12, 12, z) - 0.5), vec3(0, 0, 1), 1000, 0.5f);
+            return normalAt(prepared->flat, prepared->flat.transferFunction, vec3(dvec3(12, 12, z) - 0.5),
+                            vec3(0, 0, 1), 1000, 0.5f);
         };
         const vec3 across(glm::normalize(dvec3(1, 0, 2)));
         QVERIFY(glm::length(normal(8.5) - across) < 1e-6f);
@@ -91,11 +92,12 @@ class CutFaceTest : public QObject {
         const vec3 rim(14.5f + 4.0f, 14.5f, 14.5f + 4.4f), up(0, 0, 1);  // 14 HU
         scene.clip.planes = {{{0, 0, 20.3}, {0, 0, 1}}};                 // 0.9 mm above, where it has -160 HU
         const auto near = test::prepared(scene);
-        const vec3 normal = normalAt(near->flat, rim, up, 14, 0.01f);
+        const vec3 normal = normalAt(near->flat, near->flat.transferFunction, rim, up, 14, 0.01f);
         QVERIFY(normal != vec3(0));
-        QVERIFY(normal == surfaceNormal(near->flat, rim, up, 14, 0.01f));
+        QVERIFY(normal == surfaceNormal(near->flat, near->flat.transferFunction, rim, up, 14, 0.01f));
         scene.clip.planes = {{{0, 0, 19.5}, {0, 0, 1}}};  // 0.1 mm above
-        QVERIFY(normalAt(test::prepared(scene)->flat, rim, up, 14, 0.01f) == up);
+        const auto close = test::prepared(scene);
+        QVERIFY(normalAt(close->flat, close->flat.transferFunction, rim, up, 14, 0.01f) == up);
     }
 
     /// Even tissue has no edge but that of the cut.

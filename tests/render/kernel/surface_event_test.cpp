@@ -39,7 +39,8 @@ class SurfaceEventTest : public QObject {
         const auto canReflect = [&](float factor) {
             scene.gradientFactor = factor;
             const auto prepared = test::prepared(scene);
-            return surfaceNormal(prepared->flat, {14.5f, 15, 15}, {-1, 0, 0}, 250, 0x1p-24f) != vec3(0);
+            return surfaceNormal(prepared->flat, prepared->flat.transferFunction, {14.5f, 15, 15}, {-1, 0, 0}, 250,
+                                 0x1p-24f) != vec3(0);
         };
         QVERIFY2(off > 1e-3f && off < 1e-1f, qPrintable(QString::number(off)));
         QVERIFY(!canReflect(off));
@@ -53,7 +54,8 @@ class SurfaceEventTest : public QObject {
         scene.transferFunction.nodes[0].opacity = 0.25f;
         const auto prepared = test::prepared(scene);
         prepared->flat.volume.voxels = nullptr;
-        QVERIFY(surfaceNormal(prepared->flat, {14.5f, 15, 15}, {-1, 0, 0}, 250, 0.25f) == vec3(0));
+        QVERIFY(surfaceNormal(prepared->flat, prepared->flat.transferFunction, {14.5f, 15, 15}, {-1, 0, 0}, 250,
+                              0.25f) == vec3(0));
     }
 };
 

@@ -44,7 +44,8 @@ double surfaceShare(const Scene& scene, vec3 position) {
     const float hu = hounsfield(prepared->flat.volume, position);
     int count = 0;
     for (int i = 0; i < 10'000; ++i)
-        count += surfaceNormal(prepared->flat, position, vec3(-1, 0, 0), hu, (float(i) + 0.5f) / 10'000) != vec3(0);
+        count += surfaceNormal(prepared->flat, prepared->flat.transferFunction, position, vec3(-1, 0, 0), hu,
+                               (float(i) + 0.5f) / 10'000) != vec3(0);
     return count / 10'000.0;
 }
 
@@ -141,7 +142,8 @@ class SurfaceTest : public QObject {
         const auto prepared = test::prepared(scene);
         const vec3 gradient = glm::normalize(vec3(10, 20, 0));
         for (const vec3 travel : {vec3(0, 1, 0), vec3(0, -1, 0), vec3(1, 0, 0)}) {
-            const vec3 normal = surfaceNormal(prepared->flat, vec3(8), -travel, 1500, 1e-3f);
+            const vec3 normal =
+                surfaceNormal(prepared->flat, prepared->flat.transferFunction, vec3(8), -travel, 1500, 1e-3f);
             QVERIFY(glm::dot(normal, travel) < 0);
             QVERIFY(glm::length(glm::abs(normal) - gradient) < 1e-4f);
         }
