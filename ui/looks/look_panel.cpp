@@ -30,6 +30,7 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent), brightness_(Qt::Horizon
     connect(&brightness_, &QSlider::sliderReleased, this, choose);
 
     ctDenoised_.setText(tr("CT &denoised"));
+    ctDenoised_.setAccessibleName(tr("CT denoised"));
     ctDenoised_.setToolTip(
         tr("Shows the CT with less noise than it has. Slices and measurements stay as they are.\n"
            "It takes as much memory again as the voxels of the scan."));
