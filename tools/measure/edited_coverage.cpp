@@ -169,6 +169,7 @@ int main(int count, char** words) {
         if (look == looks->end() ||
             !test::tryEdits(folder, *look, number, std::min(step, plan.edits - number), plan, rows))
             return 1;
+        std::fprintf(stderr, "%d of %d edits\n", std::min(number + step, plan.edits), plan.edits);
     }
     for (const auto& [key, row] : rows)
         row.print(key.first.c_str(), key.second);
