@@ -135,7 +135,7 @@ PDR_HD_INLINE Material materialAt(const FlatTransferFunction& function, float hu
 
 /// Returns the curve whose tissue light meets at `position` (index space), where the HU are `hu`: each curve with the
 /// probability of its share of the extinction. `u` decides, and is uniform again afterwards.
-PDR_HD_INLINE const FlatTransferFunction& curveMet(const FlatScene& scene, vec3 position, float hu, float& u) {
+PDR_HD_INLINE FlatTransferFunction curveMet(const FlatScene& scene, vec3 position, float hu, float& u) {
     if (!hasParts(scene))
         return scene.transferFunction;
     const PlaceInCell place = placeInCell(scene.volume, position);

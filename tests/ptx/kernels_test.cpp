@@ -11,6 +11,7 @@
 #include "tests/ptx/runtime/runtime.h"
 #include "tests/ptx/small_scenes.h"
 #include "tests/support/scenes/masks.h"
+#include "tests/support/scenes/part_scenes.h"
 
 using namespace pdr;
 using test::kSamples;
@@ -114,6 +115,23 @@ class KernelsTest : public QObject {
                 scene.mask = test::anyMask(*scene.volume, 1);
             QVERIFY(agree(scene));
         }
+    }
+
+    /// Parts of the patient with curves of their own: thin tissue is looked at, dense tissue is not.
+    void partsGiveTheCpusBits() {
+        for (const bool dense : {false, true})
+            for (const bool masked : {false, true}) {
+                Scene scene = sceneOf(kSurface);
+                scene.parts.map = test::anyParts(*scene.volume, 3, 1);
+                test::giveCurves(scene, 1);
+                if (masked)
+                    scene.mask = test::anyMask(*scene.volume, 1);
+                for (PartCurve& part : scene.parts.curves)
+                    part.transferFunction.extinctionPerMm = dense ? 1000 : 0.3f;
+                if (dense)
+                    scene.transferFunction.extinctionPerMm = 1000;
+                QVERIFY2(agree(scene), qPrintable(QString("dense %1, masked %2").arg(dense).arg(masked)));
+            }
     }
 
     /// The emulated device rounds fractions of textures as this room does.

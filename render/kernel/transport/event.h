@@ -95,7 +95,7 @@ PDR_HD inline vec3 normalAt(const FlatScene& scene, const FlatTransferFunction& 
 template <std::uint32_t F>
 PDR_HD_INLINE Event eventAt(const FlatScene& scene, vec3 position, vec3 wo, float u) {
     const float hu = hounsfield(scene.volume, position);
-    const FlatTransferFunction& curve = curveMet(scene, position, hu, u);
+    const FlatTransferFunction curve = curveMet(scene, position, hu, u);
     Event event{position, wo, materialAt(curve, hu), vec3(0)};
     if constexpr (has(F, kSurface))
         event.normal = normalAt(scene, curve, position, wo, hu, u);

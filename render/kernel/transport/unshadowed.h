@@ -22,7 +22,7 @@ inline constexpr float kFromAllSides = 0.02f;
 PDR_HD inline UnshadowedPlace unshadowedAt(const FlatScene& scene, vec3 position, vec3 wo) {
     const float hu = hounsfield(scene.volume, position);
     float middle = 0.5f;
-    const FlatTransferFunction& curve = curveMet(scene, position, hu, middle);
+    const FlatTransferFunction curve = curveMet(scene, position, hu, middle);
     const Material material = materialAt(curve, hu);
     const vec3 gradient = seenGradient(scene, position, hu);
     const float steepness = glm::length(gradient);
