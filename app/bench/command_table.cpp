@@ -35,6 +35,13 @@ constexpr Command kCommands[] = {
      "  --largest N   voxels an edge; default 512; 1024 takes 3 GB and some minutes\n"
      "  --samples N   per pixel and round, from 1; default 16\n"
      "  --rounds N    of which the median counts, from 1; default 5\n"},
+    {"parts", parts, "[--size N] [--samples N] [--rounds N] [--json]",
+     "Says what a sample of a head costs whose voxels are divided among 1, 4 and 100 parts with curves of their own,\n"
+     "against one without parts, by the processor time of one thread; and what memory the parts take.\n",
+     "  --size N      voxels an edge, from 1; default 256\n"
+     "  --samples N   per pixel and round, from 1; default 4\n"
+     "  --rounds N    of which the median counts, from 1; default 9\n"
+     "  --json        print a line of JSON for each number of parts instead of a table\n"},
     {"ct-noise", ctNoise, "[SCENE.json] [--slices N] [--rounds N]",
      "Says how long it takes to denoise the scan of a scene for its images, for each 100 slices, and what noise its\n"
      "tissue has before and after; without a scene, a head of 512 x 512 voxels a slice.\n",

@@ -34,6 +34,10 @@ int rebound(const Arguments& arguments);
 /// size in mm with more and more voxels, twice as many along an edge each time: processor time of one CPU thread.
 int sizes(const Arguments& arguments);
 
+/// parts [--size N] [--samples N] [--rounds N] [--json]: measures the cost of a sample in a head that is divided among
+/// several parts with curves of their own, against one without parts: processor time of one CPU thread, and memory.
+int parts(const Arguments& arguments);
+
 /// ct-noise [SCENE.json] [--slices N] [--rounds N]: measures the time to denoise the scan of a scene for its images, or
 /// a head of 512 x 512 x N voxels, and the noise that its tissue has before and after.
 int ctNoise(const Arguments& arguments);

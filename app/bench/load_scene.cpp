@@ -12,6 +12,8 @@ Result<Scene> loadScene(const std::string& path) {
         return file.error();
     if (!file->source.dicomFolder.empty())
         return Error{"this program reads raw volumes only", path, "Render DICOM folders with pdrender-cli."};
+    if (file->parts.isGiven())
+        return Error{"this program reads no label maps", path, "Render scenes with parts with pdrender-cli."};
     Result<WantedVolume> volume = fetchRawVolume(file->source);
     if (!volume)
         return volume.error();

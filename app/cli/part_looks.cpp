@@ -29,7 +29,7 @@ std::vector<PartCurve> curvesOf(const LabelMap& map, const std::vector<PartLook>
     for (std::size_t n = 0; n < map.parts.size(); ++n) {
         const auto look = std::ranges::find(looks, map.parts[n].name, &PartLook::part);
         if (look != looks.end())
-            curves.push_back({std::uint8_t(n + 1), look->look.look.transferFunction});
+            curves.push_back({std::uint8_t(n + 1), look->look.look.transferFunction, look->look.look.gradientFactor});
     }
     return curves;
 }
@@ -68,6 +68,20 @@ Result<Parts> partsWithLooks(const PartLooks& wanted, const Volume& scan, const 
     parts.curves = curvesOf(*map, wanted.looks);
     parts.map = std::make_shared<const LabelMap>(*std::move(map));
     return parts;
+}
+
+Result<Parts> partsOfFile(const PartsSource& source, std::vector<PartCurve> curves, const Volume& scan,
+                          const dicom::Series* series, const Progress& progress) {
+    Result<LabelMap> map = partsFrom(source, scan, series, progress);
+    if (!map)
+        return map.error();
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        if (curves[i].label > map->parts.size())
+            return Error{"there is no part " + std::to_string(curves[i].label) + " among the " +
+                             std::to_string(map->parts.size()) + " of the label map",
+                         "parts.materials[" + std::to_string(i) + "].label",
+                         "\"pdrender-cli parts\" lists the numbers of the parts."};
+    return Parts{std::make_shared<const LabelMap>(*std::move(map)), std::move(curves)};
 }
 
 }  // namespace pdr::app

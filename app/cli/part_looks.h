@@ -36,5 +36,9 @@ PartLooks readPartLooks(const QCommandLineParser& parser);
 /// part has.
 Result<Parts> partsWithLooks(const PartLooks& wanted, const Volume& scan, const dicom::Series* series,
                              const Progress& progress);
+/// Reads or finds the parts that have `curves` in a scene file. Errors: those of reading or finding parts; a label that
+/// no part has.
+Result<Parts> partsOfFile(const PartsSource& source, std::vector<PartCurve> curves, const Volume& scan,
+                          const dicom::Series* series, const Progress& progress);
 
 }  // namespace pdr::app

@@ -28,8 +28,10 @@ PartsSource readPartsSource(const QCommandLineParser& parser) {
     source.labels = reader.text("labels").value_or("").toStdString();
     source.resampling = parser.isSet("resample") ? Resampling::nearest : Resampling::refused;
     const std::string wanted = reader.text("find").value_or("").toStdString();
-    source.findsVessels = wanted == "vessels";
-    source.findsShells = wanted == "shells";
+    if (wanted == "vessels")
+        source.found = FoundParts::vessels;
+    else if (wanted == "shells")
+        source.found = FoundParts::shells;
     if (!wanted.empty() && !source.finds())
         usageError("--find", "must be vessels or shells, not \"" + wanted + "\"");
     if (!source.labels.empty() && source.finds())
@@ -39,9 +41,9 @@ PartsSource readPartsSource(const QCommandLineParser& parser) {
 
 Result<LabelMap> partsFrom(const PartsSource& source, const Volume& scan, const dicom::Series* series,
                            const Progress& progress) {
-    if (source.findsVessels)
+    if (source.found == FoundParts::vessels)
         return segment::findVessels(scan, progress);
-    if (source.findsShells)
+    if (source.found == FoundParts::shells)
         return segment::findShells(scan, nullptr, progress);
     return readScanLabels(source.labels, scan.geometry(), series, source.resampling, progress);
 }

@@ -3,25 +3,13 @@
 
 #include <QCommandLineParser>
 
-#include <filesystem>
-
 #include "dicom/series.h"
 #include "render/base/progress.h"
 #include "render/base/result.h"
-#include "render/volume/label_fit.h"
+#include "render/scene/parts_source.h"
 #include "render/volume/label_map.h"
 
 namespace pdr::app {
-
-struct PartsSource {
-    std::filesystem::path labels;  ///< the label map; empty: there is none
-    bool findsVessels = false, findsShells = false;
-    Resampling resampling = Resampling::refused;
-
-    /// Returns whether the program finds the parts in the scan itself.
-    bool finds() const { return findsVessels || findsShells; }
-    bool isGiven() const { return !labels.empty() || finds(); }
-};
 
 void describePartsSource(QCommandLineParser& parser);
 

@@ -16,6 +16,7 @@
 #include "render/scene/fit_view.h"
 #include "render/scene/visible_mask.h"
 #include "render/smooth/non_local_means.h"
+#include "render/volume/coarser.h"
 #include "render/volume/value_unit.h"
 
 namespace pdr::app {
@@ -120,25 +121,29 @@ Result<void> hide(LoadedScene& work, const SceneInput& input, const segment::Bod
     return {};
 }
 
-/// Gives parts of the patient the curves of their looks.
-Result<void> giveLooks(LoadedScene& work, const PartLooks& looks, const Progress& progress) {
-    if (looks.looks.empty())
+/// Gives parts of the patient the curves of their looks, or the materials that the scene file names.
+Result<void> giveParts(LoadedScene& work, const PartLooks& looks, const PartsSource& ofFile, const Progress& progress) {
+    if (looks.looks.empty() && !ofFile.isGiven())
         return {};
-    auto parts = partsWithLooks(looks, *work.scene.volume, work.series.get(), progress);
+    Scene& scene = work.scene;
+    auto parts = looks.looks.empty()
+                     ? partsOfFile(ofFile, scene.parts.curves, *scene.volume, work.series.get(), progress)
+                     : partsWithLooks(looks, *scene.volume, work.series.get(), progress);
     if (!parts)
         return parts.error();
-    work.scene.parts = *std::move(parts);
-    for (const Text& note : work.scene.parts.map->notes)
+    scene.parts = *std::move(parts);
+    for (const Text& note : scene.parts.map->notes)
         work.notes.push_back(note);
-    return work.scene.check();
+    return scene.check();
 }
 
-/// Sets the exposure so that the tissue lies in the middle of the display range; parts count as common tissue.
+/// Sets the exposure so that the tissue lies in the middle of the display range.
 Result<void> expose(LoadedScene& work, const segment::BodyParts& parts, const VolumeGeometry& body) {
     Scene coarse = work.scene;
     coarse.volume = coarseCopy(*work.scene.volume);
     coarse.mask = coarseMask(*coarse.volume, parts, coarse.visible, noProgress);
-    coarse.parts = {};
+    if (const auto& map = coarse.parts.map)
+        coarse.parts.map = std::make_shared<const LabelMap>(coarser(*map, coarse.volume->geometry()));
     const std::unique_ptr<Device> device = makeCpuDevice();
     const auto small = smallImage(std::move(coarse), body, double(work.display.exposure), *device, {});
     if (!small)
@@ -196,7 +201,7 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
     const segment::BodyParts parts(work.scene.volume);
     if (auto ok = hide(work, input, parts, partOf(progress, 0.9, 0.95)); !ok)
         return ok.error();
-    if (auto ok = giveLooks(work, input.partLooks, partOf(progress, 0.95, 0.97)); !ok)
+    if (auto ok = giveParts(work, input.partLooks, file->parts, partOf(progress, 0.95, 0.97)); !ok)
         return ok.error();
     work.scene.ctDenoised = work.scene.ctDenoised || input.ctDenoised;
     if (auto ok = denoiseCt(work, partOf(progress, 0.97, 1)); !ok)

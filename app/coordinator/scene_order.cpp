@@ -39,6 +39,8 @@ std::string textOf(const Scene& scene) {
     file.source.dicomFolder = kWithTheOrder;
     if (scene.environment.image)
         file.environmentImage = kWithTheOrder;
+    if (scene.parts.map)
+        file.parts.labels = kWithTheOrder;
     return sceneText(file);
 }
 
@@ -76,9 +78,6 @@ bool fill(T& values, std::span<const std::byte> bytes) {
 }  // namespace
 
 Result<OutgoingScene> outgoingScene(std::uint64_t number, const Scene& scene, const HashOf& hashOf) {
-    if (scene.parts.map)
-        return Error{phrase("images with materials of parts are not sent to render nodes yet"), "",
-                     phrase("It is rendered on this machine alone.")};
     OutgoingScene going;
     const auto add = [&](const auto& owner, std::span<const std::byte> bytes) {
         going.contents.push_back({hashOf(owner, bytes), owner, bytes});
@@ -92,13 +91,16 @@ Result<OutgoingScene> outgoingScene(std::uint64_t number, const Scene& scene, co
         going.order.mask = {add(mask, bytesOf(mask->weights())), mask->grid().voxels, mask->grid().shift};
     if (const auto& image = scene.environment.image)
         going.order.environment = {add(image, bytesOf(image->texels)), image->size};
+    if (const auto& map = scene.parts.map)
+        going.order.labels = {add(map, bytesOf(map->labels))};
     going.order.text = textOf(scene);
 
     // Check that a node would read the same scene
     Scene same = scene;
     same.lookName.clear();
     same.revision = number;
-    const Result<Scene> read = sceneFrom(going.order, {scene.volume, scene.mask, scene.environment.image});
+    const Result<Scene> read =
+        sceneFrom(going.order, {scene.volume, scene.mask, scene.environment.image, scene.parts.map});
     if (!read || withoutUnused(*read) != withoutUnused(same))
         return Error{phrase("this scene cannot be sent to render nodes: they would read another one"), "",
                      phrase("It is rendered on this machine alone.")};
@@ -117,6 +119,8 @@ std::vector<WantedContent> wantedContents(const wire::SceneOrder& order) {
     if (order.environment)
         wanted.push_back({order.environment->content, std::uint64_t(order.environment->size.x) *
                                                           std::uint64_t(order.environment->size.y) * sizeof(vec3)});
+    if (order.labels)
+        wanted.push_back({order.labels->content, voxelsIn(order.volume.size)});
     return wanted;
 }
 
@@ -153,6 +157,15 @@ Result<std::shared_ptr<const EnvironmentImage>> environmentFrom(const wire::Envi
     return std::shared_ptr<const EnvironmentImage>(std::move(image));
 }
 
+Result<std::shared_ptr<const LabelMap>> labelsFrom(const wire::VolumeOrder& volume, std::span<const std::byte> bytes) {
+    auto map = std::make_shared<LabelMap>();
+    map->geometry = {volume.size, matrixOf(volume.patientFromIndex)};
+    map->labels.resize(map->geometry.voxelCount());
+    if (!fill(map->labels, bytes))
+        return noContent(phrase("its label map is of another size"));
+    return std::shared_ptr<const LabelMap>(std::move(map));
+}
+
 Result<Scene> sceneFrom(const wire::SceneOrder& order, const SceneContents& contents) {
     Result<SceneFile> file = sceneFromText(order.text, "the scene that was ordered", "");
     if (!file)
@@ -161,6 +174,7 @@ Result<Scene> sceneFrom(const wire::SceneOrder& order, const SceneContents& cont
     scene.volume = contents.volume;
     scene.mask = contents.mask;
     scene.environment.image = contents.environment;
+    scene.parts.map = contents.labels;
     scene.revision = order.revision;
     if (const Result<void> checked = scene.check(); !checked)
         return checked.error();

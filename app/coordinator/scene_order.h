@@ -50,6 +50,7 @@ struct SceneContents {
     std::shared_ptr<const Volume> volume;
     std::shared_ptr<const Mask> mask;
     std::shared_ptr<const EnvironmentImage> environment;
+    std::shared_ptr<const LabelMap> labels;
 };
 
 /// Makes a content from its bytes, as many as wantedContents() returns for it. Errors: the bytes are not such a
@@ -58,6 +59,8 @@ Result<std::shared_ptr<const Volume>> volumeFrom(const wire::VolumeOrder& order,
 Result<std::shared_ptr<const Mask>> maskFrom(const wire::MaskOrder& order, std::span<const std::byte> bytes);
 Result<std::shared_ptr<const EnvironmentImage>> environmentFrom(const wire::EnvironmentOrder& order,
                                                                 std::span<const std::byte> bytes);
+/// `volume`: the volume whose voxels have the labels. The parts have no names.
+Result<std::shared_ptr<const LabelMap>> labelsFrom(const wire::VolumeOrder& volume, std::span<const std::byte> bytes);
 
 /// Returns the requested scene with the revision of `order`. Errors: the text of `order` and the contents are no valid
 /// scene.

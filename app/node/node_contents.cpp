@@ -35,10 +35,13 @@ bool NodeContents::isHere(const wire::Hash& hash) const {
 
 Result<void> NodeContents::order(const wire::SceneOrder& order) {
     order_ = order;
-    // Drop a volume with the same voxels but another geometry
+    // Drop a volume and labels with the same voxels but another geometry
+    const auto liesElsewhere = [&](const VolumeGeometry& geometry) { return !nodes::liesSo(geometry, order.volume); };
     std::erase_if(kept_, [&](const Entry& entry) {
-        const auto* volume = std::get_if<std::shared_ptr<const Volume>>(&entry.content);
-        return volume && entry.hash == order.volume.content && !nodes::liesSo((*volume)->geometry(), order.volume);
+        if (const auto* volume = std::get_if<std::shared_ptr<const Volume>>(&entry.content))
+            return entry.hash == order.volume.content && liesElsewhere((*volume)->geometry());
+        const auto* labels = std::get_if<std::shared_ptr<const LabelMap>>(&entry.content);
+        return labels && order.labels && entry.hash == order.labels->content && liesElsewhere((*labels)->geometry);
     });
     beginNext();
     if (!coming_)
@@ -108,6 +111,8 @@ Result<void> NodeContents::keep(const wire::ContentAssembly& whole) {
             return insert(nodes::volumeFrom(order_->volume, whole.bytes()));
         if (order_->mask && hash == order_->mask->content)
             return insert(nodes::maskFrom(*order_->mask, whole.bytes()));
+        if (order_->labels && hash == order_->labels->content)
+            return insert(nodes::labelsFrom(order_->volume, whole.bytes()));
         return insert(nodes::environmentFrom(*order_->environment, whole.bytes()));
     } catch (const std::bad_alloc&) {
         return notEnoughMemory(phrase("for the scene"), "", "");
@@ -115,12 +120,15 @@ Result<void> NodeContents::keep(const wire::ContentAssembly& whole) {
 }
 
 Result<Scene> NodeContents::scene() const {
-    nodes::SceneContents contents{find<Volume>(order_->volume.content), nullptr, nullptr};
+    nodes::SceneContents contents{find<Volume>(order_->volume.content)};
     if (order_->mask)
         contents.mask = find<Mask>(order_->mask->content);
     if (order_->environment)
         contents.environment = find<EnvironmentImage>(order_->environment->content);
-    if (!contents.volume || (order_->mask && !contents.mask) || (order_->environment && !contents.environment))
+    if (order_->labels)
+        contents.labels = find<LabelMap>(order_->labels->content);
+    if (!contents.volume || (order_->mask && !contents.mask) || (order_->environment && !contents.environment) ||
+        (order_->labels && !contents.labels))
         return Error{phrase("a content of the scene is not what the order says"), "", ""};
     return nodes::sceneFrom(*order_, contents);
 }

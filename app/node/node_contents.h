@@ -44,12 +44,12 @@ class NodeContents {
 
   private:
     using Kept = std::variant<std::shared_ptr<const Volume>, std::shared_ptr<const Mask>,
-                              std::shared_ptr<const EnvironmentImage>>;
+                              std::shared_ptr<const EnvironmentImage>, std::shared_ptr<const LabelMap>>;
     struct Entry {
         wire::Hash hash;
         Kept content;
     };
-    static constexpr std::size_t kMostKept = 4;
+    static constexpr std::size_t kMostKept = 5;
 
     template <class T>
     std::shared_ptr<const T> find(const wire::Hash& hash) const;

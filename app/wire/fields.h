@@ -77,6 +77,8 @@ void fields(Fields& map, SceneOrder& order) {
         map.must(std::uint64_t(environment.size.x) * environment.size.y <= kMostTexels,
                  "its picture of the surroundings is too large");
     }
+    if (map.optional(10, order.labels))
+        map.bytes(10, order.labels->content);
 }
 
 template <class Fields>

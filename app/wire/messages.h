@@ -94,6 +94,11 @@ struct MaskOrder {
     ivec3 voxels{0}, shift{0};
     bool operator==(const MaskOrder&) const = default;
 };
+/// Describes the labels of the voxels, one byte each in the order of the volume's (render/volume/label_map.h).
+struct LabelsOrder {
+    Hash content{};
+    bool operator==(const LabelsOrder&) const = default;
+};
 /// Describes an environment map, whose content is float RGB texels (render/scene/environment_image.h).
 struct EnvironmentOrder {
     Hash content{};
@@ -109,6 +114,7 @@ struct SceneOrder {
     VolumeOrder volume;
     std::optional<MaskOrder> mask;
     std::optional<EnvironmentOrder> environment;
+    std::optional<LabelsOrder> labels;
     std::string text;  ///< scene, as in scene files; at most kMostTextBytes; sent as payload
     bool operator==(const SceneOrder&) const = default;
 };

@@ -35,7 +35,8 @@ struct FlatTransferFunction {
     const std::uint16_t* pieceAt;
     int pieceCount;
     float extinctionPerMm;
-    int firstPiece;  ///< row of its first piece in FlatOptics::table
+    int firstPiece;       ///< row of its first piece in FlatOptics::table
+    float surfaceFactor;  ///< [mm/HU], see surfaceFactorOf(); 0: its tissue has no surfaces
 };
 
 /// Values on a grid, interpolated trilinearly between its voxels.
@@ -127,6 +128,7 @@ static_assert(sizeof(OpacityPiece) == 4 * sizeof(float));
 static_assert(sizeof(Material) == 3 * sizeof(vec3) + sizeof(float));
 static_assert(sizeof(FlatLight) == sizeof(LightType) + 5 * sizeof(vec3) + 2 * sizeof(float) + sizeof(std::uint32_t));
 static_assert(sizeof(FlatLightNode) == sizeof(vec3) + sizeof(float) + 2 * sizeof(int));
+static_assert(sizeof(FlatTransferFunction) == 3 * sizeof(void*) + 2 * sizeof(int) + 2 * sizeof(float));
 
 /// The environment light; see transport/environment.h. Without an image `texels` is null.
 struct FlatEnvironment {
@@ -220,7 +222,6 @@ struct FlatScene {
     bool marched;        ///< baseline/kroes_path.h replaces transport/integrator.h: BIASED
     int maxBounces;      ///< maximum number of scattering events on a path
     float phaseG;
-    float surfaceFactor;    ///< [mm/HU], see surfaceFactorOf(); 0: no surfaces
     bool raysStartOutside;  ///< rays leave surfaces outside their soft edge; see transport/ray_origin.h
     std::uint64_t seed;
     const SobolTable* sobol;  ///< kernel/sobol.h

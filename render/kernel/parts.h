@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <cstring>
 
 #include "render/base/cells.h"
 #include "render/base/lanes.h"
@@ -39,16 +40,40 @@ struct CornerCurves {
     std::uint8_t curve[8];
 };
 
-/// Returns the curves at the corners of the cell between voxels whose lowest corner is voxel `corner`, in
-/// [0, lastCorner].
-PDR_HD inline CornerCurves cornerCurves(const FlatScene& scene, ivec3 corner) {
+/// Returns the labels of two voxels that are neighbours along x, the first one in the low byte.
+PDR_HD inline std::uint32_t labelPair(const std::uint8_t* first, int step) {
+#if !defined(__CUDACC__)
+    if (step == 1) {
+        std::uint16_t both;
+        std::memcpy(&both, first, sizeof both);
+        return both;
+    }
+#endif
+    return first[0] | std::uint32_t(first[step]) << 8;
+}
+
+/// Returns the labels at the corners of the cell between voxels whose lowest corner is voxel `corner`, in
+/// [0, lastCorner]: byte x + 2 y + 4 z from the lowest.
+PDR_HD inline std::uint64_t cornerLabels(const FlatScene& scene, ivec3 corner) {
     const FlatVolume& volume = scene.volume;
     const std::uint8_t* lowest = scene.parts.labels + corner.z * volume.stepZ + corner.y * volume.stepY + corner.x;
+    const auto pair = [&](std::int64_t step) { return labelPair(lowest + step, volume.stepX); };
+    const std::uint32_t low = pair(0) | pair(volume.stepY) << 16;
+    const std::uint32_t high = pair(volume.stepZ) | pair(volume.stepY + volume.stepZ) << 16;
+    return low | std::uint64_t(high) << 32;
+}
+
+/// Returns the curve at corner `n` of a cell with these labels.
+PDR_HD inline std::uint8_t curveAt(const FlatScene& scene, std::uint64_t labels, int n) {
+    return scene.parts.curveOf[labels >> (8 * n) & 0xFF];
+}
+
+/// Returns the curves at the corners of a cell, as cornerLabels() counts them.
+PDR_HD inline CornerCurves cornerCurves(const FlatScene& scene, ivec3 corner) {
+    const std::uint64_t labels = cornerLabels(scene, corner);
     CornerCurves corners;
     for (int n = 0; n < 8; ++n)
-        corners.curve[n] =
-            scene.parts
-                .curveOf[lowest[(n & 1) * volume.stepX + ((n >> 1) & 1) * volume.stepY + (n >> 2) * volume.stepZ]];
+        corners.curve[n] = curveAt(scene, labels, n);
     return corners;
 }
 
@@ -57,15 +82,17 @@ inline constexpr int kSeveralCurves = -1;
 
 /// Returns the curve that all corners of the cell between voxels have, or kSeveralCurves.
 PDR_HD inline int onlyCurve(const FlatScene& scene, ivec3 corner) {
-    const ivec3 fine = scene.majorants.fineSize, cell = corner / kFineCell + 1;
-    const int only = scene.parts.onlyCurve[(std::int64_t(cell.z) * fine.y + cell.y) * fine.x + cell.x];
+    const int only = scene.parts.onlyCurve[cellIndex(corner / kFineCell + 1, scene.majorants.fineSize)];
     if (only != kMixedCell)
         return only;
-    const CornerCurves corners = cornerCurves(scene, corner);
+    const std::uint64_t labels = cornerLabels(scene, corner);
+    const int first = curveAt(scene, labels, 0);
+    if (labels == (labels & 0xFF) * 0x0101010101010101u)
+        return first;
     for (int n = 1; n < 8; ++n)
-        if (corners.curve[n] != corners.curve[0])
+        if (curveAt(scene, labels, n) != first)
             return kSeveralCurves;
-    return corners.curve[0];
+    return first;
 }
 
 #if !defined(__CUDACC__)
@@ -92,39 +119,36 @@ PDR_HD inline int onlyCurve(const FlatScene& scene, const Vec3<int>& corner, boo
     return mask ? onlyCurve(scene, ivec3(corner.x, corner.y, corner.z)) : 0;
 }
 
-/// Returns the curve of the voxel at corner `n` of a cell, in the lanes of `mask`; 0 in the others.
-PDR_HD inline int cornerCurve(const FlatScene& scene, const Vec3<int>& corner, int n, bool mask) {
-    return mask ? cornerCurves(scene, ivec3(corner.x, corner.y, corner.z)).curve[n] : 0;
+/// Calls visit(curve, mask) for the curves at the corners of each lane's cell, where `mask` holds; for some several
+/// times. The visit's own mask: the lanes whose cell has that curve there.
+template <class Visit>
+PDR_HD_INLINE void forCurvesOfCell(const FlatScene& scene, const Vec3<int>& corner, bool mask, Visit&& visit) {
+    if (!mask)
+        return;
+    const CornerCurves corners = cornerCurves(scene, ivec3(corner.x, corner.y, corner.z));
+    for (int n = 0; n < 8; ++n)
+        if (n == 0 || corners.curve[n] != corners.curve[n - 1])
+            visit(corners.curve[n], true);
 }
 
 #if !defined(__CUDACC__)
 
-inline IntLanes cornerCurve(const FlatScene& scene, const Vec3<IntLanes>& corner, int n, IntLanes mask) {
-    IntLanes curve{};
+template <class Visit>
+PDR_HD_INLINE void forCurvesOfCell(const FlatScene& scene, const Vec3<IntLanes>& corner, IntLanes mask, Visit&& visit) {
+    std::uint64_t labels[kLanes]{};
     for (int lane = 0; lane < kLanes; ++lane)
         if (mask[lane])
-            curve[lane] = cornerCurves(scene, ivec3(corner.x[lane], corner.y[lane], corner.z[lane])).curve[n];
-    return curve;
-}
-
-#endif
-
-/// Calls visit(curve, mask) for each curve in the lanes of `mask`, with those that have it.
-template <class Visit>
-PDR_HD_INLINE void forEachCurve(int curve, bool mask, Visit&& visit) {
-    if (mask)
-        visit(curve, true);
-}
-
-#if !defined(__CUDACC__)
-
-template <class Visit>
-PDR_HD_INLINE void forEachCurve(IntLanes curve, IntLanes mask, Visit&& visit) {
-    for (IntLanes left = mask; any(left);) {
-        const int first = curve[std::countr_zero(laneBits(left))];
-        const IntLanes here = left & (curve == first);
-        visit(first, here);
-        left = left & ~here;
+            labels[lane] = cornerLabels(scene, ivec3(corner.x[lane], corner.y[lane], corner.z[lane]));
+    for (int n = 0; n < 8; ++n) {
+        IntLanes curve;
+        for (int lane = 0; lane < kLanes; ++lane)
+            curve[lane] = curveAt(scene, labels[lane], n);
+        for (IntLanes left = mask; any(left);) {
+            const int first = curve[std::countr_zero(laneBits(left))];
+            const IntLanes here = left & (curve == first);
+            visit(first, here);
+            left = left & ~here;
+        }
     }
 }
 

@@ -117,7 +117,8 @@ std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
     prepared->volume = scene.volume;
     prepared->tables = TransferTables(scene.transferFunction);
     prepared->flat.transferFunction = prepared->tables.flat();
-    prepared->parts.take(scene.parts, scene.transferFunction, last_ ? &last_->parts : nullptr);
+    prepared->flat.transferFunction.surfaceFactor = surfaceFactorOf(scene.gradientFactor);
+    prepared->parts.take(scene, last_ ? &last_->parts : nullptr);
     prepared->flat.parts = prepared->parts.flat();
     flattenVolume(prepared->flat.volume, *scene.volume);
     prepared->seen = {scene.clip.freehand, scene.mask, scene.volume->geometry(), last_ ? &last_->seen : nullptr};
@@ -142,7 +143,6 @@ std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
     flat.looksAtThin = std::ranges::any_of(curvesOf(*prepared), showsThin);
     flat.marched = scene.estimator == Estimator::kroesMarch;
     flat.phaseG = scene.phaseG;
-    flat.surfaceFactor = surfaceFactorOf(scene.gradientFactor);
     flat.raysStartOutside = scene.rayOrigin == RayOrigin::outsideEdge;
     flat.unshadowed = scene.unshadowed;
     flat.features = neededFeatures(needs(scene));

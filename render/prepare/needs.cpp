@@ -74,7 +74,7 @@ bool allowsHighlights(const TransferFunction& function) {
 bool speaksOfHighlights(const Scene& scene) {
     bool speaks = false;
     forEachFunction(scene, [&](const TransferFunction& function) { speaks = speaks || allowsHighlights(function); });
-    return speaks && scene.gradientFactor > 0;
+    return speaks && highestGradientFactor(scene) > 0;
 }
 
 /// A scene and its visible tissue.
@@ -154,7 +154,7 @@ double steepestMask(const Scene& scene) {
 bool surfacesCanShow(const Subject& subject) {
     constexpr double kRounding = 1 + 1e-5;
     const double highest =
-        subject.tissue.highestOpacity() * double(surfaceFactorOf(subject.scene.gradientFactor)) *
+        subject.tissue.highestOpacity() * double(surfaceFactorOf(highestGradientFactor(subject.scene))) *
         std::max(subject.tissue.steepest() + steepestMask(subject.scene), steepestCut(subject.scene));
     return highest * kRounding > 0x1p-24;
 }
@@ -163,13 +163,16 @@ Effect surfaces(const Subject& subject) {
     const Text name = phrase("surface reflection");
     if (isProjection(subject.scene.model))
         return off(name, phrase("the model has none"));
-    if (subject.scene.gradientFactor == 0)
+    if (highestGradientFactor(subject.scene) == 0)
         return off(name, phrase("the gradient factor is 0"));
     if (const Text why = whyNothingScatters(subject); !why.empty())
         return off(name, why);
     return effect(name, surfacesCanShow(subject), phrase("the gradient factor is above 0"),
-                  phrase("at this gradient factor no edge is ever steep enough"), kSurface,
-                  [](Scene& s) { s.gradientFactor = 0; });
+                  phrase("at this gradient factor no edge is ever steep enough"), kSurface, [](Scene& s) {
+                      s.gradientFactor = 0;
+                      for (PartCurve& part : s.parts.curves)
+                          part.gradientFactor = {};
+                  });
 }
 
 Effect softEdges(const Subject& subject) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "render/base/cells.h"
+#include "render/kernel/transport/event.h"
+#include "render/scene/scene.h"
 
 namespace pdr {
 namespace {
@@ -40,32 +42,40 @@ std::shared_ptr<const CellCurves> cellCurves(const LabelMap& map, const std::arr
     return cells;
 }
 
-/// Returns the different curves of the parts, the common one first, and stores the number of each label's curve.
-std::vector<const TransferFunction*> differentCurves(const Parts& parts, const TransferFunction& common,
-                                                     std::array<std::uint8_t, 256>& curveOf) {
-    std::vector<const TransferFunction*> curves{&common};
-    for (const PartCurve& part : parts.curves) {
-        const auto known = std::ranges::find_if(
-            curves, [&](const TransferFunction* curve) { return *curve == part.transferFunction; });
+/// A curve and how readily its tissue has surfaces.
+struct Curve {
+    const TransferFunction* function;
+    float gradientFactor;
+    bool operator==(const Curve& other) const {
+        return gradientFactor == other.gradientFactor && *function == *other.function;
+    }
+};
+
+/// Returns the different curves of a scene, its own first, and stores the number of each label's curve.
+std::vector<Curve> differentCurves(const Scene& scene, std::array<std::uint8_t, 256>& curveOf) {
+    std::vector<Curve> curves{{&scene.transferFunction, scene.gradientFactor}};
+    for (const PartCurve& part : scene.parts.curves) {
+        const Curve curve{&part.transferFunction, part.gradientFactor.value_or(scene.gradientFactor)};
+        const auto known = std::ranges::find(curves, curve);
         curveOf[part.label] = std::uint8_t(known - curves.begin());
         if (known == curves.end())
-            curves.push_back(&part.transferFunction);
+            curves.push_back(curve);
     }
     return curves;
 }
 
 }  // namespace
 
-void PartTables::take(const Parts& parts, const TransferFunction& common, const PartTables* last) {
-    if (!parts.map)
+void PartTables::take(const Scene& scene, const PartTables* last) {
+    if (!scene.parts.map)
         return;
-    const std::vector<const TransferFunction*> different = differentCurves(parts, common, curveOf);
+    const std::vector<Curve> different = differentCurves(scene, curveOf);
     if (different.size() == 1)
         return;
-    map = parts.map;
+    map = scene.parts.map;
     std::vector<TransferTables> tables;
-    for (const TransferFunction* curve : different)
-        add(tables.emplace_back(*curve));
+    for (const Curve& curve : different)
+        add(tables.emplace_back(*curve.function));
     // Point to the tables only now that they have their places.
     int first = 0;
     for (const TransferTables& one : tables) {
@@ -74,6 +84,7 @@ void PartTables::take(const Parts& parts, const TransferFunction& common, const 
         curve.materials = materials.data() + 2 * std::ptrdiff_t(first);
         curve.pieceAt = pieceAt.data() + curves.size() * one.pieceAt.size();
         curve.firstPiece = first;
+        curve.surfaceFactor = surfaceFactorOf(different[curves.size()].gradientFactor);
         curves.push_back(curve);
         first += curve.pieceCount;
     }

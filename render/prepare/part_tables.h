@@ -9,15 +9,17 @@
 #include "render/base/huge_pages.h"
 #include "render/kernel/flat_scene.h"
 #include "render/prepare/transfer_tables.h"
-#include "render/scene/parts.h"
+#include "render/volume/label_map.h"
 
 namespace pdr {
+
+struct Scene;
 
 /// For each fine cell the only curve of its voxels, or kMixedCell.
 using CellCurves = HugePageVector<std::uint8_t>;
 
-/// All curves of a scene with parts, one after the other, and which voxels have them. Parts whose curve equals another
-/// one share it. Empty where no part has a curve that is not the scene's own: such a scene is rendered as one without
+/// All curves of a scene with parts, one after the other, and which voxels have them. Parts whose curve and
+/// surfaces equal those of another one share them. Empty where no part has a curve that is not the scene's own: such a scene is rendered as one without
 /// parts. It cannot be copied, since `curves` points into it.
 class PartTables {
   public:
@@ -25,9 +27,8 @@ class PartTables {
     PartTables(const PartTables&) = delete;
     PartTables& operator=(const PartTables&) = delete;
 
-    /// `common`: the scene's own curve. `last`: the tables of the scene before, or null; what did not change is taken
-    /// from there.
-    void take(const Parts& parts, const TransferFunction& common, const PartTables* last);
+    /// `last`: the tables of the scene before, or null; what did not change is taken from there.
+    void take(const Scene& scene, const PartTables* last);
 
     bool empty() const { return map == nullptr; }
     /// Returns a view that points into this object.

@@ -1,7 +1,9 @@
 #include "render/scene/parts.h"
 
+#include <algorithm>
 #include <string>
 
+#include "render/scene/fields/ranges.h"
 #include "render/scene/range.h"
 #include "render/scene/scene.h"
 
@@ -26,20 +28,33 @@ Result<void> checkCurves(const std::vector<PartCurve>& curves) {
         last = curves[i].label;
         if (const Result<void> checked = curves[i].transferFunction.check(); !checked)
             return below(where, checked.error());
+        if (const Result<void> checked =
+                checkRange(curves[i].gradientFactor.value_or(0), kGradientFactor, where + ".gradientFactor");
+            !checked)
+            return checked;
     }
     return {};
 }
 
 }  // namespace
 
+float highestGradientFactor(const Scene& scene) {
+    float highest = scene.gradientFactor;
+    if (!scene.parts.map)
+        return highest;
+    for (const PartCurve& part : scene.parts.curves)
+        highest = std::max(highest, part.gradientFactor.value_or(0));
+    return highest;
+}
+
 Result<void> checkParts(const Scene& scene) {
     const Parts& parts = scene.parts;
-    if (!parts.map)
+    if (!parts.map && parts.curves.empty())
         return {};
     if (isProjection(scene.model) && scene.model != Model::maximumIntensity)
         return Error{phrase("the model %1 knows no materials of parts", std::string(modelName(scene.model))), "parts",
                      phrase("Take singleScattering or multipleScattering, or leave the parts out.")};
-    if (scene.volume)
+    if (parts.map && scene.volume)
         if (const Result<void> checked = checkMap(*parts.map, *scene.volume); !checked)
             return checked;
     return checkCurves(parts.curves);

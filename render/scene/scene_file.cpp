@@ -1,6 +1,7 @@
 #include "render/scene/scene_file.h"
 
 #include <iterator>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "render/scene/field_reader.h"
 #include "render/scene/field_writer.h"
 #include "render/scene/fields/light_fields.h"
+#include "render/scene/fields/parts_fields.h"
 #include "render/scene/fields/scene_fields.h"
 #include "render/scene/fields/volume_fields.h"
 #include "render/volume/clamp.h"
@@ -66,6 +68,33 @@ VolumeFields fieldsOf(const VolumeSource& source) {
     return fields;
 }
 
+/// Stores where the parts come from and their materials.
+void takeParts(const PartsFields& fields, const std::filesystem::path& folder, SceneFile& file) {
+    const bool finds = fields.found != FoundParts::none;
+    if (fields.labels.has_value() == finds)
+        fail("parts.labels", phrase("needs either a label map (labels) or a rule that finds parts (find)"));
+    orFail(FieldCheck::check(fields, "parts"));
+    if (fields.labels)
+        file.parts.labels = folder / *fields.labels;
+    file.parts.found = fields.found;
+    file.parts.resampling = fields.resample ? Resampling::nearest : Resampling::refused;
+    for (const PartMaterialFields& one : fields.materials)
+        file.scene.parts.curves.push_back({std::uint8_t(one.label), one.transferFunction, one.gradientFactor});
+}
+
+std::optional<PartsFields> fieldsOf(const PartsSource& source, const std::vector<PartCurve>& curves) {
+    if (!source.isGiven())
+        return {};
+    PartsFields fields;
+    if (!source.labels.empty())
+        fields.labels = source.labels.string();
+    fields.found = source.found;
+    fields.resample = source.resampling == Resampling::nearest;
+    for (const PartCurve& curve : curves)
+        fields.materials.push_back({curve.label, curve.transferFunction, curve.gradientFactor});
+    return fields;
+}
+
 void takeLights(const std::vector<LightFields>& entries, const std::filesystem::path& folder, SceneFile& file) {
     bool environmentSeen = false;
     for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -109,12 +138,14 @@ std::vector<LightFields> lightFieldsOf(const SceneFile& file) {
 struct FileFields {
     VolumeFields volume;
     std::vector<LightFields> lights;
+    std::optional<PartsFields> parts;
     Scene scene;
 };
 template <class Visit>
 void describe(Visit& visit, FileFields& file) {
     visit.object({"volume", "where the voxels come from", {}, kRequired}, file.volume);
     visit.list({"lights", "a list; without any the image is black"}, file.lights);
+    visit.object({"parts", "parts of the patient with materials of their own"}, file.parts);
     describe(visit, file.scene);
 }
 
@@ -125,6 +156,8 @@ void readScene(JsonFields& fields, const std::filesystem::path& folder, SceneFil
     file.scene = std::move(read.scene);
     file.source = sourceOf(read.volume, folder);
     takeLights(read.lights, folder, file);
+    if (read.parts)
+        takeParts(*read.parts, folder, file);
     orFail(file.scene.check());
 }
 
@@ -146,7 +179,8 @@ Result<SceneFile> readSceneFile(const std::filesystem::path& path) {
 }
 
 std::string sceneText(const SceneFile& file) {
-    FileFields fields{fieldsOf(file.source), lightFieldsOf(file), file.scene};
+    FileFields fields{fieldsOf(file.source), lightFieldsOf(file), fieldsOf(file.parts, file.scene.parts.curves),
+                      file.scene};
     return jsonText(kFormat, FieldWriter::written(fields));
 }
 

@@ -12,6 +12,7 @@
 #include "render/base/progress.h"
 #include "render/base/result.h"
 #include "render/scene/fit_view.h"
+#include "render/scene/parts_source.h"
 #include "render/scene/scene.h"
 #include "render/scene/table.h"
 #include "render/segment/hidden_table.h"
@@ -31,9 +32,11 @@ struct VolumeSource {
     bool operator==(const VolumeSource&) const = default;
 };
 
-/// A scene whose voxels (scene.volume is null) and environment image are still to be loaded.
+/// A scene whose voxels (scene.volume is null), label map (scene.parts.map is null) and environment image are still to
+/// be loaded.
 struct SceneFile {
     VolumeSource source;
+    PartsSource parts;                       ///< where the label map comes from; not given: there are no parts
     std::filesystem::path environmentImage;  ///< path of the environment image; empty: none
     std::string environmentField;            ///< path of the field that names the image: "lights[1].image"
     Scene scene;
@@ -46,7 +49,7 @@ Result<SceneFile> readSceneFile(const std::filesystem::path& path);
 /// Reads a scene from a text; `where` is used in error texts, relative paths are taken from `folder`.
 Result<SceneFile> sceneFromText(std::string_view text, const std::string& where, const std::filesystem::path& folder);
 /// Returns the text that sceneFromText() reads as an equal scene, to the bit, except for revision and look name, which
-/// files do not hold. Paths are written as they are.
+/// files do not hold, and the materials of parts that come from nowhere. Paths are written as they are.
 std::string sceneText(const SceneFile& file);
 /// Returns a camera as scene files write it, on one line.
 std::string cameraText(const Camera& camera);

@@ -48,4 +48,20 @@ Volume coarser(const Volume& volume, double edgeMm) {
     return {geometry, std::move(voxels)};
 }
 
+LabelMap coarser(const LabelMap& map, const VolumeGeometry& blocks) {
+    LabelMap coarse{blocks, {}, map.parts, map.source, {}};
+    const ivec3 size = blocks.size, fine = map.geometry.size;
+    const ivec3 block(glm::round(blocks.spacingMm() / map.geometry.spacingMm()));
+    coarse.labels.resize(blocks.voxelCount());
+    tbb::parallel_for(0, size.z, [&](int k) {
+        std::uint8_t* out = &coarse.labels[std::size_t(k) * size.x * size.y];
+        for (int j = 0; j < size.y; ++j)
+            for (int i = 0; i < size.x; ++i) {
+                const ivec3 middle = ivec3(i, j, k) * block + block / 2;
+                *out++ = map.labels[(std::size_t(middle.z) * fine.y + middle.y) * fine.x + std::size_t(middle.x)];
+            }
+    });
+    return coarse;
+}
+
 }  // namespace pdr

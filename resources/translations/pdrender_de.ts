@@ -5106,10 +5106,6 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>wie viel, ist noch nicht bekannt</translation>
     </message>
     <message>
-        <source>images with materials of parts are not sent to render nodes yet</source>
-        <translation>Bilder mit Materialien von Teilen werden noch nicht an Render-Rechner gesendet</translation>
-    </message>
-    <message>
         <source>in at most %1 % of the tissue</source>
         <translation>in höchstens %1 % des Gewebes</translation>
     </message>
@@ -5490,6 +5486,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>seine Bilder weichen in den letzten Bits von denen dieses Rechners ab: Das Programm dort ist anders gebaut</translation>
     </message>
     <message>
+        <source>its label map is of another size</source>
+        <translation>ihre Labelkarte hat eine andere Größe</translation>
+    </message>
+    <message>
         <source>its map has keys that are no numbers, or too many</source>
         <translation>ihre Tabelle hat Schlüssel, die keine Zahlen sind, oder zu viele</translation>
     </message>
@@ -5852,6 +5852,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>needs either a DICOM folder (dicom) or a raw file (raw)</source>
         <translation>braucht entweder einen DICOM-Ordner (dicom) oder eine Rohdatei (raw)</translation>
+    </message>
+    <message>
+        <source>needs either a label map (labels) or a rule that finds parts (find)</source>
+        <translation>braucht entweder eine Labelkarte (labels) oder eine Regel, die Teile findet (find)</translation>
     </message>
     <message>
         <source>neither this program nor the driver has code for the GPU (%1)</source>

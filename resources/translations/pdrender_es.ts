@@ -5106,10 +5106,6 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>aún no se sabe cuánto</translation>
     </message>
     <message>
-        <source>images with materials of parts are not sent to render nodes yet</source>
-        <translation>las imágenes con materiales de partes aún no se envían a los equipos de render</translation>
-    </message>
-    <message>
         <source>in at most %1 % of the tissue</source>
         <translation>en un %1 % del tejido como máximo</translation>
     </message>
@@ -5490,6 +5486,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>sus imágenes difieren de las de este equipo en los últimos bits: su programa está compilado de otro modo</translation>
     </message>
     <message>
+        <source>its label map is of another size</source>
+        <translation>su mapa de etiquetas tiene otro tamaño</translation>
+    </message>
+    <message>
         <source>its map has keys that are no numbers, or too many</source>
         <translation>su tabla tiene claves que no son números, o demasiadas</translation>
     </message>
@@ -5852,6 +5852,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>needs either a DICOM folder (dicom) or a raw file (raw)</source>
         <translation>necesita una carpeta DICOM (dicom) o un archivo en bruto (raw)</translation>
+    </message>
+    <message>
+        <source>needs either a label map (labels) or a rule that finds parts (find)</source>
+        <translation>necesita un mapa de etiquetas (labels) o una regla que encuentre partes (find)</translation>
     </message>
     <message>
         <source>neither this program nor the driver has code for the GPU (%1)</source>

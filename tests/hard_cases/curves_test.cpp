@@ -262,7 +262,7 @@ class CurvesTest : public QObject {
         const auto ramp = test::prepared(
             test::plainScene(test::makeVolume({9, 9, 9}, dvec3(1), [](int i, int, int) { return 100 * i; }), 1));
         FlatScene scene = ramp->flat;
-        scene.surfaceFactor = INFINITY;
+        scene.transferFunction.surfaceFactor = INFINITY;
         QVERIFY(surfaceNormal(scene, scene.transferFunction, {4, 4, 4}, {-1, 0, 0}, 400, 0) == vec3(-1, 0, 0));
         scene.volume.indexFromLocal = mat3(1e-25f);
         const vec3 gradient = hounsfieldGradient(scene.volume, {4, 4, 4});

@@ -46,8 +46,10 @@ struct HybridScene {
     std::vector<Light> lights{};
     float room = 0;  ///< radiance of the surroundings
     Clip clip{};
-    int samples = 1024;  ///< samples of each of 1024 pixels
-    double sees = 0.01;  ///< relative bias that the run must be able to find, in every channel
+    bool twoMaterials = false;         ///< beyond an oblique plane through the surface there is another material
+    float otherGradientFactor = 0.5f;  ///< its gradient factor
+    int samples = 1024;                ///< samples of each of 1024 pixels
+    double sees = 0.01;                ///< relative bias that the run must be able to find, in every channel
 
     Scene scene() const;
 };
@@ -69,6 +71,21 @@ inline std::shared_ptr<const Volume> unevenSurface(dvec3 spacing, double steepne
                 voxels.push_back(std::int16_t(steepness * (0.25 * waves - glm::dot(kOutwards, p))));
             }
     return std::make_shared<Volume>(VolumeGeometry{size, map}, std::move(voxels));
+}
+
+/// Labels the voxels of a volume on one side of an oblique plane, which lies near the origin.
+inline std::shared_ptr<const LabelMap> beyondAPlane(const Volume& volume) {
+    auto map = std::make_shared<LabelMap>();
+    map->geometry = volume.geometry();
+    map->parts.resize(1);
+    const ivec3 size = volume.size();
+    for (int k = 0; k < size.z; ++k)
+        for (int j = 0; j < size.y; ++j)
+            for (int i = 0; i < size.x; ++i) {
+                const dvec3 place(map->geometry.patientFromIndex * dvec4(i, j, k, 1));
+                map->labels.push_back(glm::dot(place, tilted(0.3, 1.2)) > 0.2);
+            }
+    return map;
 }
 
 inline std::vector<TransferNode> nodesOf(const HybridScene& from) {
@@ -104,6 +121,15 @@ inline Scene HybridScene::scene() const {
     scene.lights = lights;
     scene.environment = {vec3(room, 0.8f * room, 0.6f * room), false};
     scene.clip = clip;
+    if (twoMaterials) {
+        scene.parts.map = beyondAPlane(*scene.volume);
+        scene.parts.curves = {{1,
+                               {1.7f * extinctionPerMm,
+                                {{.hu = -100, .opacity = 0, .albedo = {0.3f, 0.8f, 0.5f}},
+                                 {.hu = 150, .opacity = 0.9f, .albedo = {0.2f, 0.9f, 0.6f}, .specular = vec3(0.2f)},
+                                 {.hu = 700, .opacity = 0.4f, .albedo = {0.4f, 0.5f, 0.9f}}}},
+                               otherGradientFactor}};
+    }
     const dvec3 towards = tilted(view, 0.4), target(0.3, -0.2, 0.1);
     scene.camera = {.type = Camera::Type::orthographic,
                     .eyeMm = target + towards * 40.0,
@@ -315,6 +341,30 @@ inline std::vector<HybridScene> hybridScenes() {
          .specular = metal,
          .roughness = 0.7f,
          .room = 1},
+        {.name = "two materials", .lights = {sun(0.7, 2)}, .twoMaterials = true, .samples = 2048, .sees = 0.003},
+        {.name = "two materials, unlike spacings",
+         .spacing = {0.7, 1.1, 2},
+         .curve = step,
+         .extinctionPerMm = 0.6f,
+         .lights = {sun(0.6, facing), sun(0.8, 2)},
+         .twoMaterials = true},
+        {.name = "two materials, surface on one side",
+         .gradientFactor = 0,
+         .g = 0.3f,
+         .view = 0.5,
+         .lights = {sun(0.5, 2)},
+         .twoMaterials = true,
+         .otherGradientFactor = 3,
+         .samples = 2048,
+         .sees = 0.003},
+        {.name = "two materials, outside the edge",
+         .gradientFactor = 2,
+         .rayOrigin = outsideEdge,
+         .lights = {sun(0.5, 1)},
+         .twoMaterials = true,
+         .otherGradientFactor = 3,
+         .samples = 2048,
+         .sees = 0.003},
     };
 }
 

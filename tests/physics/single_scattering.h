@@ -4,6 +4,7 @@
 
 #include "render/scene/scene.h"
 #include "tests/physics/written_cut.h"
+#include "tests/physics/written_parts.h"
 
 namespace pdr::test::written {
 
@@ -19,6 +20,7 @@ class SingleScattering {
     explicit SingleScattering(const Scene& scene, Fineness fineness = {})
         : scene_(scene),
           grid_(*scene.volume),
+          materials_(scene),
           planes_(scene.clip.allPlanes()),
           onLight_(gaussLegendre(fineness.light)),
           onSphere_(gaussLegendre(fineness.sphere)) {}
@@ -29,7 +31,7 @@ class SingleScattering {
         dvec3 sum(0);
         double depth = 0;
         if (line.from < line.to) {
-            std::vector<double> ends = kinks(grid_, nodes(), line);
+            std::vector<double> ends = kinks(grid_, materials_.nodes(), line);
             const std::vector<double> steps = stepsOf(line, [&](dvec3 place) { return face(place); });
             ends.insert(ends.end(), steps.begin(), steps.end());
             std::sort(ends.begin(), ends.end());
@@ -45,27 +47,36 @@ class SingleScattering {
     static constexpr double kOpaque = 30;       ///< optical depth behind which nothing counts
     static constexpr double kPieceDepth = 0.5;  ///< optical depth of the pieces that a path is cut into
 
-    const std::vector<TransferNode>& nodes() const { return scene_.transferFunction.nodes; }
-
     double extinction(dvec3 place) const {
-        return scene_.transferFunction.extinctionPerMm * tissueAt(nodes(), grid_.hu(grid_.index(place))).opacity;
+        const dvec3 index = grid_.index(place);
+        const double hu = grid_.hu(index);
+        double sum = 0;
+        for (const WeightedMaterial& material : materials_.at(index))
+            sum += material.extinction(hu);
+        return sum;
+    }
+
+    /// Returns the optical depth between two neighbouring kinks or part of that way.
+    template <class Extinction>
+    double passed(double from, double to, Extinction&& sigma) const {
+        return scene_.parts.map ? depthOf<4>(from, to, sigma) : depthOf<2>(from, to, sigma);
     }
 
     /// Adds the piece's optical depth to `depth`.
     dvec3 fromPiece(const Line& line, double from, double to, double& depth) const {
         static const std::vector<QuadraturePoint> points = gaussLegendre(6);
         const auto sigma = [&](double t) { return extinction(line.at(t)); };
-        const double whole = depthOf(from, to, sigma);
+        const double whole = passed(from, to, sigma);
         const int parts = int(whole / kPieceDepth) + 1;
         dvec3 sum(0);
         for (int part = 0; part < parts && whole > 0; ++part) {
             const double low = from + (to - from) * part / parts, high = from + (to - from) * (part + 1) / parts;
             for (const QuadraturePoint& point : points) {
                 const double t = low + (high - low) * point.at;
-                const double reached = std::exp(-(depth + depthOf(low, t, sigma)));
+                const double reached = std::exp(-(depth + passed(low, t, sigma)));
                 sum += scattered(line.at(t), line.direction) * (reached * sigma(t) * point.weight * (high - low));
             }
-            depth += depthOf(low, high, sigma);
+            depth += passed(low, high, sigma);
         }
         return sum;
     }
@@ -77,10 +88,10 @@ class SingleScattering {
             line = uncut(planes_, line);
         if (!(line.from < line.to))
             return 1;
-        const std::vector<double> ends = kinks(grid_, nodes(), line);
+        const std::vector<double> ends = kinks(grid_, materials_.nodes(), line);
         double depth = 0;
         for (std::size_t i = 0; i + 1 < ends.size() && depth < kOpaque; ++i)
-            depth += depthOf(ends[i], ends[i + 1], [&](double t) { return extinction(line.at(t)); });
+            depth += passed(ends[i], ends[i + 1], [&](double t) { return extinction(line.at(t)); });
         return std::exp(-depth);
     }
 
@@ -106,7 +117,7 @@ class SingleScattering {
         }
     };
 
-    int face(dvec3 place) const { return faceNear(grid_, planes_, nodes(), place); }
+    int face(dvec3 place) const { return faceNear(grid_, planes_, scene_.transferFunction.nodes, place); }
 
     /// Returns the gradient of the HU, or of the step from tissue to air at a cut, which is one voxel wide [HU/mm];
     /// both in the same way.
@@ -119,22 +130,30 @@ class SingleScattering {
         return normal * (std::max(grid_.hu(index) + 1000, 0.0) / glm::length(grid_.acrossIndex(normal)));
     }
 
-    Event eventAt(dvec3 place, dvec3 travel) const {
-        const dvec3 index = grid_.index(place);
-        Event event{place, travel, tissueAt(nodes(), grid_.hu(index)), dvec3(0, 0, 1), 0, 1, scene_.phaseG, place};
-        const dvec3 gradient = this->gradient(place);
+    Event eventAt(dvec3 place, dvec3 travel, const WeightedMaterial& material, dvec3 gradient) const {
+        const Tissue tissue = tissueAt(material.curve->nodes, grid_.hu(grid_.index(place)));
+        Event event{place, travel, tissue, dvec3(0, 0, 1), 0, 1, scene_.phaseG, place};
         const double steepness = glm::length(gradient);
         if (steepness > 0) {
             event.normal = gradient * ((glm::dot(gradient, travel) > 0 ? -1 : 1) / steepness);
-            event.ofSurface = surfaceProbability(event.tissue.opacity, scene_.gradientFactor, steepness);
+            event.ofSurface = surfaceProbability(event.tissue.opacity, material.gradientFactor, steepness);
             event.ofMedium = 1 - event.ofSurface;
         }
         return event;
     }
 
-    /// Radiance scattered towards the viewer at `place`.
+    /// Radiance scattered towards the viewer at `place`: by each material in proportion to its extinction.
     dvec3 scattered(dvec3 place, dvec3 travel) const {
-        const Event event = eventAt(place, travel);
+        const dvec3 index = grid_.index(place), gradient = this->gradient(place);
+        const double hu = grid_.hu(index), whole = extinction(place);
+        dvec3 sum(0);
+        for (const WeightedMaterial& material : materials_.at(index))
+            if (const double share = material.extinction(hu) / whole; share > 0)
+                sum += share * scatteredBy(eventAt(place, travel, material, gradient));
+        return sum;
+    }
+
+    dvec3 scatteredBy(const Event& event) const {
         if (scene_.rayOrigin == RayOrigin::event || event.ofSurface == 0)
             return scattered(event);
         Event surface = event, medium = event;
@@ -224,6 +243,7 @@ class SingleScattering {
 
     const Scene& scene_;
     Grid grid_;
+    Materials materials_;
     std::vector<ClipPlane> planes_;
     std::vector<QuadraturePoint> onLight_, onSphere_;
 };

@@ -153,10 +153,11 @@ inline std::vector<double> kinks(const Grid& grid, const std::vector<TransferNod
     return all;
 }
 
-/// Optical depth between two neighbouring kinks or part of that way: two points are exact for a cubic.
-template <class Extinction>
+/// Optical depth between two neighbouring kinks or part of that way. Two points are exact for a cubic, four for the
+/// product of two.
+template <int kPoints, class Extinction>
 double depthOf(double from, double to, Extinction&& extinction) {
-    static const std::vector<QuadraturePoint> points = gaussLegendre(2);
+    static const std::vector<QuadraturePoint> points = gaussLegendre(kPoints);
     double sum = 0;
     for (const QuadraturePoint& point : points)
         sum += point.weight * extinction(from + (to - from) * point.at);

@@ -132,15 +132,13 @@ std::uint64_t filmKey(const Scene& scene, const std::string& device) {
     file.scene = scene;
     file.scene.volume = nullptr;
     file.scene.environment.image = nullptr;
+    if (scene.parts.map)
+        file.parts.labels = "labels";
     std::uint64_t key = hashed(hashed(hashed(1, PDR_VERSION), device), sceneText(file));
     if (scene.environment.image)
         key = hashed(key, std::as_bytes(std::span(scene.environment.image->texels)));
     if (scene.parts.map)
         key = hashed(key, std::as_bytes(std::span(scene.parts.map->labels)));
-    for (const PartCurve& part : scene.parts.curves) {  // scene files do not hold them
-        file.scene.transferFunction = part.transferFunction;
-        key = hashed(hashed(key, std::to_string(part.label)), sceneText(file));
-    }
     return hashed(key, std::as_bytes(std::span(scene.volume->voxels())));
 }
 

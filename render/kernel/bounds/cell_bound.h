@@ -97,19 +97,18 @@ PDR_HD_INLINE Real extinctionBound(const FlatTransferFunction& function, const V
     return most > 0.0f ? function.extinctionPerMm * (most + kOpacityRoom) : Real{};
 }
 
-/// Returns the same for the curves of a scene, in the lanes of `mask`.
+/// Returns the same for the curves of the cell, in the lanes of `mask`.
 template <class Real>
 PDR_HD_INLINE Real extinctionBound(const FlatScene& scene, const VoxelCell<Real>& cell,
                                    typename SimdTraits<Real>::Mask mask) {
     if (!hasParts(scene))
         return extinctionBound(scene.transferFunction, cell);
-    const Vec3<typename SimdTraits<Real>::Int> corner{toInt(cell.lowest.x), toInt(cell.lowest.y), toInt(cell.lowest.z)};
     Real most{};
-    for (int n = 0; n < 8; ++n)
-        forEachCurve(cornerCurve(scene, corner, n, mask), mask, [&](int curve, auto here) {
-            const Real bound = extinctionBound(scene.parts.curves[curve], cell);
-            most = here ? max(most, bound) : most;
-        });
+    forCurvesOfCell(scene, {toInt(cell.lowest.x), toInt(cell.lowest.y), toInt(cell.lowest.z)}, mask,
+                    [&](int curve, auto here) {
+                        const Real bound = extinctionBound(scene.parts.curves[curve], cell);
+                        most = here ? max(most, bound) : most;
+                    });
     return most;
 }
 

@@ -19,7 +19,7 @@ struct Event {
     vec3 normal;
 };
 
-/// Returns FlatScene::surfaceFactor [mm/HU] of a gradient factor: 25 gradientFactor^3 / range. The range is that of
+/// Returns the surfaceFactor of a curve [mm/HU] from its gradient factor: 25 gradientFactor^3 / range. The range is of
 /// 12-bit CT and not the volume's own, so that one metal clip does not change how the rest of the image looks.
 PDR_HD inline float surfaceFactorOf(float gradientFactor) {
     constexpr float kHuScale = 4096;
@@ -28,8 +28,8 @@ PDR_HD inline float surfaceFactorOf(float gradientFactor) {
 
 /// Returns the probability that an event is at a surface, which grows with the density and the gradient of the tissue:
 /// P = opacity (1 - exp(-surfaceFactor |grad|)), Kroes, Post & Botha 2012.
-PDR_HD inline float surfaceProbability(const FlatScene& scene, float opacity, float steepness) {
-    return opacity * attenuation(scene.surfaceFactor * steepness).taken;
+PDR_HD inline float surfaceProbability(const FlatTransferFunction& curve, float opacity, float steepness) {
+    return opacity * attenuation(curve.surfaceFactor * steepness).taken;
 }
 
 /// HU that stand for clipped and hidden tissue: those of air.
@@ -61,7 +61,7 @@ PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, const FlatTransferFunct
     const float steepness = glm::length(gradient);
     if (!(steepness > 0))
         return vec3(0);
-    if (u >= surfaceProbability(scene, most, steepness))
+    if (u >= surfaceProbability(curve, most, steepness))
         return vec3(0);
     return facing(wo, gradient / steepness);
 }
@@ -77,7 +77,7 @@ PDR_HD inline float cutSteepness(float hu, float voxelMm) {
 PDR_HD inline vec3 cutFaceNormal(const FlatScene& scene, const FlatTransferFunction& curve, const CutFace& face,
                                  vec3 wo, float hu, float u) {
     const float steepness = cutSteepness(hu, face.voxelMm);
-    if (u >= surfaceProbability(scene, opacity(curve, hu), steepness))
+    if (u >= surfaceProbability(curve, opacity(curve, hu), steepness))
         return vec3(0);
     return facing(wo, glm::normalize(glm::transpose(scene.volume.indexFromLocal) * face.normal));
 }

@@ -30,7 +30,7 @@ PDR_HD inline UnshadowedPlace unshadowedAt(const FlatScene& scene, vec3 position
     float surface = 0;
     if (steepness > 0) {
         seen.normal = gradient * ((glm::dot(gradient, wo) < 0 ? -1 : 1) / steepness);
-        surface = surfaceProbability(scene, opacity(curve, hu), steepness);
+        surface = surfaceProbability(curve, opacity(curve, hu), steepness);
     }
     vec3 arriving = 0.5f * (scene.environment.zenith + scene.environment.nadir);
     const vec3 place = localPosition(scene.volume, position);

@@ -30,8 +30,8 @@ struct PartedHuAlong : MaskedHuAlong<Real> {
     using Int = typename SimdTraits<Real>::Int;
 
     Int curve;              ///< the only curve of the cell, or kSeveralCurves
-    Vec3<Int> corner;       ///< lowest corner of the cell
-    Vec3<Real> begin, end;  ///< ends of the segment, as fractions of the cell
+    Vec3<Int> corner;       ///< lowest corner of a cell with several curves
+    Vec3<Real> begin, end;  ///< ends of the segment there, as fractions of the cell
 };
 
 /// Assigns `other` where `mask` holds.
@@ -60,9 +60,11 @@ PDR_HD_INLINE void readCell(const FlatScene& scene, const Vec3<typename SimdTrai
         else
             way.weight = {all, all, all, all};
         way.curve = mask ? onlyCurve(scene, corner, mask) : way.curve;
-        take(way.corner, mask, corner);
-        take(way.begin, mask, from);
-        take(way.end, mask, to);
+        if (any(mask & (way.curve == kSeveralCurves))) {
+            take(way.corner, mask, corner);
+            take(way.begin, mask, from);
+            take(way.end, mask, to);
+        }
     }
 }
 

@@ -102,4 +102,14 @@ struct Cubic {
     PDR_HD_INLINE Real whereIs(Real level, Mask mask) const { return whereMonotoneIs(*this, level, b0, b3, mask); }
 };
 
+/// Returns the mean over [0, 1] of the product of two cubics: exactly, by that of each pair of Bernstein polynomials.
+template <class Real>
+PDR_HD_INLINE Real meanOfProduct(const Cubic<Real>& a, const Cubic<Real>& b) {
+    const Real sum = b.b0 * (a.b0 + 0.5f * a.b1 + 0.2f * a.b2 + 0.05f * a.b3) +
+                     b.b1 * (0.5f * a.b0 + 0.6f * a.b1 + 0.45f * a.b2 + 0.2f * a.b3) +
+                     b.b2 * (0.2f * a.b0 + 0.45f * a.b1 + 0.6f * a.b2 + 0.5f * a.b3) +
+                     b.b3 * (0.05f * a.b0 + 0.2f * a.b1 + 0.5f * a.b2 + a.b3);
+    return sum * (1.0f / 7);
+}
+
 }  // namespace pdr

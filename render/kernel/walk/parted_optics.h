@@ -4,8 +4,8 @@
 /// crosses no border of a piece of any of these curves, each corner's extinction is linear in the HU; so, with base and
 /// slope trilinear between the corners,
 ///   extinction(s) = base(s) + slope(s) (hu(s) - hu(0)),
-/// cubic polynomials all three. With the visibility weight the degree is nine, which Gauss's rule of five points
-/// integrates exactly.
+/// cubic polynomials all three, whose mean is known in closed form. With the visibility weight the degree is nine,
+/// which Gauss's rule of five points integrates exactly.
 
 #include "render/kernel/medium.h"
 #include "render/kernel/walk/cell_walk.h"
@@ -76,6 +76,36 @@ inline void findCornerPieces(const FlatScene& scene, const PartedHuAlong<FloatLa
 
 #endif
 
+/// Finds the piece of the number-`curve` curve that the segment `hu` begins in, where `mask` holds.
+PDR_HD_INLINE void findPieces(const FlatScene& scene, int curve, bool mask, const Cubic<float>& hu,
+                              OpticsPiece<float>& piece) {
+    if (mask)
+        piece = pieceAtBegin(scene.optics, scene.parts.curves[curve], hu);
+}
+
+#if !defined(__CUDACC__)
+
+/// Finds the piece of each lane's curve: those of the first lane's together, others one after the other.
+inline void findPieces(const FlatScene& scene, IntLanes curve, IntLanes mask, const Cubic<FloatLanes>& hu,
+                       OpticsPiece<FloatLanes>& piece) {
+    if (!any(mask))
+        return;
+    const int first = curve[std::countr_zero(laneBits(mask))];
+    const IntLanes same = mask & (curve == first);
+    const OpticsPiece<FloatLanes> found = pieceAtBegin(scene.optics, scene.parts.curves[first], hu);
+    piece = {same ? found.index : piece.index, same ? found.start : piece.start, same ? found.end : piece.end};
+    for (std::uint32_t left = laneBits(mask & !same); left != 0; left &= left - 1) {
+        const int lane = std::countr_zero(left);
+        const OpticsPiece<float> one = pieceAtBegin(scene.optics, scene.parts.curves[curve[lane]],
+                                                    {hu.b0[lane], hu.b1[lane], hu.b2[lane], hu.b3[lane]});
+        piece.index[lane] = one.index;
+        piece.start[lane] = one.start;
+        piece.end[lane] = one.end;
+    }
+}
+
+#endif
+
 /// Returns the piece that the segment `hu` through `cell` begins in, and what its corners have there in `corners`,
 /// where there are several curves.
 template <class Real>
@@ -90,12 +120,7 @@ PDR_HD_INLINE OpticsPiece<Real> pieceAtBegin(const FlatScene& scene, const Parte
         piece = {several ? corners.piece.index : piece.index, several ? corners.piece.start : piece.start,
                  several ? corners.piece.end : piece.end};
     }
-    forEachCurve(cell.curve, mask & !several, [&](int curve, Mask here) {
-        const OpticsPiece<Real> one = pieceAtBegin(scene.optics, scene.parts.curves[curve], hu);
-        piece.index = here ? one.index : piece.index;
-        piece.start = here ? one.start : piece.start;
-        piece.end = here ? one.end : piece.end;
-    });
+    findPieces(scene, cell.curve, mask & !several, hu, piece);
     return piece;
 }
 
@@ -106,12 +131,10 @@ struct MixedAlong {
     Cubic<Real> base, slope;
 };
 
-/// Sets `mixed`, which is 0 before, for the segment from one position in a cell to another, both as its fractions.
+/// Sets `mixed` for the segment from one position in a cell to another, both as its fractions.
 template <class Real>
 PDR_HD_INLINE void mix(const CornerPieces<Real>& corners, typename SimdTraits<Real>::Mask several,
                        const Vec3<Real>& from, const Vec3<Real>& to, MixedAlong<Real>& mixed) {
-    if (!any(several))
-        return;
     mixed.several = several;
     mixed.base = hounsfieldAlong(corners.base, from, to);
     mixed.slope = hounsfieldAlong(corners.slope, from, to);
@@ -120,6 +143,8 @@ PDR_HD_INLINE void mix(const CornerPieces<Real>& corners, typename SimdTraits<Re
 /// The visible extinction along a segment through parts.
 template <class Real>
 struct PartedExtinction {
+    using Mask = typename SimdTraits<Real>::Mask;
+
     const OpticsAlong<Real>& along;
     const Cubic<Real>& hu;
     const Cubic<Real>& weight;
@@ -130,16 +155,25 @@ struct PartedExtinction {
         return (mixed.several ? mix : extinctionAt(along, s)) * max(weight.at(s), Real{});
     }
     /// Returns where the extinction is not that of the piece.
-    PDR_HD_INLINE typename SimdTraits<Real>::Mask differs() const { return mixed.several | (weight.lowest() < 1.0f); }
+    PDR_HD_INLINE Mask differs() const { return mixed.several | hidden(); }
     /// Returns its mean along the segment.
     PDR_HD_INLINE Real mean() const {
-        const auto byGauss = differs();
-        if (!any(byGauss))
-            return along.meanExtinction;
+        const Real whole = any(mixed.several) ? wholeMean() : along.meanExtinction;
+        if (!any(hidden()))
+            return whole;
         Real mean{};
         for (int i = 0; i < kGaussPlaces; ++i)
             mean = mean + gaussPlace(i).share * at(Real{} + gaussPlace(i).place);
-        return byGauss ? mean : along.meanExtinction;
+        return hidden() ? mean : whole;
+    }
+
+  private:
+    PDR_HD_INLINE Mask hidden() const { return weight.lowest() < 1.0f; }
+    /// Returns the mean where nothing is hidden.
+    PDR_HD_INLINE Real wholeMean() const {
+        const Cubic<Real> rise{Real{}, hu.b1 - hu.b0, hu.b2 - hu.b0, hu.b3 - hu.b0};
+        const Real mean = max(mixed.base.mean() + meanOfProduct(mixed.slope, rise), Real{});
+        return mixed.several ? mean : along.meanExtinction;
     }
 };
 

@@ -146,8 +146,11 @@ class PieceWalk {
             way.weight = weightBehind = inCell_.weight;
             if (isMasked(scene))
                 inCell_.weight.split(reach, way.weight, weightBehind);
-            middle = between(inCell_.begin, inCell_.end, reach);
-            mix(corners, inCell & (inCell_.curve == kSeveralCurves), inCell_.begin, middle, way.mixed);
+            const Mask several = inCell & (inCell_.curve == kSeveralCurves);
+            if (any(several)) {
+                middle = between(inCell_.begin, inCell_.end, reach);
+                mix(corners, several, inCell_.begin, middle, way.mixed);
+            }
         }
         const Mask gone = ready & pass(way, ready, exceeded());
         // Continue behind it where it was accepted; halve it elsewhere.
@@ -158,7 +161,8 @@ class PieceWalk {
         if constexpr (Kind != Tissue::whole)
             inCell_.weight.take(split, weightBehind);
         if constexpr (Kind == Tissue::parted)
-            pdr::take(inCell_.begin, split, middle);
+            if (any(way.mixed.several))
+                pdr::take(inCell_.begin, split, middle);
         inCell_.length = gone ? inCell_.length - length : inCell_.length;
     }
 

@@ -7,6 +7,7 @@ namespace pdr {
 
 inline constexpr Range kHounsfield{-32768, 32767};
 inline constexpr Range kFraction{0, 1};
+inline constexpr Range kGradientFactor{0, 1e6};
 inline constexpr Range kRadiance{0, 1e30f};  // rounded to float: slightly more than 1e30
 inline constexpr Range kPlaceMm{-1e9, 1e9};
 inline constexpr Range kExtentMm{0, 1e9, false};

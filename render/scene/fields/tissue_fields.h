@@ -58,7 +58,7 @@ template <class Visit>
 void describe(Visit& visit, SurfaceField& surface) {
     visit({"gradientFactor",
            "how readily an event at an edge between tissues is a reflection instead of scattering; 0 = never",
-           {0, 1e6}},
+           kGradientFactor},
           surface.gradientFactor);
     visit.word({"rayOrigin",
                 "where rays to the light leave a surface: at the `event`, inside the surface's own soft edge, which "

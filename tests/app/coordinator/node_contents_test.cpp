@@ -5,6 +5,7 @@
 
 #include "app/node/node_contents.h"
 #include "app/wire/content.h"
+#include "tests/support/scenes/part_scenes.h"
 #include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
@@ -65,6 +66,29 @@ class NodeContentsTest : public QObject {
         qInfo("a scene takes %.2f times its voxels at the most, %.2f are asked for", taken,
               node::NodeContents::kSceneOverhead);
         QVERIFY(taken > 1 && taken < node::NodeContents::kSceneOverhead);
+    }
+
+    /// Labels stay while the scene changes, and come anew where their voxels lie elsewhere.
+    void labelsAreThoseOfTheirVolume() {
+        const auto sceneWith = [](double spacing) {
+            Scene scene = plainScene(makeVolume(ivec3(8), dvec3(spacing), [](int i, int, int) { return i; }), 1);
+            scene.parts = {anyParts(*scene.volume, 2, 3), {{2, {3, {{.hu = 0, .opacity = 1}}}}}};
+            return scene;
+        };
+        node::NodeContents contents;
+        contents.setKey(kKey);
+        for (const double spacing : {1.0, 1.0, 2.0}) {
+            const Scene scene = sceneWith(spacing);
+            const nodes::OutgoingScene going = *nodes::outgoingScene(5, scene, hashOf);
+            QVERIFY(bool(contents.order(going.order)));
+            while (const auto need = contents.need())
+                for (const nodes::Content& one : going.contents)
+                    if (one.hash == need->content)
+                        QVERIFY(bool(contents.add(wire::packChunk(one.hash, one.bytes, 0))));
+            const Result<Scene> made = contents.scene();
+            QVERIFY2(made, made ? "" : made.error().text().c_str());
+            QVERIFY(made->parts.map->labels == scene.parts.map->labels);
+        }
     }
 
     void sceneThatDoesNotFitIsRefused_data() {

@@ -6,6 +6,7 @@
 #include "app/coordinator/scene_order.h"
 #include "app/wire/content_hash.h"
 #include "tests/support/scenes/masks.h"
+#include "tests/support/scenes/part_scenes.h"
 #include "tests/support/scenes/tissue_scene.h"
 
 using namespace pdr;
@@ -27,6 +28,9 @@ Scene fullScene() {
     scene.mask = maskOf(grid, "Peeled 7 mm: skin is not shown.",
                         [](dvec3 place) { return std::int16_t(place.x > 20 ? kSeen : 0); });
     scene.clip.planes = {{{1, 2, 3}, {0, 1, 0}}};
+    auto parts = std::make_shared<LabelMap>(*test::anyParts(*scene.volume, 2, 3));
+    parts->parts[0].name = "ZZCANARY";
+    scene.parts = {parts, {{1, {0.7f, {{.hu = 100, .opacity = 0}, {.hu = 400, .opacity = 1}}}, 3.5f}}};
     scene.lookName = "ZZCANARY";
     scene.revision = 99;
     return scene;
@@ -38,6 +42,7 @@ SceneContents contentsOf(const OutgoingScene& going) {
     };
     SceneContents contents{*volumeFrom(going.order.volume, bytesOf(going.order.volume.content)), {}, {}};
     contents.mask = *maskFrom(*going.order.mask, bytesOf(going.order.mask->content));
+    contents.labels = *labelsFrom(going.order.volume, bytesOf(going.order.labels->content));
     contents.environment = *environmentFrom(*going.order.environment, bytesOf(going.order.environment->content));
     return contents;
 }
@@ -59,6 +64,7 @@ class SceneOrderTest : public QObject {
         QVERIFY(there.volume->geometry().patientFromIndex == scene.volume->geometry().patientFromIndex);
         QVERIFY(there.mask->weights() == scene.mask->weights() && there.mask->grid() == scene.mask->grid());
         QVERIFY(there.environment.image->texels == scene.environment.image->texels);
+        QVERIFY(there.parts.map->labels == scene.parts.map->labels && there.parts.curves == scene.parts.curves);
         there.revision = scene.revision;
         const FilmContent here = test::render(scene, 3).content(), other = test::render(there, 3).content();
         QVERIFY(sameBits(here, other));
@@ -79,6 +85,7 @@ class SceneOrderTest : public QObject {
         QVERIFY(going.order.text.find("ZZCANARY") == std::string::npos);
         QVERIFY(going.order.text.find("Peeled") == std::string::npos);
         QVERIFY(contentsOf(going).mask->hidden().empty());
+        QVERIFY(contentsOf(going).labels->parts.empty());
         QVERIFY(contentsOf(going).volume->remarks().empty());
     }
 
@@ -95,6 +102,7 @@ class SceneOrderTest : public QObject {
         QVERIFY(!volumeFrom(going.order.volume, few));
         QVERIFY(!maskFrom(*going.order.mask, few));
         QVERIFY(!environmentFrom(*going.order.environment, few));
+        QVERIFY(!labelsFrom(going.order.volume, few));
         wire::SceneOrder order = going.order;
         order.volume.patientFromIndex.fill(0);
         QVERIFY(!volumeFrom(order.volume, going.contents[0].bytes));
@@ -106,6 +114,9 @@ class SceneOrderTest : public QObject {
         SceneContents other = contents;
         other.mask = std::make_shared<Mask>(MaskGrid{{8, 8, 8}, {0, 0, 0}},
                                             HugePageVector<std::int16_t>(512, std::int16_t(1)), "");
+        QVERIFY(!sceneFrom(going.order, other));
+        other = contents;
+        other.labels = test::anyParts(*test::makeVolume(ivec3(8), dvec3(1), [](int, int, int) { return 0; }), 2, 3);
         QVERIFY(!sceneFrom(going.order, other));
     }
 };

@@ -204,21 +204,22 @@ class PartsTest : public QObject {
         QVERIFY(std::fabs(extinction(prepared->flat, vec3(3.25f, 4.3f, 2.1f)) - 1.5f) < 1e-6f);
     }
 
-    void aPartOfOneVoxelAndThe255thAreThere() {
-        Scene scene = test::plainScene(test::makeVolume(ivec3(24), dvec3(1), [](int, int, int) { return 0; }), 1);
-        scene.transferFunction.nodes = {{.hu = 0, .opacity = 0}};
-        scene.parts.map = test::labelled(*scene.volume, 255, [](ivec3 voxel) {
-            if (voxel == ivec3(11))
-                return 255;
-            return voxel.x == 23 && voxel.y < 12 ? 1 + voxel.y * 21 + voxel.z : 0;
-        });
-        for (int label = 1; label <= 255; ++label)
-            scene.parts.curves.push_back({std::uint8_t(label), {float(label), {{.hu = 0, .opacity = 1}}}});
+    /// A part reflects as readily as its own gradient factor says, where the common tissue does not.
+    void aPartHasSurfacesOfItsOwn() {
+        Scene scene =
+            test::plainScene(test::makeVolume(ivec3(8), dvec3(1), [](int i, int, int) { return 100 * i; }), 1);
+        scene.parts.map = test::labelled(*scene.volume, 2, [](ivec3 voxel) { return voxel.x / 3; });
+        scene.parts.curves = {{1, scene.transferFunction, 50.0f}, {2, scene.transferFunction, 0.0f}};
         QVERIFY(scene.check());
         const auto prepared = Flattener().prepare(scene);
-        // A hat of two voxels' width and height 255 has the area 255; in the border's half voxel nothing falls off.
-        QVERIFY(std::fabs(freeFlight(prepared->flat, {{-0.5f, 11, 11}, {1, 0, 0}, 22}, 1e9f).passed - 255) < 1e-2f);
-        QVERIFY(std::fabs(freeFlight(prepared->flat, {{-0.5f, 2, 5}, {1, 0, 0}, 24}, 1e9f).passed - 48) < 1e-3f);
+        QCOMPARE(prepared->parts.curves.size(), std::size_t(2));
+        QVERIFY(has(prepared->flat.features, kSurface));
+        const auto isSurfaceAt = [&](float x) {
+            return eventAt<kSurface>(prepared->flat, {x, 4, 4}, {-1, 0, 0}, 0.5f).normal != vec3(0);
+        };
+        QVERIFY(!isSurfaceAt(1.5f) && isSurfaceAt(4) && !isSurfaceAt(6.5f));
+        scene.parts.curves[0].gradientFactor = {};
+        QVERIFY(Flattener().prepare(scene)->parts.empty());
     }
 
     void whatCannotBeShownIsRefused() {
@@ -232,6 +233,7 @@ class PartsTest : public QObject {
         refused("model", [](Scene& s) { s.model = Model::absorption; });
         refused("label 0", [](Scene& s) { s.parts.curves[0].label = 0; });
         refused("twice", [](Scene& s) { s.parts.curves[1].label = 1; });
+        refused("gradient factor", [](Scene& s) { s.parts.curves[0].gradientFactor = -1.0f; });
         refused("curve", [](Scene& s) { s.parts.curves[0].transferFunction.nodes.clear(); });
         refused("grid", [](Scene& s) {
             auto map = std::make_shared<LabelMap>(*s.parts.map);

@@ -7,6 +7,7 @@
 #include "render/scene/field_table.h"
 #include "render/scene/fields/light_fields.h"
 #include "render/scene/fields/named_look_fields.h"
+#include "render/scene/fields/parts_fields.h"
 #include "render/scene/fields/scene_fields.h"
 #include "render/scene/fields/volume_fields.h"
 #include "tests/support/places.h"
@@ -52,6 +53,20 @@ SceneFile anySceneFile(unsigned seed) {
             file.source.raw = volume.file;
             file.source.raw.path = "voxels.raw";
         }
+        if (seed % 3 == 0) {
+            std::vector<PartMaterialFields> materials;
+            random.list({"materials", ""}, materials);
+            for (PartMaterialFields& one : materials) {
+                std::ranges::sort(one.transferFunction.nodes, {}, &TransferNode::hu);
+                const int label = int(scene.parts.curves.size()) * 60 + 15;
+                scene.parts.curves.push_back({std::uint8_t(label), one.transferFunction, one.gradientFactor});
+            }
+            file.parts.resampling = seed % 2 ? Resampling::nearest : Resampling::refused;
+            if (seed % 4 < 2)
+                file.parts.labels = "somebody's labels.nrrd";
+            else
+                file.parts.found = seed % 5 ? FoundParts::vessels : FoundParts::shells;
+        }
         if (scene.check() && FieldCheck::check(scene))
             return file;
     }
@@ -65,7 +80,8 @@ bool comesBack(const SceneFile& file, std::string& why) {
         return false;
     }
     why = sceneText(file) + sceneText(*read);
-    return read->scene == file.scene && read->source == file.source && read->environmentImage == file.environmentImage;
+    return read->scene == file.scene && read->source == file.source && read->parts == file.parts &&
+           read->environmentImage == file.environmentImage;
 }
 
 std::string tableOf(const std::string& name) {
@@ -74,6 +90,8 @@ std::string tableOf(const std::string& name) {
     const auto is = [&](const char* other) { return name == other; };
     return is("scene")         ? FieldTable::of(scene)
            : is("volume")      ? FieldTable::of<VolumeFields>()
+           : is("parts")       ? FieldTable::of<PartsFields>()
+           : is("material")    ? FieldTable::of<PartMaterialFields>()
            : is("transfer")    ? FieldTable::of<TransferFunction>()
            : is("node")        ? FieldTable::of<TransferNode>()
            : is("window")      ? FieldTable::of<HuWindow>()
@@ -120,7 +138,7 @@ class SceneTextTest : public QObject {
     }
 
     void anySceneComesBack() {
-        int images = 0, boxes = 0, lines = 0, orthographic = 0, raw = 0;
+        int images = 0, boxes = 0, lines = 0, orthographic = 0, raw = 0, parts = 0;
         for (unsigned seed = 1; seed <= 1000; ++seed) {
             const SceneFile file = anySceneFile(seed);
             std::string why;
@@ -130,8 +148,10 @@ class SceneTextTest : public QObject {
             lines += !file.scene.clip.freehand.empty();
             orthographic += file.scene.camera.type == Camera::Type::orthographic;
             raw += !file.source.raw.path.empty();
+            parts += !file.scene.parts.curves.empty();
         }
         QVERIFY(images > 20 && boxes > 100 && lines > 50 && orthographic > 300 && raw == 500);
+        QVERIFY(parts > 100);
     }
 
     void numbersOfSinglePrecisionAreWrittenShort() {
@@ -178,6 +198,7 @@ class SceneTextTest : public QObject {
         QTest::newRow("scene-file-tissue.md") << 8;
         QTest::newRow("scene-file-view.md") << 9;
         QTest::newRow("look-file.md") << 5;
+        QTest::newRow("label-maps.md") << 2;
     }
     void theManualsTablesAreThoseOfTheFields() {
         QFETCH(int, tables);

@@ -1,0 +1,156 @@
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "app/bench/commands.h"
+#include "app/bench/live_image.h"
+#include "app/bench/load_scene.h"
+#include "app/bench/median.h"
+#include "app/bench/options.h"
+#include "app/bench/paper/head_scene.h"
+#include "render/base/processor_time.h"
+#include "render/prepare/flatten.h"
+
+namespace pdr::bench {
+
+namespace {
+
+constexpr double kHeadMm = 250;  ///< edge of the head's volume
+constexpr ivec2 kFilm{480, 320};
+constexpr std::array kCounts{0, 1, 4, 100};
+
+/// Returns `u` with its bits behind the point mirrored to another base: the u-th of places that fill [0, 1] evenly.
+double radicalInverse(int base, int u) {
+    double inverse = 0, digit = 1;
+    for (; u > 0; u /= base) {
+        digit /= base;
+        inverse += digit * (u % base);
+    }
+    return inverse;
+}
+
+/// Divides all voxels among `count` parts: each belongs to the nearest of as many places.
+std::shared_ptr<const LabelMap> divided(const VolumeGeometry& grid, int count) {
+    auto map = std::make_shared<LabelMap>();
+    map->geometry = grid;
+    map->parts.resize(std::size_t(count));
+    map->labels.reserve(grid.voxelCount());
+    std::vector<vec3> places;
+    for (int n = 1; n <= count; ++n)
+        places.push_back(vec3(grid.size) *
+                         vec3(float(radicalInverse(2, n)), float(radicalInverse(3, n)), float(radicalInverse(5, n))));
+    for (int k = 0; k < grid.size.z; ++k)
+        for (int j = 0; j < grid.size.y; ++j)
+            for (int i = 0; i < grid.size.x; ++i) {
+                const auto far = [&](const vec3& place) { return glm::distance(place, vec3(i, j, k)); };
+                map->labels.push_back(std::uint8_t(std::ranges::min_element(places, {}, far) - places.begin() + 1));
+            }
+    return map;
+}
+
+/// Gives the head parts that differ in their colour alone, so that light goes the same way in all of them.
+void giveParts(Scene& scene, int count) {
+    if (count == 0)
+        return;
+    scene.parts.map = divided(scene.volume->geometry(), count);
+    for (int label = 1; label <= count; ++label) {
+        PartCurve part{std::uint8_t(label), scene.transferFunction};
+        for (TransferNode& node : part.transferFunction.nodes)
+            node.albedo *= 1 - 0.001f * float(label);
+        scene.parts.curves.push_back(std::move(part));
+    }
+}
+
+/// A head of a number of parts, and what it costs.
+struct Head {
+    int parts;
+    std::size_t labelBytes;  ///< of voxels and cells
+    std::size_t curveBytes;  ///< of the tables of all curves
+    LiveImage image;
+    std::vector<double> nanoseconds;  ///< time per sample in each round
+};
+
+std::size_t curveBytes(const PartTables& tables) {
+    return std::as_bytes(std::span(tables.pieces)).size() + std::as_bytes(std::span(tables.materials)).size() +
+           std::as_bytes(std::span(tables.pieceAt)).size() + std::as_bytes(std::span(tables.curves)).size();
+}
+
+Result<Head> startHead(int edge, int parts) {
+    auto shown = paper::headScene(ivec3(edge), dvec3(kHeadMm / edge));
+    if (!shown)
+        return shown.error();
+    Scene& scene = shown->scene;
+    scene.film = kFilm;
+    giveParts(scene, parts);
+    const auto prepared = Flattener().flatten(scene);
+    auto image = startFilm(scene, "cpu", 1);
+    if (!image)
+        return image.error();
+    const PartTables& tables = prepared->parts;
+    const std::size_t labels = tables.empty() ? 0 : tables.map->labels.size() + tables.cells->size();
+    return Head{parts, labels, curveBytes(tables), *std::move(image), {}};
+}
+
+Result<void> takeSamples(Head& head, int samples) {
+    const double start = processorSeconds();
+    if (const auto taken = head.image.live->accumulate(std::uint32_t(samples), {}); !taken)
+        return taken.error();
+    head.nanoseconds.push_back(1e9 * (processorSeconds() - start) / (double(samples) * kFilm.x * kFilm.y));
+    return {};
+}
+
+/// Returns the median of a head's time over that of the head without parts, which took its turn just before or after.
+double timesNone(const Head& head, const Head& none) {
+    std::vector<double> times;
+    for (std::size_t round = 0; round < head.nanoseconds.size(); ++round)
+        times.push_back(head.nanoseconds[round] / none.nanoseconds[round]);
+    return median(times);
+}
+
+void printText(const std::vector<Head>& heads) {
+    std::puts("parts  ns a sample  times none  labels [MB]  a curve [kB]");
+    for (const Head& head : heads)
+        std::printf("%5d  %11.1f  %10.3f  %11.2f  %12.2f\n", head.parts, median(head.nanoseconds),
+                    timesNone(head, heads.front()), double(head.labelBytes) / 1e6,
+                    double(head.curveBytes) / 1e3 / (head.parts + 1));
+}
+
+void printJson(const std::vector<Head>& heads) {
+    for (const Head& head : heads) {
+        const nlohmann::ordered_json json{{"parts", head.parts},
+                                          {"nsPerSample", median(head.nanoseconds)},
+                                          {"timesNone", timesNone(head, heads.front())},
+                                          {"labelBytes", head.labelBytes},
+                                          {"curveBytes", head.curveBytes}};
+        std::puts(json.dump().c_str());
+    }
+}
+
+}  // namespace
+
+int parts(const Arguments& arguments) {
+    const auto options = Options::read(arguments, {"--size", "--samples", "--rounds"}, {"--json"});
+    const auto number = [&](const char* name, int otherwise) {
+        return options ? options->number(name, otherwise, 1) : std::nullopt;
+    };
+    const auto size = number("--size", 256), samples = number("--samples", 4), rounds = number("--rounds", 9);
+    if (!size || !samples || !rounds || !options->files.empty())
+        return 2;
+    // Hold all heads in memory and measure them in turn
+    std::vector<Head> heads;
+    for (const int count : kCounts) {
+        auto head = startHead(*size, count);
+        if (!head)
+            return fail(head.error());
+        heads.push_back(*std::move(head));
+    }
+    for (int round = 0; round < *rounds; ++round)
+        for (Head& head : heads)
+            if (const auto taken = takeSamples(head, *samples); !taken)
+                return fail(taken.error());
+    options->named.contains("--json") ? printJson(heads) : printText(heads);
+    return 0;
+}
+
+}  // namespace pdr::bench

@@ -1,0 +1,62 @@
+#pragma once
+/// The tissue of a scene whose parts have materials of their own, once more and in double precision; nothing is shared
+/// with render/kernel.
+
+#include <algorithm>
+#include <vector>
+
+#include "render/scene/scene.h"
+#include "tests/physics/written_volume.h"
+
+namespace pdr::test::written {
+
+/// A material and its weight at a place.
+struct WeightedMaterial {
+    const TransferFunction* curve;
+    double gradientFactor, weight;
+
+    double extinction(double hu) const { return weight * curve->extinctionPerMm * tissueAt(curve->nodes, hu).opacity; }
+};
+
+class Materials {
+  public:
+    explicit Materials(const Scene& scene) : scene_(scene), nodes_(scene.transferFunction.nodes) {
+        for (const PartCurve& part : scene.parts.curves)
+            nodes_.insert(nodes_.end(), part.transferFunction.nodes.begin(), part.transferFunction.nodes.end());
+    }
+
+    /// The nodes of all curves.
+    const std::vector<TransferNode>& nodes() const { return nodes_; }
+
+    /// Returns the materials of the eight voxels around an index, one for each; without parts, the scene's own.
+    std::vector<WeightedMaterial> at(dvec3 index) const {
+        if (!scene_.parts.map)
+            return {{&scene_.transferFunction, scene_.gradientFactor, 1}};
+        const ivec3 size = scene_.volume->size();
+        const dvec3 inside = glm::clamp(index, dvec3(0), dvec3(size - 1));
+        const ivec3 low = glm::min(ivec3(inside), glm::max(size - 2, ivec3(0)));
+        std::vector<WeightedMaterial> around;
+        for (int n = 0; n < 8; ++n) {
+            const ivec3 voxel = low + ivec3(n % 2, n / 2 % 2, n / 4);
+            const dvec3 share = 1.0 - glm::abs(inside - dvec3(voxel));
+            around.push_back(materialOf(voxel, share.x * share.y * share.z));
+        }
+        return around;
+    }
+
+  private:
+    WeightedMaterial materialOf(ivec3 voxel, double weight) const {
+        const ivec3 size = scene_.volume->size();
+        const int label =
+            scene_.parts.map->labels[(std::size_t(voxel.z) * size.y + voxel.y) * size.x + std::size_t(voxel.x)];
+        const auto part = std::ranges::find(scene_.parts.curves, label, &PartCurve::label);
+        if (part == scene_.parts.curves.end())
+            return {&scene_.transferFunction, scene_.gradientFactor, weight};
+        return {&part->transferFunction, part->gradientFactor.value_or(scene_.gradientFactor), weight};
+    }
+
+    const Scene& scene_;
+    std::vector<TransferNode> nodes_;
+};
+
+}  // namespace pdr::test::written
