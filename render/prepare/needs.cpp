@@ -324,6 +324,20 @@ Effect hiding(const Scene& scene) {
                   });
 }
 
+Effect materialsOfParts(const Scene& scene) {
+    const Text name = phrase("materials of parts");
+    if (scene.model == Model::maximumIntensity)
+        return off(name, phrase("the model shows values, not light"));
+    if (!scene.parts.map)
+        return off(name, phrase("no part of the body has a material of its own"));
+    const bool differ = std::ranges::any_of(scene.parts.curves, [&](const PartCurve& part) {
+        return part.transferFunction != scene.transferFunction ||
+               part.gradientFactor.value_or(scene.gradientFactor) != scene.gradientFactor;
+    });
+    return effect(name, differ, phrase("a part of the body has a material of its own"),
+                  phrase("all parts are of the same material"), 0, [](Scene& s) { s.parts = {}; });
+}
+
 Effect bounces(const Subject& subject) {
     const Text name = phrase("multiple scattering");
     const Scene& scene = subject.scene;
@@ -378,6 +392,7 @@ std::vector<Effect> needs(const Scene& scene) {
         depthOfField(scene),
         clipping(scene),
         hiding(scene),
+        materialsOfParts(scene),
         bounces(subject),
         oneMoreEvent(subject),
     };

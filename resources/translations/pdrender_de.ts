@@ -4550,6 +4550,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>eine Zahl in ihrem Kopf ist nicht endlich</translation>
     </message>
     <message>
+        <source>a part of the body has a material of its own</source>
+        <translation>ein Körperteil hat ein eigenes Material</translation>
+    </message>
+    <message>
         <source>a part of the body is not shown</source>
         <translation>ein Teil des Körpers wird nicht gezeigt</translation>
     </message>
@@ -4700,6 +4704,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>all lights are hidden from the camera</source>
         <translation>alle Lichter sind vor der Kamera verborgen</translation>
+    </message>
+    <message>
+        <source>all parts are of the same material</source>
+        <translation>alle Teile sind aus demselben Material</translation>
     </message>
     <message>
         <source>an OpenEXR environment image, which then lights the scan</source>
@@ -5686,6 +5694,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Schritte von 3 Voxeln</translation>
     </message>
     <message>
+        <source>materials of parts</source>
+        <translation>Materialien von Teilen</translation>
+    </message>
+    <message>
         <source>mean kept in single precision: %1</source>
         <translation>Mittelwert in einfacher Genauigkeit geführt: %1</translation>
     </message>
@@ -5928,6 +5940,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>no opaque tissue that the volume holds emits light</source>
         <translation>kein deckendes Gewebe im Volumen leuchtet selbst</translation>
+    </message>
+    <message>
+        <source>no part of the body has a material of its own</source>
+        <translation>kein Körperteil hat ein eigenes Material</translation>
     </message>
     <message>
         <source>no point of the curve emits light</source>

@@ -4550,6 +4550,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>un número de su cabecera no es finito</translation>
     </message>
     <message>
+        <source>a part of the body has a material of its own</source>
+        <translation>una parte del cuerpo tiene un material propio</translation>
+    </message>
+    <message>
         <source>a part of the body is not shown</source>
         <translation>una parte del cuerpo no se muestra</translation>
     </message>
@@ -4700,6 +4704,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>all lights are hidden from the camera</source>
         <translation>todas las luces están ocultas a la cámara</translation>
+    </message>
+    <message>
+        <source>all parts are of the same material</source>
+        <translation>todas las partes son del mismo material</translation>
     </message>
     <message>
         <source>an OpenEXR environment image, which then lights the scan</source>
@@ -5686,6 +5694,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>pasos de 3 vóxeles</translation>
     </message>
     <message>
+        <source>materials of parts</source>
+        <translation>materiales de partes</translation>
+    </message>
+    <message>
         <source>mean kept in single precision: %1</source>
         <translation>media guardada en precisión simple: %1</translation>
     </message>
@@ -5928,6 +5940,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>no opaque tissue that the volume holds emits light</source>
         <translation>ningún tejido opaco del volumen emite luz</translation>
+    </message>
+    <message>
+        <source>no part of the body has a material of its own</source>
+        <translation>ninguna parte del cuerpo tiene un material propio</translation>
     </message>
     <message>
         <source>no point of the curve emits light</source>

@@ -2,6 +2,7 @@
 
 #include "render/kernel/features.h"
 #include "render/prepare/needs.h"
+#include "tests/support/scenes/part_scenes.h"
 #include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
@@ -50,6 +51,10 @@ std::vector<Case> onePerEffect() {
     add("clipping", [](Scene& s) { s.clip.planes = {{s.volume->geometry().centreMm(), {1, 0, 0}}}; });
     add("multiple scattering", [](Scene& s) { s.model = Model::multipleScattering; });
     add("emission", [](Scene& s) { s.transferFunction.nodes[0].emission = vec3(1); });
+    add("materials of parts", [](Scene& s) {
+        s.parts = {test::anyParts(*s.volume, 2, 1), {{2, s.transferFunction}}};
+        s.parts.curves[0].transferFunction.nodes[0].albedo = vec3(0.5f);
+    });
     return cases;
 }
 
@@ -86,6 +91,9 @@ Cases withoutInfluence() {
         s.lights.push_back(RectangleLight{.centreMm = {0, -50, 0}});
     });
     cases.add("surface reflection", [](Scene& s) { s.gradientFactor = 1e-6f; });
+    cases.add("materials of parts", [](Scene& s) {
+        s.parts = {test::anyParts(*s.volume, 2, 1), {{1, s.transferFunction}, {2, s.transferFunction, 0.0f}}};
+    });
     for (const char* name : {"shadows", "surface reflection", "emission", "lights with a place", "multiple scattering",
                              "light from all around", "directed scattering", "search along scattering"})
         cases.add(name, [](Scene& s) {
@@ -232,8 +240,8 @@ class NeedsTest : public QObject {
         for (const Model model :
              {Model::absorption, Model::emission, Model::emissionAbsorption, Model::maximumIntensity}) {
             for (Case& one : onePerEffect()) {
-                if (one.name == "depth of field" || one.name == "clipping")
-                    continue;  // these are about which rays there are
+                if (one.name == "depth of field" || one.name == "clipping" || one.name == "materials of parts")
+                    continue;  // these are about which rays there are, or are refused
                 one.scene.model = model;
                 QVERIFY(bool(one.scene.check()));
                 QCOMPARE(neededFeatures(needs(one.scene)), 0u);
