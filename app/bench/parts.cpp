@@ -1,4 +1,3 @@
-#include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -18,7 +17,13 @@ namespace {
 
 constexpr double kHeadMm = 250;  ///< edge of the head's volume
 constexpr ivec2 kFilm{480, 320};
-constexpr std::array kCounts{0, 1, 4, 100};
+
+/// What the voxels of a head are divided into.
+struct Division {
+    int parts;
+    bool byColour;  ///< parts differ in their colour, else in their opacity
+};
+constexpr Division kDivisions[] = {{0, false}, {1, false}, {4, false}, {100, false}, {100, true}};
 
 /// Returns `u` with its bits behind the point mirrored to another base: the u-th of places that fill [0, 1] evenly.
 double radicalInverse(int base, int u) {
@@ -49,22 +54,26 @@ std::shared_ptr<const LabelMap> divided(const VolumeGeometry& grid, int count) {
     return map;
 }
 
-/// Gives the head parts that differ in their colour alone, so that light goes the same way in all of them.
-void giveParts(Scene& scene, int count) {
-    if (count == 0)
+/// Gives the head parts that differ so little that light goes the same way in all of them.
+void giveParts(Scene& scene, const Division& division) {
+    if (division.parts == 0)
         return;
-    scene.parts.map = divided(scene.volume->geometry(), count);
-    for (int label = 1; label <= count; ++label) {
+    scene.parts.map = divided(scene.volume->geometry(), division.parts);
+    for (int label = 1; label <= division.parts; ++label) {
         PartCurve part{std::uint8_t(label), scene.transferFunction};
-        for (TransferNode& node : part.transferFunction.nodes)
-            node.albedo *= 1 - 0.001f * float(label);
+        const float less = 1 - 1e-4f * float(label);
+        if (division.byColour)
+            for (TransferNode& node : part.transferFunction.nodes)
+                node.albedo *= less;
+        else
+            part.transferFunction.extinctionPerMm *= less;
         scene.parts.curves.push_back(std::move(part));
     }
 }
 
 /// A head of a number of parts, and what it costs.
 struct Head {
-    int parts;
+    Division division;
     std::size_t labelBytes;  ///< of voxels and cells
     std::size_t curveBytes;  ///< of the tables of all curves
     LiveImage image;
@@ -76,20 +85,20 @@ std::size_t curveBytes(const PartTables& tables) {
            std::as_bytes(std::span(tables.pieceAt)).size() + std::as_bytes(std::span(tables.curves)).size();
 }
 
-Result<Head> startHead(int edge, int parts) {
+Result<Head> startHead(int edge, const Division& division) {
     auto shown = paper::headScene(ivec3(edge), dvec3(kHeadMm / edge));
     if (!shown)
         return shown.error();
     Scene& scene = shown->scene;
     scene.film = kFilm;
-    giveParts(scene, parts);
+    giveParts(scene, division);
     const auto prepared = Flattener().flatten(scene);
     auto image = startFilm(scene, "cpu", 1);
     if (!image)
         return image.error();
     const PartTables& tables = prepared->parts;
     const std::size_t labels = tables.empty() ? 0 : tables.map->labels.size() + tables.cells->size();
-    return Head{parts, labels, curveBytes(tables), *std::move(image), {}};
+    return Head{division, labels, curveBytes(tables), *std::move(image), {}};
 }
 
 Result<void> takeSamples(Head& head, int samples) {
@@ -109,16 +118,19 @@ double timesNone(const Head& head, const Head& none) {
 }
 
 void printText(const std::vector<Head>& heads) {
-    std::puts("parts  ns a sample  times none  labels [MB]  a curve [kB]");
-    for (const Head& head : heads)
-        std::printf("%5d  %11.1f  %10.3f  %11.2f  %12.2f\n", head.parts, median(head.nanoseconds),
-                    timesNone(head, heads.front()), double(head.labelBytes) / 1e6,
-                    double(head.curveBytes) / 1e3 / (head.parts + 1));
+    std::puts("parts  differ in  ns a sample  times none  labels [MB]  a curve [kB]");
+    for (const Head& head : heads) {
+        const auto& [parts, byColour] = head.division;
+        std::printf("%5d  %9s  %11.1f  %10.3f  %11.2f  %12.2f\n", parts, byColour ? "colour" : "opacity",
+                    median(head.nanoseconds), timesNone(head, heads.front()), double(head.labelBytes) / 1e6,
+                    double(head.curveBytes) / 1e3 / (parts + 1));
+    }
 }
 
 void printJson(const std::vector<Head>& heads) {
     for (const Head& head : heads) {
-        const nlohmann::ordered_json json{{"parts", head.parts},
+        const nlohmann::ordered_json json{{"parts", head.division.parts},
+                                          {"byColour", head.division.byColour},
                                           {"nsPerSample", median(head.nanoseconds)},
                                           {"timesNone", timesNone(head, heads.front())},
                                           {"labelBytes", head.labelBytes},
@@ -139,8 +151,8 @@ int parts(const Arguments& arguments) {
         return 2;
     // Hold all heads in memory and measure them in turn
     std::vector<Head> heads;
-    for (const int count : kCounts) {
-        auto head = startHead(*size, count);
+    for (const Division& division : kDivisions) {
+        auto head = startHead(*size, division);
         if (!head)
             return fail(head.error());
         heads.push_back(*std::move(head));

@@ -69,11 +69,13 @@ struct FlatMask : FlatGrid {
 /// The curves of parts of the patient (scene/parts.h). At a position the curves of the eight voxels around it are mixed
 /// by trilinear interpolation. Without parts `labels` is null.
 struct FlatParts {
-    const std::uint8_t* labels;          ///< label of each voxel, in the order of the volume's
-    const std::uint8_t* curveOf;         ///< 256 entries: the number of each label's curve; 0: the scene's own
-    const std::uint8_t* onlyCurve;       ///< the curve of all voxels of each fine cell, or kMixedCell
+    const std::uint8_t* labels;      ///< label of each voxel, in the order of the volume's
+    const std::uint8_t* materialOf;  ///< 256 entries: the number of each label's curve; 0: the scene's own
+    const std::uint8_t* curveOf;     ///< 256 entries: that of the first curve of the same opacity, for all but colours
+    const std::uint8_t* onlyCurve;   ///< curveOf all voxels of each fine cell, or kMixedCell
     const FlatTransferFunction* curves;  ///< all curves, the scene's own first
     int curveCount;
+    bool colours;  ///< some curves have one opacity
 };
 /// FlatParts::onlyCurve of a fine cell whose voxels have several curves, or the last of 256.
 inline constexpr int kMixedCell = 255;

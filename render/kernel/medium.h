@@ -139,10 +139,13 @@ PDR_HD_INLINE FlatTransferFunction curveMet(const FlatScene& scene, vec3 positio
     if (!hasParts(scene))
         return scene.transferFunction;
     const PlaceInCell place = placeInCell(scene.volume, position);
-    const int only = onlyCurve(scene, place.corner);
-    if (only != kSeveralCurves)
-        return scene.parts.curves[only];
-    const CornerCurves corners = cornerCurves(scene, place.corner);
+    if (!scene.parts.colours)
+        if (const int only = onlyCurve(scene, place.corner); only != kSeveralCurves)
+            return scene.parts.curves[only];
+    const std::uint64_t labels = cornerLabels(scene, place.corner);
+    if (isOneMaterial(scene, labels))
+        return materialCurve(scene, labels, 0);
+    const CornerCurves corners = cornerCurves(scene, labels);
     const VoxelCell<float> extinctions = cornerExtinctions(scene, corners, hu);
     const vec3 f = place.fraction;
     float shares[8], sum = 0;
@@ -161,7 +164,7 @@ PDR_HD_INLINE FlatTransferFunction curveMet(const FlatScene& scene, vec3 positio
         }
     if (shares[met] > 0)
         u = glm::min(left / shares[met], 1 - 0x1p-24f);
-    return scene.parts.curves[corners.curve[met]];
+    return materialCurve(scene, labels, met);
 }
 
 }  // namespace pdr

@@ -63,18 +63,43 @@ PDR_HD inline std::uint64_t cornerLabels(const FlatScene& scene, ivec3 corner) {
     return low | std::uint64_t(high) << 32;
 }
 
-/// Returns the curve at corner `n` of a cell with these labels.
-PDR_HD inline std::uint8_t curveAt(const FlatScene& scene, std::uint64_t labels, int n) {
-    return scene.parts.curveOf[labels >> (8 * n) & 0xFF];
+PDR_HD inline int labelAt(std::uint64_t labels, int n) {
+    return int(labels >> (8 * n) & 0xFF);
 }
 
-/// Returns the curves at the corners of a cell, as cornerLabels() counts them.
-PDR_HD inline CornerCurves cornerCurves(const FlatScene& scene, ivec3 corner) {
-    const std::uint64_t labels = cornerLabels(scene, corner);
+PDR_HD inline bool isOneLabel(std::uint64_t labels) {
+    return labels == (labels & 0xFF) * 0x0101010101010101u;
+}
+
+/// Returns the curve at corner `n` of a cell with these labels, for its opacity alone.
+PDR_HD inline std::uint8_t curveAt(const FlatScene& scene, std::uint64_t labels, int n) {
+    return scene.parts.curveOf[labelAt(labels, n)];
+}
+
+/// Returns the curves at the corners of a cell with these labels, for their opacity alone.
+PDR_HD inline CornerCurves cornerCurves(const FlatScene& scene, std::uint64_t labels) {
     CornerCurves corners;
     for (int n = 0; n < 8; ++n)
         corners.curve[n] = curveAt(scene, labels, n);
     return corners;
+}
+PDR_HD inline CornerCurves cornerCurves(const FlatScene& scene, ivec3 corner) {
+    return cornerCurves(scene, cornerLabels(scene, corner));
+}
+
+/// Returns the curve at corner `n` of a cell with these labels, with its own colours and surfaces.
+PDR_HD inline const FlatTransferFunction& materialCurve(const FlatScene& scene, std::uint64_t labels, int n) {
+    return scene.parts.curves[scene.parts.materialOf[labelAt(labels, n)]];
+}
+
+/// Returns whether all corners of a cell with these labels are of one material.
+PDR_HD inline bool isOneMaterial(const FlatScene& scene, std::uint64_t labels) {
+    if (isOneLabel(labels))
+        return true;
+    for (int n = 1; n < 8; ++n)
+        if (scene.parts.materialOf[labelAt(labels, n)] != scene.parts.materialOf[labelAt(labels, 0)])
+            return false;
+    return true;
 }
 
 /// Value of onlyCurve() where there are several.
@@ -87,7 +112,7 @@ PDR_HD inline int onlyCurve(const FlatScene& scene, ivec3 corner) {
         return only;
     const std::uint64_t labels = cornerLabels(scene, corner);
     const int first = curveAt(scene, labels, 0);
-    if (labels == (labels & 0xFF) * 0x0101010101010101u)
+    if (isOneLabel(labels))
         return first;
     for (int n = 1; n < 8; ++n)
         if (curveAt(scene, labels, n) != first)

@@ -44,7 +44,7 @@ Passed passedOn(const FlatScene& scene, const Ray& ray) {
             const OpticsAlong<float> along = opticsAlong(scene.optics, way.piece, way.hu);
             float extinction = along.meanExtinction;
             if constexpr (Kind == Tissue::parted)
-                extinction = PartedExtinction<float>{along, way.hu, way.weight, way.mixed}.mean();
+                extinction = PartedExtinction<float>{along, way.hu, way.weight, way.masked, way.mixed}.mean();
             if constexpr (Kind == Tissue::masked)
                 extinction = seenAlong(along, way.weight).meanExtinction;
             if (ready && extinction > 0) {

@@ -52,12 +52,12 @@ struct Curve {
 };
 
 /// Returns the different curves of a scene, its own first, and stores the number of each label's curve.
-std::vector<Curve> differentCurves(const Scene& scene, std::array<std::uint8_t, 256>& curveOf) {
+std::vector<Curve> differentCurves(const Scene& scene, std::array<std::uint8_t, 256>& materialOf) {
     std::vector<Curve> curves{{&scene.transferFunction, scene.gradientFactor}};
     for (const PartCurve& part : scene.parts.curves) {
         const Curve curve{&part.transferFunction, part.gradientFactor.value_or(scene.gradientFactor)};
         const auto known = std::ranges::find(curves, curve);
-        curveOf[part.label] = std::uint8_t(known - curves.begin());
+        materialOf[part.label] = std::uint8_t(known - curves.begin());
         if (known == curves.end())
             curves.push_back(curve);
     }
@@ -69,13 +69,18 @@ std::vector<Curve> differentCurves(const Scene& scene, std::array<std::uint8_t, 
 void PartTables::take(const Scene& scene, const PartTables* last) {
     if (!scene.parts.map)
         return;
-    const std::vector<Curve> different = differentCurves(scene, curveOf);
+    const std::vector<Curve> different = differentCurves(scene, materialOf);
     if (different.size() == 1)
         return;
     map = scene.parts.map;
     std::vector<TransferTables> tables;
     for (const Curve& curve : different)
         add(tables.emplace_back(*curve.function));
+    for (int label = 0; label < 256; ++label) {
+        const TransferTables& mine = tables[materialOf[std::size_t(label)]];
+        const auto first = std::ranges::find_if(tables, [&](const auto& other) { return other.sameOpacity(mine); });
+        curveOf[std::size_t(label)] = std::uint8_t(first - tables.begin());
+    }
     // Point to the tables only now that they have their places.
     int first = 0;
     for (const TransferTables& one : tables) {
@@ -100,7 +105,8 @@ void PartTables::add(const TransferTables& tables) {
 FlatParts PartTables::flat() const {
     if (empty())
         return {};
-    return {map->labels.data(), curveOf.data(), cells->data(), curves.data(), int(curves.size())};
+    return {map->labels.data(), materialOf.data(),  curveOf.data(),       cells->data(),
+            curves.data(),      int(curves.size()), materialOf != curveOf};
 }
 
 bool PartTables::sameOpacity(const PartTables& other) const {

@@ -19,8 +19,8 @@ struct Scene;
 using CellCurves = HugePageVector<std::uint8_t>;
 
 /// All curves of a scene with parts, one after the other, and which voxels have them. Parts whose curve and
-/// surfaces equal those of another one share them. Empty where no part has a curve that is not the scene's own: such a scene is rendered as one without
-/// parts. It cannot be copied, since `curves` points into it.
+/// surfaces equal those of another one share them. Empty where no part has a curve that is not the scene's own: such a
+/// scene is rendered as one without parts. It cannot be copied, since `curves` points into it.
 class PartTables {
   public:
     PartTables() = default;
@@ -36,13 +36,14 @@ class PartTables {
     /// Returns whether every voxel has the same opacity and extinction in both, for all HU.
     bool sameOpacity(const PartTables& other) const;
 
-    std::shared_ptr<const LabelMap> map;       ///< null: there are no parts
-    std::array<std::uint8_t, 256> curveOf{};   ///< number of each label's curve
-    std::shared_ptr<const CellCurves> cells;   ///< null without a map
-    std::vector<OpacityPiece> pieces;          ///< pieces of all curves
-    std::vector<Material> materials;           ///< two per piece
-    std::vector<std::uint16_t> pieceAt;        ///< 65536 / 16 entries for each curve
-    std::vector<FlatTransferFunction> curves;  ///< the scene's own first
+    std::shared_ptr<const LabelMap> map;         ///< null: there are no parts
+    std::array<std::uint8_t, 256> materialOf{};  ///< number of each label's curve
+    std::array<std::uint8_t, 256> curveOf{};     ///< number of the first curve of the same opacity
+    std::shared_ptr<const CellCurves> cells;     ///< null without a map
+    std::vector<OpacityPiece> pieces;            ///< pieces of all curves
+    std::vector<Material> materials;             ///< two per piece
+    std::vector<std::uint16_t> pieceAt;          ///< 65536 / 16 entries for each curve
+    std::vector<FlatTransferFunction> curves;    ///< the scene's own first
 
   private:
     void add(const TransferTables& tables);

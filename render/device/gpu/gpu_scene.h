@@ -74,6 +74,7 @@ class GpuScene {
     GpuTable<G, OpacityPiece> pieces_{gpu_};
     GpuTable<G, Material> materials_{gpu_};
     GpuTable<G, std::uint16_t> pieceAt_{gpu_};
+    GpuTable<G, std::uint8_t> materialOf_{gpu_};
     GpuTable<G, std::uint8_t> curveOf_{gpu_};
     GpuTable<G, OpacityPiece> partPieces_{gpu_};
     GpuTable<G, Material> partMaterials_{gpu_};
@@ -253,6 +254,7 @@ template <Gpu G>
 void GpuScene<G>::sendPartTables(const PartTables& parts) {
     if (parts.empty())
         return;
+    materialOf_.update(parts.materialOf);
     curveOf_.update(parts.curveOf);
     partPieces_.update(parts.pieces);
     partMaterials_.update(parts.materials);
@@ -265,6 +267,7 @@ void GpuScene<G>::sendPartTables(const PartTables& parts) {
     }
     curves_.update(curves);
     flat_.parts.labels = labels_.data();
+    flat_.parts.materialOf = materialOf_.data();
     flat_.parts.curveOf = curveOf_.data();
     flat_.parts.onlyCurve = onlyCurve_.data();
     flat_.parts.curves = curves_.data();
@@ -378,6 +381,7 @@ void GpuScene<G>::forget() {
     pieces_.forget();
     materials_.forget();
     pieceAt_.forget();
+    materialOf_.forget();
     curveOf_.forget();
     partPieces_.forget();
     partMaterials_.forget();

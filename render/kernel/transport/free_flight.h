@@ -143,7 +143,7 @@ class FreeFlight {
 
     PDR_HD_INLINE static Real meanExtinction(const OpticsAlong<Real>& along, const Way& way) {
         if constexpr (Kind == Tissue::parted)
-            return PartedExtinction<Real>{along, way.hu, way.weight, way.mixed}.mean();
+            return PartedExtinction<Real>{along, way.hu, way.weight, way.masked, way.mixed}.mean();
         else if constexpr (Kind == Tissue::masked)
             return seenAlong(along, way.weight).meanExtinction;
         else
@@ -152,7 +152,7 @@ class FreeFlight {
 
     PDR_HD_INLINE static Real endOn(const OpticsAlong<Real>& along, const Way& way, Real left, Mask ended) {
         if constexpr (Kind == Tissue::parted) {
-            const PartedExtinction<Real> extinction{along, way.hu, way.weight, way.mixed};
+            const PartedExtinction<Real> extinction{along, way.hu, way.weight, way.masked, way.mixed};
             return endOnSeen(along, way, left, ended, extinction, extinction.differs(), extinction.mean());
         } else if constexpr (Kind == Tissue::masked) {
             const SeenAlong<Real> seen = seenAlong(along, way.weight);

@@ -24,7 +24,7 @@ struct MaskedHuAlong : HuAlong<Real> {
     Cubic<Real> weight;  ///< in [0, 1]
 };
 
-/// HU, weight and curves along a ray segment inside one cell, for scenes with parts.
+/// HU, weight (with a mask) and curves along a ray segment inside one cell, for scenes with parts.
 template <class Real>
 struct PartedHuAlong : MaskedHuAlong<Real> {
     using Int = typename SimdTraits<Real>::Int;
@@ -54,11 +54,8 @@ PDR_HD_INLINE void readCell(const FlatScene& scene, const Vec3<typename SimdTrai
     if constexpr (std::is_same_v<Way, MaskedHuAlong<Real>>)
         way.weight.take(mask, weightAlong(scene.mask, corner, from, to));
     if constexpr (std::is_same_v<Way, PartedHuAlong<Real>>) {
-        const Real all = Real{} + 1.0f;
         if (isMasked(scene))
             way.weight.take(mask, weightAlong(scene.mask, corner, from, to));
-        else
-            way.weight = {all, all, all, all};
         way.curve = mask ? onlyCurve(scene, corner, mask) : way.curve;
         if (any(mask & (way.curve == kSeveralCurves))) {
             take(way.corner, mask, corner);

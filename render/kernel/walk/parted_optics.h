@@ -147,19 +147,21 @@ struct PartedExtinction {
 
     const OpticsAlong<Real>& along;
     const Cubic<Real>& hu;
-    const Cubic<Real>& weight;
+    const Cubic<Real>& weight;  ///< only with a mask
+    bool masked;
     const MixedAlong<Real>& mixed;
 
     PDR_HD_INLINE Real at(Real s) const {
         const Real mix = max(mixed.base.at(s) + mixed.slope.at(s) * (hu.at(s) - hu.b0), Real{});
-        return (mixed.several ? mix : extinctionAt(along, s)) * max(weight.at(s), Real{});
+        const Real whole = mixed.several ? mix : extinctionAt(along, s);
+        return masked ? whole * max(weight.at(s), Real{}) : whole;
     }
     /// Returns where the extinction is not that of the piece.
-    PDR_HD_INLINE Mask differs() const { return mixed.several | hidden(); }
+    PDR_HD_INLINE Mask differs() const { return masked ? mixed.several | hidden() : mixed.several; }
     /// Returns its mean along the segment.
     PDR_HD_INLINE Real mean() const {
         const Real whole = any(mixed.several) ? wholeMean() : along.meanExtinction;
-        if (!any(hidden()))
+        if (!masked || !any(hidden()))
             return whole;
         Real mean{};
         for (int i = 0; i < kGaussPlaces; ++i)

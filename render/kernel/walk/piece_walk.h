@@ -26,6 +26,7 @@ struct MaskedPieceOfWay : PieceOfWay<Real> {
 /// A segment with the mixture of its curves, for scenes with parts.
 template <class Real>
 struct PartedPieceOfWay : MaskedPieceOfWay<Real> {
+    bool masked;  ///< whether there is a mask; without one `weight` is not set
     MixedAlong<Real> mixed;
 };
 
@@ -105,7 +106,8 @@ class PieceWalk {
             (inCell_.hu.highest() < scene.optics.clearUpTo) | (inCell_.hu.lowest() >= scene.optics.clearFrom);
         inCell_.length = (met & clear) ? Real{} : inCell_.length;
         if constexpr (Kind != Tissue::whole)
-            inCell_.length = (met & !(inCell_.weight.highest() > 0.0f)) ? Real{} : inCell_.length;
+            if (hasWeights(scene))
+                inCell_.length = (met & !(inCell_.weight.highest() > 0.0f)) ? Real{} : inCell_.length;
     }
 
     /// Passes the next segment through the current cell.
@@ -139,13 +141,12 @@ class PieceWalk {
         way.begin = cells_.reached() - inCell_.length;
         way.length = length;
         [[maybe_unused]] Cubic<Real> weightBehind{};
-        if constexpr (Kind == Tissue::masked)
-            inCell_.weight.split(reach, way.weight, weightBehind);
+        if constexpr (Kind != Tissue::whole)
+            if (hasWeights(scene))
+                inCell_.weight.split(reach, way.weight, weightBehind);
         [[maybe_unused]] Vec3<Real> middle{};
         if constexpr (Kind == Tissue::parted) {
-            way.weight = weightBehind = inCell_.weight;
-            if (isMasked(scene))
-                inCell_.weight.split(reach, way.weight, weightBehind);
+            way.masked = isMasked(scene);
             const Mask several = inCell & (inCell_.curve == kSeveralCurves);
             if (any(several)) {
                 middle = between(inCell_.begin, inCell_.end, reach);
@@ -159,13 +160,17 @@ class PieceWalk {
         const Mask split = gone & (reach < 1.0f);
         inCell_.hu.take(split, behind);
         if constexpr (Kind != Tissue::whole)
-            inCell_.weight.take(split, weightBehind);
+            if (hasWeights(scene))
+                inCell_.weight.take(split, weightBehind);
         if constexpr (Kind == Tissue::parted)
             if (any(way.mixed.several))
                 pdr::take(inCell_.begin, split, middle);
         inCell_.length = gone ? inCell_.length - length : inCell_.length;
     }
 
+    PDR_HD static bool hasWeights(const FlatScene& scene) {
+        return Kind == Tissue::masked || (Kind == Tissue::parted && isMasked(scene));
+    }
     /// Returns the piece that the segment `hu` begins in.
     PDR_HD_INLINE OpticsPiece<Real> beginOf(const FlatScene& scene, [[maybe_unused]] Mask inCell, const Cubic<Real>& hu,
                                             [[maybe_unused]] CornerPieces<Real>& corners) const {

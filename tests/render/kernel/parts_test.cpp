@@ -204,6 +204,31 @@ class PartsTest : public QObject {
         QVERIFY(std::fabs(extinction(prepared->flat, vec3(3.25f, 4.3f, 2.1f)) - 1.5f) < 1e-6f);
     }
 
+    /// Parts that differ in colour alone are one for flights, and events still tell them apart.
+    void partsOfOneOpacityDifferInTheirColour() {
+        Scene scene = test::plainScene(test::makeVolume(ivec3(8), dvec3(1), [](int, int, int) { return 100; }), 1);
+        scene.parts.map = test::labelled(*scene.volume, 2, [](ivec3 voxel) { return voxel.x < 4 ? 1 : 2; });
+        for (const int label : {1, 2}) {
+            scene.parts.curves.push_back({std::uint8_t(label), scene.transferFunction});
+            scene.parts.curves.back().transferFunction.nodes[0].albedo = vec3(0.25f * float(label));
+        }
+        const auto prepared = Flattener().prepare(scene);
+        QCOMPARE(prepared->parts.curves.size(), std::size_t(3));
+        for (int x = 0; x < 7; ++x)
+            QCOMPARE(onlyCurve(prepared->flat, ivec3(x, 3, 3)), 0);
+        const auto share = [&](float x) {  // of the second part
+            int met = 0;
+            for (int i = 0; i < 1000; ++i) {
+                float u = (float(i) + 0.5f) / 1000;
+                met += materialAt(curveMet(prepared->flat, {x, 3, 3}, 100, u), 100).albedo == vec3(0.5f);
+            }
+            return met;
+        };
+        QCOMPARE(share(2.5f), 0);
+        QVERIFY(std::abs(share(3.25f) - 250) <= 2);
+        QCOMPARE(share(5), 1000);
+    }
+
     /// A part reflects as readily as its own gradient factor says, where the common tissue does not.
     void aPartHasSurfacesOfItsOwn() {
         Scene scene =
