@@ -144,7 +144,7 @@ PDR_HD_INLINE FlatTransferFunction curveMet(const FlatScene& scene, vec3 positio
             return scene.parts.curves[only];
     const std::uint64_t labels = cornerLabels(scene, place.corner);
     if (isOneMaterial(scene, labels))
-        return materialCurve(scene, labels, 0);
+        return scene.parts.curves[materialAt(scene, labels, 0)];
     const CornerCurves corners = cornerCurves(scene, labels);
     const VoxelCell<float> extinctions = cornerExtinctions(scene, corners, hu);
     const vec3 f = place.fraction;
@@ -164,7 +164,7 @@ PDR_HD_INLINE FlatTransferFunction curveMet(const FlatScene& scene, vec3 positio
         }
     if (shares[met] > 0)
         u = glm::min(left / shares[met], 1 - 0x1p-24f);
-    return materialCurve(scene, labels, met);
+    return scene.parts.curves[materialAt(scene, labels, met)];
 }
 
 }  // namespace pdr

@@ -87,9 +87,9 @@ PDR_HD inline CornerCurves cornerCurves(const FlatScene& scene, ivec3 corner) {
     return cornerCurves(scene, cornerLabels(scene, corner));
 }
 
-/// Returns the curve at corner `n` of a cell with these labels, with its own colours and surfaces.
-PDR_HD inline const FlatTransferFunction& materialCurve(const FlatScene& scene, std::uint64_t labels, int n) {
-    return scene.parts.curves[scene.parts.materialOf[labelAt(labels, n)]];
+/// Returns the curve at corner `n` of a cell with these labels that has its colours and surfaces, too.
+PDR_HD inline int materialAt(const FlatScene& scene, std::uint64_t labels, int n) {
+    return scene.parts.materialOf[labelAt(labels, n)];
 }
 
 /// Returns whether all corners of a cell with these labels are of one material.
@@ -97,7 +97,7 @@ PDR_HD inline bool isOneMaterial(const FlatScene& scene, std::uint64_t labels) {
     if (isOneLabel(labels))
         return true;
     for (int n = 1; n < 8; ++n)
-        if (scene.parts.materialOf[labelAt(labels, n)] != scene.parts.materialOf[labelAt(labels, 0)])
+        if (materialAt(scene, labels, n) != materialAt(scene, labels, 0))
             return false;
     return true;
 }

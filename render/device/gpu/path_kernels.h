@@ -239,7 +239,7 @@ struct OnwardKernel {
         return true;
     }
 
-    PDR_HD bool step(Walk& walk) const {
+    PDR_HD_INLINE bool step(Walk& walk) const {
         if (traceSegment<F, TrackedRays>(scene, walk.at.path, walk.bounce++, walk.at.found, NullVisitor()))
             return true;
         target.keep(scene, walk.at.sample, walk.at.found);
