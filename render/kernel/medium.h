@@ -83,22 +83,39 @@ PDR_HD inline VoxelCell<float> cornerExtinctions(const FlatScene& scene, const C
     return extinctions;
 }
 
-/// Returns the extinction at a position with `hu` where parts have curves of their own [1/mm].
-PDR_HD inline float partedExtinction(const FlatScene& scene, const Vec3<float>& position, float hu) {
-    const PlaceInCell place = placeInCell(scene.volume, vec3(position.x, position.y, position.z));
-    const int only = onlyCurve(scene, place.corner);
-    if (only != kSeveralCurves)
-        return extinctionOf(scene.parts.curves[only], hu);
+/// Returns the extinction at a place with `hu` in a cell whose corners have several curves [1/mm].
+PDR_HD inline float mixedExtinction(const FlatScene& scene, const PlaceInCell& place, float hu) {
     const VoxelCell<float> corners = cornerExtinctions(scene, cornerCurves(scene, place.corner), hu);
     return trilinear(corners, {place.fraction.x, place.fraction.y, place.fraction.z});
 }
 
+/// Returns the extinction at a position with `hu` where parts have curves of their own [1/mm].
+PDR_HD inline float partedExtinction(const FlatScene& scene, const Vec3<float>& position, float hu) {
+    const PlaceInCell place = placeInCell(scene.volume, vec3(position.x, position.y, position.z));
+    const int only = onlyCurve(scene, place.corner);
+    return only == kSeveralCurves ? mixedExtinction(scene, place, hu) : extinctionOf(scene.parts.curves[only], hu);
+}
+
 #if !defined(__CUDACC__)
 
+/// In lanes, cells with several curves are served one after the other: few are.
 inline FloatLanes partedExtinction(const FlatScene& scene, const Vec3<FloatLanes>& position, FloatLanes hu) {
-    FloatLanes extinction;
-    for (int lane = 0; lane < kLanes; ++lane)
-        extinction[lane] = partedExtinction(scene, {position.x[lane], position.y[lane], position.z[lane]}, hu[lane]);
+    const auto corner = [](FloatLanes at, float last) {
+        return toInt(min(max(at, FloatLanes{}), FloatLanes{} + last));
+    };
+    const vec3 last = scene.volume.lastCorner;
+    const Vec3<IntLanes> cell{corner(position.x, last.x), corner(position.y, last.y), corner(position.z, last.z)};
+    const IntLanes only = onlyCurve(scene, cell, ~IntLanes{}), several = only == kSeveralCurves;
+    FloatLanes extinction{};
+    forEachCurve(only, ~several, [&](int curve, IntLanes here) {
+        const FloatLanes ofCurve = extinctionOf(scene.parts.curves[curve], hu);
+        extinction = here ? ofCurve : extinction;
+    });
+    for (int lane = 0; any(several) && lane < kLanes; ++lane)
+        if (several[lane]) {
+            const vec3 at(position.x[lane], position.y[lane], position.z[lane]);
+            extinction[lane] = mixedExtinction(scene, placeInCell(scene.volume, at), hu[lane]);
+        }
     return extinction;
 }
 

@@ -158,6 +158,17 @@ PDR_HD_INLINE void forCurvesOfCell(const FlatScene& scene, const Vec3<int>& corn
 
 #if !defined(__CUDACC__)
 
+/// Calls visit(curve, mask) for each curve in the lanes of `mask`, with those that have it.
+template <class Visit>
+PDR_HD_INLINE void forEachCurve(IntLanes curve, IntLanes mask, Visit&& visit) {
+    for (IntLanes left = mask; any(left);) {
+        const int first = curve[std::countr_zero(laneBits(left))];
+        const IntLanes here = left & (curve == first);
+        visit(first, here);
+        left = left & ~here;
+    }
+}
+
 template <class Visit>
 PDR_HD_INLINE void forCurvesOfCell(const FlatScene& scene, const Vec3<IntLanes>& corner, IntLanes mask, Visit&& visit) {
     std::uint64_t labels[kLanes]{};
@@ -168,12 +179,7 @@ PDR_HD_INLINE void forCurvesOfCell(const FlatScene& scene, const Vec3<IntLanes>&
         IntLanes curve;
         for (int lane = 0; lane < kLanes; ++lane)
             curve[lane] = curveAt(scene, labels[lane], n);
-        for (IntLanes left = mask; any(left);) {
-            const int first = curve[std::countr_zero(laneBits(left))];
-            const IntLanes here = left & (curve == first);
-            visit(first, here);
-            left = left & ~here;
-        }
+        forEachCurve(curve, mask, visit);
     }
 }
 
