@@ -140,7 +140,10 @@ std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
     // Set the numbers and flags that select effects in the kernel.
     flat.fastFiltering = scene.filtering == Filtering::fast && !isProjection(scene.model);
     const auto showsThin = [&](const FlatTransferFunction& curve) { return showsThinTissue(curve, flat.volume); };
+    const auto showsDense = [&](const FlatTransferFunction& curve) { return showsDenseTissue(curve, flat.volume); };
+    flat.thinBound = thinBound(flat.volume);
     flat.looksAtThin = std::ranges::any_of(curvesOf(*prepared), showsThin);
+    flat.lightLooks = flat.looksAtThin && std::ranges::none_of(curvesOf(*prepared), showsDense);
     flat.marched = scene.estimator == Estimator::kroesMarch;
     flat.phaseG = scene.phaseG;
     flat.raysStartOutside = scene.rayOrigin == RayOrigin::outsideEdge;

@@ -2,11 +2,20 @@
 
 #include <algorithm>
 
+#include "render/base/cells.h"
 #include "render/kernel/walk/thin_walk.h"
 
 namespace pdr {
 
 namespace {
+
+/// Returns the longest diagonal of a voxel [mm]; that of a sheared one need not be the one along (1, 1, 1).
+float longestDiagonal(const mat3& localFromIndex) {
+    float most = 0;
+    for (int n = 0; n < 4; ++n)
+        most = std::max(most, glm::length(localFromIndex * vec3(1, n & 1 ? -1 : 1, n & 2 ? -1 : 1)));
+    return most;
+}
 
 /// Returns the HU over which a piece of the curve has an opacity of at most `thin`; 0 where it is clear.
 float thinHu(const OpacityPiece& piece, float thin) {
@@ -19,6 +28,10 @@ float thinHu(const OpacityPiece& piece, float thin) {
 
 }  // namespace
 
+float thinBound(const FlatVolume& volume) {
+    return kThinDepth / (kFineCell * longestDiagonal(volume.localFromIndex));
+}
+
 bool showsThinTissue(const FlatTransferFunction& function, const FlatVolume& volume) {
     constexpr float kEnough = 64;
     const float thin = thinBound(volume) / function.extinctionPerMm;
@@ -26,6 +39,11 @@ bool showsThinTissue(const FlatTransferFunction& function, const FlatVolume& vol
     for (int i = 1; i + 1 < function.pieceCount; ++i)
         hu += thinHu(function.pieces[i], thin);
     return hu >= kEnough;
+}
+
+bool showsDenseTissue(const FlatTransferFunction& function, const FlatVolume& volume) {
+    constexpr float kDense = 7.5f;  // optical depth of a voxel
+    return function.extinctionPerMm * longestDiagonal(volume.localFromIndex) > kDense;
 }
 
 }  // namespace pdr

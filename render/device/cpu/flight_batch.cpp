@@ -36,11 +36,12 @@ void FlightBatch::flyInLanes(const FlatScene& scene) {
 template <FlightEnd End, ThinTissue Thin>
 void FlightBatch::flyAll(const FlatScene& scene) {
     if (lanesCanRead(scene.volume))
-        return forTissue(scene, [&]<Tissue Kind>() { flyInLanes<FreeFlight<FloatLanes, Kind, End, Thin>>(scene); });
+        return forTissue(scene, [&]<Tissue Kind>() { flyInLanes<FlightFor<FloatLanes, Kind, End, Thin>>(scene); });
     for (int row = 0; row < size_; ++row) {
-        const Flight flight = Thin == ThinTissue::looked ? lookFlight<End>(scene, rays_.at(row), depth_[row],
-                                                                           RandomStream{{counter_[row], key_[row]}})
-                                                         : freeFlight<End>(scene, rays_.at(row), depth_[row]);
+        const Flight flight =
+            Thin == ThinTissue::solved
+                ? freeFlight<End>(scene, rays_.at(row), depth_[row])
+                : lookFlight<End, Thin>(scene, rays_.at(row), depth_[row], RandomStream{{counter_[row], key_[row]}});
         distance_[row] = flight.distance;
         passed_[row] = flight.passed;
     }
@@ -52,8 +53,12 @@ void FlightBatch::fly(const FlatScene& scene, FlightEnd end) {
 }
 
 void FlightBatch::flyByLooks(const FlatScene& scene, FlightEnd end) {
-    end == FlightEnd::place ? flyAll<FlightEnd::place, ThinTissue::looked>(scene)
-                            : flyAll<FlightEnd::whether, ThinTissue::looked>(scene);
+    if (end == FlightEnd::place)
+        flyAll<FlightEnd::place, ThinTissue::looked>(scene);
+    else if (scene.lightLooks)
+        flyAll<FlightEnd::whether, ThinTissue::allLooked>(scene);
+    else
+        flyAll<FlightEnd::whether, ThinTissue::looked>(scene);
 }
 
 }  // namespace pdr

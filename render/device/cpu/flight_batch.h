@@ -28,7 +28,7 @@ class FlightBatch {
         ++size_;
     }
 
-    /// Flies all rays to their ends as freeFlight() does; flyByLooks() as lookFlight() does.
+    /// Flies all rays to their ends as freeFlight() does; flyByLooks() as firstFlight() does in a scene that looks.
     void fly(const FlatScene& scene, FlightEnd end = FlightEnd::place);
     void flyByLooks(const FlatScene& scene, FlightEnd end = FlightEnd::place);
 

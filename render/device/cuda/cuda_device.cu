@@ -39,10 +39,11 @@ std::vector<const void*> samplingKernels(const FlatScene& scene) {
     }
     if (scene.marched)
         return queuedKernelsOf<TraceKernel<MarchSampler>>();
-    constexpr ThinTissue kSolved = ThinTissue::solved, kLooked = ThinTissue::looked;
+    using enum ThinTissue;
     std::vector<const void*> kernels =
-        scene.looksAtThin ? queuedKernelsOf<CameraKernel<Kind, kLooked>, ShadowKernel<Kind, kLooked>>()
-                          : queuedKernelsOf<CameraKernel<Kind, kSolved>, ShadowKernel<Kind, kSolved>>();
+        scene.lightLooks    ? queuedKernelsOf<CameraKernel<Kind, looked>, ShadowKernel<Kind, allLooked>>()
+        : scene.looksAtThin ? queuedKernelsOf<CameraKernel<Kind, looked>, ShadowKernel<Kind, looked>>()
+                            : queuedKernelsOf<CameraKernel<Kind, solved>, ShadowKernel<Kind, solved>>();
     append(kernels, kernelsOf<AddLightKernel>());
     append(kernels, pathProgram(scene.features).kernels);
     return kernels;
@@ -121,6 +122,21 @@ void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::parted, ThinTissue::s
 
 template <>
 void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::parted, ThinTissue::looked>& kernel,
+                  std::int64_t lightPaths) {
+    gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
+}
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::whole, ThinTissue::allLooked>& kernel,
+                  std::int64_t lightPaths) {
+    gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
+}
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::masked, ThinTissue::allLooked>& kernel,
+                  std::int64_t lightPaths) {
+    gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
+}
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::parted, ThinTissue::allLooked>& kernel,
                   std::int64_t lightPaths) {
     gpu.launchQueued(kernel, lightPaths, GpuStream::compute);
 }

@@ -55,6 +55,15 @@ template <>
 void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::parted, ThinTissue::looked>& kernel,
                   std::int64_t lightPaths);
 template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::whole, ThinTissue::allLooked>& kernel,
+                  std::int64_t lightPaths);
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::masked, ThinTissue::allLooked>& kernel,
+                  std::int64_t lightPaths);
+template <>
+void launchShadow(CudaGpu& gpu, const ShadowKernel<Tissue::parted, ThinTissue::allLooked>& kernel,
+                  std::int64_t lightPaths);
+template <>
 void launchAddLight(CudaGpu& gpu, const AddLightKernel& kernel, std::int64_t samples);
 
 }  // namespace pdr

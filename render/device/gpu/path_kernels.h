@@ -162,7 +162,7 @@ struct ShadeKernel {
     }
 };
 
-/// Traces the light paths of all vertices. Kind, Thin: as for CameraKernel.
+/// Traces the light paths of all vertices. Kind, Thin: as for CameraKernel, or ThinTissue::allLooked.
 template <Tissue Kind, ThinTissue Thin>
 struct ShadowKernel {
     static constexpr const char* kName = "shadow";
@@ -170,7 +170,7 @@ struct ShadowKernel {
     PathLists lists;
 
     struct Walk {
-        FreeFlight<float, Kind, FlightEnd::whether, Thin> flight;
+        FlightFor<float, Kind, FlightEnd::whether, Thin> flight;
         std::int32_t index;
     };
 

@@ -51,15 +51,16 @@ void launchAddLight(G& gpu, const AddLightKernel& kernel, std::int64_t samples) 
     gpu.launch(kernel, samples, GpuStream::compute);
 }
 
-/// Launches all kernels of paths. Kind: that of the scene's tissue; Thin: as its looksAtThin says.
-template <Gpu G, std::uint32_t F, Tissue Kind, ThinTissue Thin>
+/// Launches all kernels of paths. Kind: that of the scene's tissue; Thin, Light: how flights of the camera and of light
+/// pass thin tissue.
+template <Gpu G, std::uint32_t F, Tissue Kind, ThinTissue Thin, ThinTissue Light>
 void launchPathsOf(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& memory) {
     const bool onward = has(F, kBounces) && scene.maxBounces > 1;
     inParts(target.grid.count(), gpu.pathsTogether(), [&](std::int64_t first, std::int64_t samples) {
         const PathLists lists = memory.emptied(samples, onward);
         launchCamera(gpu, CameraKernel<Kind, Thin>{scene, target, lists, first}, samples);
         gpu.launch(ShadeKernel<F>{scene, target, lists}, samples, GpuStream::compute);
-        launchShadow(gpu, ShadowKernel<Kind, Thin>{scene, lists}, samples * kMostLightPaths);
+        launchShadow(gpu, ShadowKernel<Kind, Light>{scene, lists}, samples * kMostLightPaths);
         launchAddLight(gpu, AddLightKernel{target, lists}, samples);
         if constexpr (has(F, kBounces))
             if (onward)
@@ -69,10 +70,13 @@ void launchPathsOf(G& gpu, const FlatScene& scene, const TraceTarget& target, Pa
 
 template <Gpu G, std::uint32_t F, Tissue Kind>
 void launchPaths(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& memory) {
-    if (scene.looksAtThin)
-        launchPathsOf<G, F, Kind, ThinTissue::looked>(gpu, scene, target, memory);
+    using enum ThinTissue;
+    if (scene.lightLooks)
+        launchPathsOf<G, F, Kind, looked, allLooked>(gpu, scene, target, memory);
+    else if (scene.looksAtThin)
+        launchPathsOf<G, F, Kind, looked, looked>(gpu, scene, target, memory);
     else
-        launchPathsOf<G, F, Kind, ThinTissue::solved>(gpu, scene, target, memory);
+        launchPathsOf<G, F, Kind, solved, solved>(gpu, scene, target, memory);
 }
 
 template <Gpu G, std::uint32_t F>

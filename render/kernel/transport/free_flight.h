@@ -11,6 +11,7 @@
 #include "render/kernel/attenuation.h"
 #include "render/kernel/random.h"
 #include "render/kernel/ray.h"
+#include "render/kernel/transport/light_flight.h"
 #include "render/kernel/walk/piece_walk.h"
 #include "render/kernel/walk/thin_walk.h"
 
@@ -49,8 +50,9 @@ PDR_HD_INLINE Real flightEndOn(const OpticsAlong<Real>& along, Real length, Real
 /// What a flight is for: where it ends, or only whether it does, which costs no search.
 enum class FlightEnd { place, whether };
 
-/// How a flight passes thin tissue: by exact integrals, or by looks (ThinWalk), which cost less. Both are unbiased.
-enum class ThinTissue { solved, looked };
+/// How a flight passes thin tissue: by exact integrals, or by looks (ThinWalk), which cost less; light may pass all
+/// tissue by looks (LightFlight). All are unbiased.
+enum class ThinTissue { solved, looked, allLooked };
 
 /// The flight of one ray, or of several in lanes. Kind: see PieceWalk.
 template <class Real, Tissue Kind = Tissue::whole, FlightEnd End = FlightEnd::place,
@@ -70,7 +72,7 @@ class FreeFlight {
     PDR_HD_INLINE void start(const FlatScene& scene, const Vec3<Real>& origin, const Vec3<Real>& direction, Real length,
                              Real depth, const RandomStreamOf<Real>& random = {}) {
         if constexpr (kLooks)
-            walk_.start(scene.majorants, origin, direction, length, thinBound(scene.volume), random);
+            walk_.start(scene.majorants, origin, direction, length, scene.thinBound, random);
         else
             walk_.start(scene.majorants, origin, direction, length);
         depth_ = depth;
@@ -181,6 +183,11 @@ class FreeFlight {
     Real depth_{};
 };
 
+/// The flight to an end that passes thin tissue in a way.
+template <class Real, Tissue Kind, FlightEnd End, ThinTissue Thin>
+using FlightFor =
+    std::conditional_t<Thin == ThinTissue::allLooked, LightFlight<Real, Kind>, FreeFlight<Real, Kind, End, Thin>>;
+
 /// The result of a flight along one ray.
 struct Flight {
     float distance;  ///< as in FreeFlight
@@ -202,17 +209,19 @@ PDR_HD inline Flight freeFlight(const FlatScene& scene, const Ray& ray, float de
     return forTissue(scene, [&]<Tissue Kind>() { return flown<FreeFlight<float, Kind, End>>(scene, ray, depth, {}); });
 }
 
-/// The flight of one ray that looks at thin tissue.
-template <FlightEnd End = FlightEnd::place>
+/// The flight of one ray that looks.
+template <FlightEnd End = FlightEnd::place, ThinTissue Thin = ThinTissue::looked>
 PDR_HD inline Flight lookFlight(const FlatScene& scene, const Ray& ray, float depth, const RandomStream& random) {
-    constexpr ThinTissue kLooked = ThinTissue::looked;
     return forTissue(
-        scene, [&]<Tissue Kind>() { return flown<FreeFlight<float, Kind, End, kLooked>>(scene, ray, depth, random); });
+        scene, [&]<Tissue Kind>() { return flown<FlightFor<float, Kind, End, Thin>>(scene, ray, depth, random); });
 }
 
-/// The flight of a path's first segment, and of the light at its end: it looks at thin tissue where the scene has much.
+/// The flight of a path's first segment, and of the light at its end: it looks where that pays.
 template <FlightEnd End = FlightEnd::place>
 PDR_HD inline Flight firstFlight(const FlatScene& scene, const Ray& ray, float depth, const RandomStream& random) {
+    if constexpr (End == FlightEnd::whether)
+        if (scene.lightLooks)
+            return lookFlight<End, ThinTissue::allLooked>(scene, ray, depth, random);
     return scene.looksAtThin ? lookFlight<End>(scene, ray, depth, random) : freeFlight<End>(scene, ray, depth);
 }
 

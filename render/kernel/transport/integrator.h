@@ -6,7 +6,7 @@
 ///
 ///   T(t)      transmittance, exp(-int_0^t sigma_t ds)            track<RatioTracking>     Novak et al. 2014
 ///   sigma_t   extinction; T sigma_t is the pdf of the collision   track<DeltaTracking>     Woodcock et al. 1965
-///             both up to the first event and its light            firstFlight              by inversion
+///             both up to the first event and its light            firstFlight              by inversion, or looks
 ///   c_e       emission per optical depth: its weight is 1, since the collision's pdf is T sigma_t    shadeVertex
 ///   a f       albedo and phase function, or a surface's BRDF with its cosine                  scatterEval, event.h
 ///   int_S2    next-event estimation of light from the lights, one light path by resampling (Talbot et al. 2005) with

@@ -4,27 +4,14 @@
 /// and NestedLooks makes of them an unbiased estimate of what the cell takes of the light. Elsewhere the walk goes from
 /// one cell between voxels to the next, as CellWalk does.
 
-#include "render/base/cells.h"
 #include "render/kernel/random.h"
 #include "render/kernel/walk/cell_walk.h"
 
 namespace pdr {
 
-/// Optical depth that the bound of a cell promises at most on its longest way where it is looked at.
+/// Optical depth that the bound of a cell promises at most on its longest way where it is looked at; see
+/// FlatScene::thinBound.
 inline constexpr float kThinDepth = 0.5f;
-
-/// Returns the longest diagonal of a voxel [mm]; that of a sheared one need not be the one along (1, 1, 1).
-PDR_HD inline float longestDiagonal(const mat3& localFromIndex) {
-    float most = 0;
-    for (int n = 0; n < 4; ++n)
-        most = glm::max(most, glm::length(localFromIndex * vec3(1, n & 1 ? -1 : 1, n & 2 ? -1 : 1)));
-    return most;
-}
-
-/// Returns the bound up to which a fine cell is looked at [1/mm]; for a coarse one it is a quarter.
-PDR_HD inline float thinBound(const FlatVolume& volume) {
-    return kThinDepth / (kFineCell * longestDiagonal(volume.localFromIndex));
-}
 
 /// What a part of a ray takes of the light, from looks at random places:
 ///
