@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/session/resolution_ladder.h"
+
 namespace pdr {
 namespace {
 
 /// Samples from which a film is good enough alone, and from which an image is the old one whatever came before.
 constexpr std::uint64_t kEnoughAlone = 256, kEnoughToReplace = 64;
+/// Samples from which on a coarse film for the next edit takes a small part of the time.
+constexpr std::uint64_t kEnoughToPrepare = 4;
 /// Pixels above which no images are kept: they take 300 bytes a pixel.
 constexpr double kMostPixels = 0x1p21;
 
@@ -27,20 +31,31 @@ bool EditedView::canKeep(const Scene& scene) {
 void EditedView::follow(const Scene& current, const Scene& next) {
     if (!showSameView(current, next) || !canKeep(current) || !canKeep(next))
         return forget();
-    const bool hasFirst = newest_ && newest_->first.at(FirstSamples::kMarks.front());
-    const bool isBetter = hasFirst && (!edited_ || newest_->samples >= kEnoughToReplace ||
-                                       2 * newest_->samples >= edited_->old().samples);
-    if (isBetter) {
+    if (replacesOld()) {
         edited_.emplace(newest_);
         oldScene_ = current;
         coarse_.clear();
+        if (next_)
+            keepCoarse(next_->size, std::move(next_->first));
     } else if (edited_)
         edited_.emplace(edited_->shareOld());
     startOver();
 }
 
+/// Returns whether the image of the current scene is a better old image for the next edit than the old one.
+bool EditedView::replacesOld() const {
+    const bool hasFirst = newest_ && newest_->first.at(FirstSamples::kMarks.front());
+    return hasFirst &&
+           (!edited_ || newest_->samples >= kEnoughToReplace || 2 * newest_->samples >= edited_->old().samples);
+}
+
+bool EditedView::awaitsNext() const {
+    return !next_ && replacesOld() && newest_->samples >= kEnoughToPrepare;
+}
+
 void EditedView::startOver() {
     newest_ = nullptr;
+    next_.reset();
     first_.clear();
     shown_.forget();
 }
@@ -73,6 +88,15 @@ void EditedView::comeBack(const ForNext& kept) {
 const CoarseEdit* EditedView::coarseOf(ivec2 size) const {
     const auto found = std::ranges::find(coarse_, size, &CoarseEdit::size);
     return found == coarse_.end() ? nullptr : &*found;
+}
+
+int EditedView::nearestCoarse(ivec2 size, int divider) const {
+    // With half the divider, one sample of each pixel makes as many in all as kSamples do with the whole.
+    for (int away = 0; away <= divider / 2; ++away)
+        for (const int near : {divider - away, divider + away})
+            if (hasCoarse(dividedFilm(size, near)))
+                return near;
+    return divider;
 }
 
 bool EditedView::helpsCoarse(ivec2 size, std::uint64_t samples) const {

@@ -56,10 +56,18 @@ class EditedView {
 
     // Coarse films of the old scene, made with the random numbers of the new one:
     bool hasCoarse(ivec2 size) const { return coarseOf(size) != nullptr; }
+    /// Returns the nearest to `divider`, within half of it, of the dividers of a film of `size` pixels
+    /// (resolution_ladder.h) whose coarse film there is; else `divider`.
+    int nearestCoarse(ivec2 size, int divider) const;
     /// Keeps the first samples of such a film of `size` pixels. There must be an old image.
     void keepCoarse(ivec2 size, FirstSamples before) {
         coarse_.emplace_back(edited_->shareOld(), size, std::move(before));
     }
+
+    // The same of the current scene, which the next edit makes the old one:
+    /// Returns whether there is none yet, and its image has been judged with enough samples.
+    bool awaitsNext() const;
+    void keepNext(ivec2 size, FirstSamples first) { next_ = {size, std::move(first)}; }
 
     /// Keeps the image after the current film's first samples, if it has as many as a mark says.
     void keepFirst(FilmOnDevice& place, const SampleCounts& samples);
@@ -74,6 +82,12 @@ class EditedView {
     denoise::Colours coarseRadiance(ivec2 size, std::uint64_t samples) const;
 
   private:
+    struct Coarse {
+        ivec2 size;
+        FirstSamples first;
+    };
+
+    bool replacesOld() const;
     void dropOld();
     const CoarseEdit* coarseOf(ivec2 size) const;
 
@@ -82,6 +96,7 @@ class EditedView {
     std::optional<Scene> oldScene_;            ///< scene of the old image
     std::vector<CoarseEdit> coarse_;           ///< with the old image and scene, each of another size
     FirstSamples first_;                       ///< first samples of the current film
+    std::optional<Coarse> next_;               ///< coarse film of the current scene
     ShownRadiance shown_;
 };
 

@@ -27,11 +27,10 @@ void FrameScheduler::chooseFirst(ivec2 size, bool moving) {
     ofEdit_ = false;
 }
 
-void FrameScheduler::chooseEdited(ivec2 size) {
-    chooseFull();
-    ofEdit_ = !ladder_.editIsInTime(size);
-    if (ofEdit_)
-        divider_ = ladder_.forEdit(size);
+void FrameScheduler::chooseEdited(int divider) {
+    divider_ = divider;
+    passing_ = false;
+    ofEdit_ = divider > 1;
 }
 
 void FrameScheduler::chooseFiner() {

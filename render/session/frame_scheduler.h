@@ -48,9 +48,11 @@ class FrameScheduler {
     // Films. Choices of how coarse the next one is:
     /// Chooses the first film of a scene whose full film has `size` pixels. `moving`: the user drags.
     void chooseFirst(ivec2 size, bool moving);
-    /// Chooses the first film after an edit whose image is made with the one before: the full film if one sample of
-    /// each pixel comes in time, else a coarse film for the change alone.
-    void chooseEdited(ivec2 size);
+    /// Returns the divider of the first film after an edit whose image is made with the one before: 1, the full film,
+    /// if one sample of each pixel comes in time, else that of a coarse film for the change alone.
+    int dividerForEdit(ivec2 size) const { return ladder_.editIsInTime(size) ? 1 : ladder_.forEdit(size); }
+    /// Chooses the film of that divider after such an edit.
+    void chooseEdited(int divider);
     /// Chooses the next finer film of the same scene; after the coarse film of an edit the full one, whose image is as
     /// good from the first sample.
     void chooseFiner();

@@ -119,7 +119,7 @@ bool Session::Loop::begin(const RenderCommands::SceneOrder& order, const std::st
     if (!moving_ && comeBack(stop))
         return true;
     if (edits_.hasOld() && smooths(commands.display()))
-        scheduler_.chooseEdited(scene_.film);
+        scheduler_.chooseEdited(edits_.nearestCoarse(scene_.film, scheduler_.dividerForEdit(scene_.film)));
     else
         scheduler_.chooseFirst(scene_.film, moving_);
     if (scheduler_.isCoarseEdit())
@@ -153,9 +153,15 @@ void Session::Loop::beginFiner() {
 Scene Session::Loop::divided(Scene scene) const {
     if (!coarse())
         return scene;
-    scene.film = dividedFilm(scene.film, scheduler_.divider());
     // Otherwise the noise pattern would stand still on a moving image. What an edit changes is seen with one pattern.
-    scene.seed ^= mixBits(scheduler_.isCoarseEdit() ? edits_.oldScene().revision : scene.revision);
+    const std::uint64_t pattern = scheduler_.isCoarseEdit() ? edits_.oldScene().revision : scene.revision;
+    return dividedBy(scheduler_.divider(), std::move(scene), pattern);
+}
+
+/// Returns `scene` with fewer pixels, and the random numbers of a noise pattern.
+Scene Session::Loop::dividedBy(int divider, Scene scene, std::uint64_t pattern) {
+    scene.film = dividedFilm(scene.film, divider);
+    scene.seed ^= mixBits(pattern);
     return scene;
 }
 

@@ -45,6 +45,7 @@ class Session::Loop {
     Result<void> accumulate(const FrameBudget& pace, const std::stop_token& stop);
     Result<void> show(const RenderCommands::Iteration& step, bool adds);
     Result<void> renderBefore();
+    Result<void> prepareEdit(const std::stop_token& stop);
     bool findFeatures(const RenderCommands::Iteration& step, const Display& display, bool adds);
     Result<DisplayPipeline::Images> makeHelped(const Display& asked, const Display& display, bool adds,
                                                const std::stop_token& stop);
@@ -69,6 +70,7 @@ class Session::Loop {
     KeptScene keptScene() const;
     Result<bool> moveTo(Result<std::unique_ptr<Device>> device, std::shared_ptr<const Film> from);
     Scene divided(Scene scene) const;
+    static Scene dividedBy(int divider, Scene scene, std::uint64_t pattern);
 
     // A device that fails or refuses.
     void recover(const Text& reason);

@@ -3,6 +3,23 @@
 #include "render/session/loop.h"
 
 namespace pdr {
+namespace {
+
+/// Takes the first samples of an empty coarse film. Worthless after a stop request. Errors: the device's.
+Result<FirstSamples> firstSamplesOf(Accumulator& film, const std::stop_token& stop) {
+    FirstSamples first;
+    for (std::uint64_t samples = 0; samples < ResolutionLadder::kSamples;) {
+        const std::uint64_t n = FirstSamples::leftToMark(samples);
+        if (Result<void> accumulated = film.accumulate(std::uint32_t(n), stop); !accumulated)
+            return accumulated.error();
+        if (Result<void> looked = film.look([&](const Film& content) { first.keep(content); }); !looked)
+            return looked.error();
+        samples += n;
+    }
+    return first;
+}
+
+}  // namespace
 
 /// Renders the coarse film of the scene before the edit, with the random numbers of the one to come, unless there is
 /// one of that size already. Errors: the device's.
@@ -12,18 +29,31 @@ Result<void> Session::Loop::renderBefore() {
         return {};
     if (Result<void> begun = place_.begin(before); !begun)
         return begun;
-    Accumulator& film = *place_.film();
-    FirstSamples first;
-    for (std::uint64_t samples = 0; samples < ResolutionLadder::kSamples;) {
-        const std::uint64_t n = FirstSamples::leftToMark(samples);
-        if (Result<void> accumulated = film.accumulate(std::uint32_t(n), {}); !accumulated)
-            return accumulated;
-        if (Result<void> looked = film.look([&](const Film& content) { first.keep(content); }); !looked)
-            return looked;
-        samples += n;
-    }
-    edits_.keepCoarse(before.film, std::move(first));
+    Result<FirstSamples> first = firstSamplesOf(*place_.film(), {});
+    if (!first)
+        return first.error();
+    edits_.keepCoarse(before.film, *std::move(first));
     return {};
+}
+
+/// Renders that film of the scene at rest, once, so that the first image of the next edit does not wait for it. Without
+/// it, renderBefore() does. Errors: the device no longer has the scene.
+Result<void> Session::Loop::prepareEdit(const std::stop_token& stop) {
+    const int divider = scheduler_.dividerForEdit(scene_.film);
+    if (divider == 1 || !edits_.awaitsNext())
+        return {};
+    const Scene coarse = dividedBy(divider, scene_, scene_.revision);
+    return place_.lend([&](Device& device) -> Result<void> {
+        if (!device.upload(coarse))
+            return {};
+        const auto film = device.film(coarse.film, coarse.revision, coarse.schedule);
+        if (!film)
+            return {};
+        Result<FirstSamples> first = firstSamplesOf(**film, stop);
+        if (first && !stop.stop_requested())
+            edits_.keepNext(coarse.film, *std::move(first));
+        return {};
+    });
 }
 
 /// Returns the images in flight, and the image made with the one before the edit or on features.

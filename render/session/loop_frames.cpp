@@ -44,11 +44,13 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
     finish(step, std::move(done));
 }
 
-/// Ends a step: takes snapshots, a checkpoint and bias measurements where due. If `done` is an error, handles that
-/// instead.
+/// Ends a step: prepares for the next edit, takes snapshots, a checkpoint and bias measurements where due. If `done` is
+/// an error, handles that instead.
 void Session::Loop::finish(const RenderCommands::Iteration& step, Result<void> done) {
     if (done && step.stop.stop_requested())
         return;  // its image may have been interrupted
+    if (done && canSnapshot() && !step.detour.stop_requested())
+        done = prepareEdit(step.detour);
     if (done && canSnapshot())
         done = takeSnapshots();
     const bool isLosable = hasSamples() && !isHalfMade() && !coarse() && !place_.info().hostMemory;

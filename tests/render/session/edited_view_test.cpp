@@ -3,6 +3,7 @@
 #include <QTest>
 #include <atomic>
 #include <future>
+#include <map>
 
 #include "render/session/featured_view.h"
 #include "render/session/resolution_ladder.h"
@@ -146,26 +147,29 @@ class EditedViewTest : public QObject {
         }
     }
 
-    /// Where there is no time for all pixels there is for the change, which is laid on all of them. The scene before is
-    /// rendered for it once.
+    /// Where there is no time for all pixels there is for the change, which is laid on all of them. The scene before
+    /// has been rendered for it at rest.
     void onASlowDeviceTheImageIsFullToo() {
         auto mishaps = std::make_shared<test::Mishaps>();
         mishaps->clock = std::make_shared<test::FakeClock>();
         mishaps->sampleSeconds = 1 / 40e3;
         std::atomic<int> uploads = 0;
         mishaps->before = [&](const std::string& call) { uploads += call == "upload"; };
+        std::map<std::uint64_t, std::vector<std::uint8_t>> truths;  // first: the session goes on meanwhile
+        for (std::uint64_t revision = 1; revision <= 5; ++revision)
+            truths[revision] = imageOf(test::render(darkened(revision), 256), kDisplay).rgba;
+        const auto& old = truths[1];
         Edited edited(test::failing(mishaps), test::readingOf(mishaps->clock));
-        const auto old = imageOf(test::render(sceneOf(1), 256), kDisplay).rgba;
         for (std::uint64_t revision = 2; revision <= 5; ++revision) {
             uploads = 0;
             edited.session.submit(darkened(revision), true);
             QTRY_VERIFY_WITH_TIMEOUT(!edited.reel.of(revision).empty(), test::kPatience);
-            QCOMPARE(uploads.load(), revision == 2 ? 2 : 1);
+            QCOMPARE(uploads.load(), 1);
             const auto first = edited.reel.of(revision).front();
             QVERIFY(first->coarse && first->denoised);
             QCOMPARE(first->status.samplesPerPixel, std::uint64_t(ResolutionLadder::kSamples));
             QCOMPARE(first->size.x, sceneOf(1).film.x);
-            const auto truth = imageOf(test::render(darkened(revision), 256), kDisplay).rgba;
+            const auto& truth = truths[revision];
             const double shown = partOfChange(old, first->rgba, truth);
             qInfo("%llu: off by %.2f levels, the old image %.2f; %.2f of the change", (unsigned long long)revision,
                   apart(first->rgba, truth), apart(old, truth), shown);
@@ -179,6 +183,35 @@ class EditedViewTest : public QObject {
         QCOMPARE((*full)->status.samplesPerPixel, std::uint64_t(1));
         for (const auto& frame : frames)
             QCOMPARE(frame->size.x, sceneOf(1).film.x);
+        edited.rest(5, 64);
+        uploads = 0;
+        edited.session.submit(darkened(6), true);
+        QTRY_VERIFY_WITH_TIMEOUT(!edited.reel.of(6).empty(), test::kPatience);
+        QCOMPARE(uploads.load(), 1);
+        QCOMPARE(edited.reel.of(6).front()->size.x, sceneOf(1).film.x);
+    }
+
+    /// Where there was no memory for that at rest, the scene before is rendered at the edit, once.
+    void whatWasNotPreparedIsRenderedAtTheEdit() {
+        auto mishaps = std::make_shared<test::Mishaps>();
+        mishaps->clock = std::make_shared<test::FakeClock>();
+        mishaps->sampleSeconds = 1 / 40e3;
+        std::atomic<int> uploads = 0;
+        std::atomic<bool> rests = true;
+        mishaps->before = [&](const std::string& call) {
+            if (call == "upload")
+                mishaps->tooSmall = ++uploads % 2 == 0 && rests;  // the scene itself is uploaded first, and after each
+        };
+        Edited edited(test::failing(mishaps), test::readingOf(mishaps->clock));
+        QVERIFY(uploads >= 3);
+        rests = false;
+        for (std::uint64_t revision = 2; revision <= 3; ++revision) {
+            uploads = 0;
+            edited.session.submit(darkened(revision), true);
+            QTRY_VERIFY_WITH_TIMEOUT(!edited.reel.of(revision).empty(), test::kPatience);
+            QCOMPARE(uploads.load(), revision == 2 ? 2 : 1);
+            QCOMPARE(edited.reel.of(revision).front()->size.x, sceneOf(1).film.x);
+        }
     }
 
     /// The film of the edited scene never knows of the old image, nor does the image in the end.
