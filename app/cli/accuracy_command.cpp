@@ -50,12 +50,16 @@ struct Work {
 /// and saves its own, even after an interrupt.
 Result<KeptFilm> reference(const Scene& scene, double seconds, const fs::path& folder, const Work& work) {
     const fs::path file = folder / "reference.film";
-    const std::uint64_t key = folder.empty() ? 0 : filmKey(scene, work.device.info().name);
-    const auto before = folder.empty() ? std::nullopt : readFilm(scene, key, file);
+    if (folder.empty())
+        return referenceFor(scene, seconds, {}, work.device, work.stop, work.progress);
+    const auto origin = filmOrigin(scene, work.device, 1, 1);
+    if (!origin)
+        return origin.error();
+    const auto before = keptFilm(*origin, scene.revision, file);
     auto film = referenceFor(scene, seconds, before, work.device, work.stop, work.progress);
-    if (!film || folder.empty() || (before && film->seconds <= before->seconds))
+    if (!film || (before && film->seconds <= before->seconds))
         return film;
-    if (auto written = writeFilm(*film, key, file); !written)
+    if (auto written = keepFilm(*film, *origin, file); !written)
         return written.error();
     return film;
 }

@@ -31,7 +31,7 @@ QImage picture(const QString& letter) {
 bool mayWriteLetters(int argc, const char* const* argv) {
     const std::string_view command(argc < 2 ? "" : argv[1]);
     const bool images =
-        command == "render" || command == "slice" ||
+        command == "render" || command == "merge" || command == "slice" ||
         (command == "plan" && std::find(argv + 2, argv + argc, std::string_view("--render")) != argv + argc);
     if (!images)
         return false;

@@ -28,6 +28,18 @@ QCommandLineOption deviceOption() {
             "NAME", "auto"};
 }
 
+void describeFinishOptions(QCommandLineParser& parser) {
+    parser.addOptions({
+        deviceOption(),
+        {"denoised",
+         "Take the noise out of PNG files, and fine detail that it hides; their error is written into them."},
+        {"annotations",
+         "What is written over PNG files: none; sides (default): the patient's sides, look, part, cut, scale, and what "
+         "the image is worth; patient: that, and the patient's name, birth date and ID.",
+         "none|sides|patient", "sides"},
+    });
+}
+
 void describeImageOptions(QCommandLineParser& parser) {
     parser.addOptions({
         {"samples", "Stop after N samples per pixel; default 256 when no other stop is given.", "N"},
@@ -38,14 +50,8 @@ void describeImageOptions(QCommandLineParser& parser) {
          "Stop when the standard error of the tissue is E of its mean brightness, such as 0.05 or 5%; half of it takes "
          "four times as long.",
          "E"},
-        deviceOption(),
-        {"denoised",
-         "Take the noise out of PNG files, and fine detail that it hides; their error is written into them."},
-        {"annotations",
-         "What is written over PNG files: none; sides (default): the patient's sides, look, part, cut, scale, and what "
-         "the image is worth; patient: that, and the patient's name, birth date and ID.",
-         "none|sides|patient", "sides"},
     });
+    describeFinishOptions(parser);
     describeNodeOptions(parser);
 }
 
@@ -60,13 +66,17 @@ std::string readDevice(const QCommandLineParser& parser) {
     return name.toStdString();
 }
 
-void readImageOptions(const QCommandLineParser& parser, RenderOptions& options) {
-    options.nodes = readNodeOptions(parser);
-    options.stops = readStops(Reader(parser));
+void readFinishOptions(const QCommandLineParser& parser, RenderOptions& options) {
     options.threads = readThreads(parser);
     options.denoised = parser.isSet("denoised");
     options.annotate = readAnnotate(parser);
     options.device = readDevice(parser);
+}
+
+void readImageOptions(const QCommandLineParser& parser, RenderOptions& options) {
+    options.nodes = readNodeOptions(parser);
+    options.stops = readStops(Reader(parser));
+    readFinishOptions(parser, options);
 }
 
 }  // namespace pdr::app

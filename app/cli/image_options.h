@@ -14,9 +14,14 @@ QCommandLineOption deviceOption();
 
 /// Adds the options for stops, device, denoising, annotations and render nodes.
 void describeImageOptions(QCommandLineParser& parser);
+/// Adds those alone that concern a film that has been taken: device, denoising and annotations.
+void describeFinishOptions(QCommandLineParser& parser);
 
 /// Reads these options and `--threads` into `options`. Throws an Error that names the first wrong option.
 void readImageOptions(const QCommandLineParser& parser, RenderOptions& options);
+
+/// Reads `--threads` and the options of describeFinishOptions() into `options`. Throws as above.
+void readFinishOptions(const QCommandLineParser& parser, RenderOptions& options);
 
 /// Reads `--threads`; 0 if it was not given. Throws an Error if it is no number of threads.
 int readThreads(const QCommandLineParser& parser);

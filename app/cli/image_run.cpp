@@ -8,11 +8,11 @@
 #include "app/cli/annotating.h"
 #include "app/cli/failed.h"
 #include "app/cli/film_room.h"
+#include "app/cli/prepared_work.h"
 #include "app/cli/progress_line.h"
 #include "app/output/final_image.h"
 #include "render/accuracy/quality.h"
 #include "render/base/errors.h"
-#include "render/device/device_list.h"
 #include "ui/annotation/image_painter.h"
 
 namespace pdr::app {
@@ -60,48 +60,36 @@ void tellTroubles(const FinalImage& image) {
 
 /// Does everything between the options and the exit code.
 Result<Finished> renderAll(const RenderOptions& options, const ImageRun& run, const Interrupt& interrupt) {
-    // Check what can be checked before the scene is loaded
-    if (auto ok = checkWritable(options.outputs); !ok)
-        return ok.error();
     if (auto ok = checkFonts(annotateOf(options)); !ok)
         return ok.error();
-    // Open the device and connect the render nodes
-    auto opened = openDeviceToTheEnd(options.device, options.threads, tellOfCpu, tellOfPreparation);
-    if (!opened)
-        return opened.error();
-    std::unique_ptr<CommandNodes> crew;
-    if (options.nodes.any()) {
-        auto gathered = CommandNodes::gather(options.nodes, *opened);
-        if (!gathered)
-            return gathered.error();
-        crew = *std::move(gathered);
-    }
-    Device& device = **opened;
-    // Load the scene
     ProgressLine line;
     const std::stop_token stop = interrupt.token();
-    auto work = run.load(line.until(stop));
-    if (!work)
-        return work.error();
-    line.finish();
-    tellNotes(*work);
-    if (auto ok = checkSpared(work->files, options.outputs); !ok)
-        return ok.error();
-
-    // Render, write the images and print the report
-    auto annotations = annotationsOf(*work, annotateOf(options));
+    const auto prepared = prepareWork(options, run.load, line, stop);
+    if (!prepared)
+        return prepared.error();
+    const LoadedScene& work = prepared->loaded;
+    Device& device = *prepared->device;
+    auto annotations = annotationsOf(work, annotateOf(options));
     if (!annotations)
         return annotations.error();
-    const auto image = renderFinal(orderOf(options, *work, *std::move(annotations)), device,
-                                   stepsOf(*work, device, crew.get(), line, stop), stop);
+    FinalOrder order = orderOf(options, work, *std::move(annotations));
+    if (run.taken) {
+        auto taken = run.taken(work, device);
+        if (!taken)
+            return taken.error();
+        order.taken = *std::move(taken);
+    }
+
+    // Render, write the images and print the report
+    const auto image = renderFinal(order, device, stepsOf(work, device, prepared->crew.get(), line, stop), stop);
     line.finish();
     if (!image)
         return image.error();
     tellTroubles(*image);
     if (image->biasUnknown)
         return *image->biasUnknown;
-    run.say({image->written.files, work->scene.film, work->scene.seed, device.info(), image->result,
-             warnings(work->scene), image->biases});
+    run.say({image->written.files, work.scene.film, work.scene.seed, device.info(), image->result, warnings(work.scene),
+             image->biases});
     return Finished{image->result.reason, image->written.troubles.empty()};
 }
 

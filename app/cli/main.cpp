@@ -1,5 +1,5 @@
-/// Entry point of pdrender-cli with its commands info, looks, render, slice, parts, plan, accuracy, effects, replay,
-/// cluster, example. Exit codes: 0 on success, 1 on an error, 2 on wrong usage.
+/// Entry point of pdrender-cli with its commands info, looks, render, merge, slice, parts, plan, accuracy, effects,
+/// replay, cluster, example. Exit codes: 0 on success, 1 on an error, 2 on wrong usage.
 
 #include <QByteArray>
 #include <QFontDatabase>
@@ -13,6 +13,7 @@
 
 #include "app/cli/accuracy_command.h"
 #include "app/cli/annotating.h"
+#include "app/cli/batch/merge_command.h"
 #include "app/cli/cluster_command.h"
 #include "app/cli/effects_command.h"
 #include "app/cli/example_command.h"
@@ -37,6 +38,7 @@ constexpr const char* kHelp =
     "  pdrender-cli info FOLDER [--json]                      list the series in a folder of DICOM files\n"
     "  pdrender-cli looks                                     list how a scan can look\n"
     "  pdrender-cli render FOLDER|SCENE.json -o FILE ...      render an image (.png, .exr)\n"
+    "  pdrender-cli merge FOLDER|SCENE.json FILM... -o FILE   make an image of the films of its shares\n"
     "  pdrender-cli slice FOLDER|SCENE.json --plane PLANE -o FILE ...  write a slice as an image or as HU\n"
     "  pdrender-cli parts FOLDER|SCENE.json --labels FILE ... list the parts that a label map marks in a scan\n"
     "  pdrender-cli plan FILE [--scan FOLDER] ...             list what a plan has measured, export it, render it\n"
@@ -70,6 +72,8 @@ int run(QStringList arguments) {
         return runLooks(arguments);
     if (command == "render")
         return runRender(arguments);
+    if (command == "merge")
+        return runMerge(arguments);
     if (command == "slice")
         return runSlice(arguments);
     if (command == "parts")

@@ -14,8 +14,23 @@ void describeRender(QCommandLineParser& parser) {
     parser.addOptions({
         {{"o", "output"}, "Write the image here; may be given several times.", "FILE.png|FILE.exr"},
         {"json", "Print samples, seconds, samples per second and error as JSON."},
+        {"share",
+         "Render the Kth of N shares of the image alone, and write its film to -o FILE.film; \"pdrender-cli merge\" "
+         "makes the image of all of them.",
+         "K/N"},
     });
     describeImageOptions(parser);
+}
+
+void describeMerge(QCommandLineParser& parser) {
+    describeSceneOptions(parser);
+    parser.addOptions({
+        {{"o", "output"},
+         "Write the image, or all films as one, here; an image may be written to several files.",
+         "FILE.png|.exr|.film"},
+        {"json", "Print samples, seconds, samples per second and error as JSON."},
+    });
+    describeFinishOptions(parser);
 }
 
 void describeEffects(QCommandLineParser& parser) {
@@ -40,11 +55,50 @@ void describeReplay(QCommandLineParser& parser) {
     });
 }
 
+/// Reads `--share` and what goes with it.
+void readShareOptions(const QCommandLineParser& parser, RenderOptions& options) {
+    const auto share = readShare(parser.value("share").toStdString());
+    if (!share)
+        throw share.error();
+    options.share = *share;
+    for (const char* option : {"seconds", "levels", "error", "denoised", "json", "node", "listen"})
+        if (parser.isSet(option))
+            usageError(QString("--") + option, "does not go with --share: all shares have the same samples",
+                       "Give --samples alone, and the rest to \"pdrender-cli merge\".");
+    const QStringList outputs = parser.values("output");
+    if (outputs.size() != 1 || !outputs.front().endsWith(".film"))
+        usageError("-o", "must name one file that ends in .film for a share", "Add -o share.film.");
+    options.outputs = {outputs.front().toStdString()};
+}
+
 void readRender(const QCommandLineParser& parser, RenderOptions& options) {
     options.scene = readSceneOptions(parser, "render");
-    options.outputs = readOutputs(parser);
+    if (parser.isSet("share"))
+        readShareOptions(parser, options);
+    else
+        options.outputs = readOutputs(parser);
     readImageOptions(parser, options);
     options.json = parser.isSet("json");
+}
+
+void readMerge(const QCommandLineParser& parser, MergeOptions& options) {
+    const QStringList outputs = parser.values("output"), inputs = parser.positionalArguments();
+    const bool joins = outputs.size() == 1 && outputs.front().endsWith(".film");
+    if (joins)
+        options.film = outputs.front().toStdString();
+    else
+        options.render.outputs = readOutputs(parser);
+    for (const QString& input : inputs.mid(joins ? 0 : 1))
+        options.films.emplace_back(input.toStdString());
+    if (!joins && !inputs.isEmpty() && inputs.front().endsWith(".film"))
+        usageError("merge", "needs the scan before the films, to make an image of them",
+                   "Name the folder or scene file, with the options of the rendering.");
+    if (options.films.empty())
+        usageError("merge", "needs films", "Name files that \"pdrender-cli render --share\" has written.");
+    if (!joins)
+        options.render.scene = readOptionsOfScene(parser, inputs.front().toStdString());
+    readFinishOptions(parser, options.render);
+    options.render.json = parser.isSet("json");
 }
 
 void readEffects(const QCommandLineParser& parser, EffectsOptions& options) {
@@ -80,6 +134,10 @@ Result<RenderOptions> renderOptions(const QStringList& arguments) {
     return parsed("render", arguments, describeRender, readRender);
 }
 
+Result<MergeOptions> mergeOptions(const QStringList& arguments) {
+    return parsed("merge", arguments, describeMerge, readMerge);
+}
+
 Result<EffectsOptions> effectsOptions(const QStringList& arguments) {
     return parsed("effects", arguments, describeEffects, readEffects);
 }
@@ -109,6 +167,19 @@ std::string renderHelp() {
            "writes nothing. A new image can be read by its owner only; one that is replaced keeps its "
            "permissions.\n" +
            optionsText(describeRender);
+}
+
+std::string mergeHelp() {
+    return "Usage: pdrender-cli merge FOLDER|SCENE.json FILM... -o FILE [options]\n"
+           "       pdrender-cli merge FILM... -o ALL.film\n"
+           "Makes an image of the films that \"pdrender-cli render --share\" has written, in any order: the same, bit "
+           "by "
+           "bit,\n"
+           "as if one machine had rendered all of it. The options are those of the rendering; exposure, tone, "
+           "denoising "
+           "and\n"
+           "annotations may be others. To -o ALL.film: puts films together, for another merge, and needs no scan.\n" +
+           optionsText(describeMerge);
 }
 
 std::string accuracyHelp() {

@@ -182,9 +182,13 @@ std::optional<ivec2> readPixel(const QCommandLineParser& parser, const QString& 
 SceneInput readSceneOptions(const QCommandLineParser& parser, const QString& command) {
     if (parser.positionalArguments().size() != 1)
         usageError(command, "needs one folder of DICOM files or one scene file");
+    return readOptionsOfScene(parser, parser.positionalArguments().front().toStdString());
+}
+
+SceneInput readOptionsOfScene(const QCommandLineParser& parser, const std::filesystem::path& path) {
     const Reader reader(parser);
     SceneInput scene;
-    scene.path = parser.positionalArguments().front().toStdString();
+    scene.path = path;
     scene.seriesUid = reader.text("series").value_or("").toStdString();
     scene.size = readSize(parser);
     scene.view = readView(reader);

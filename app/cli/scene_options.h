@@ -14,6 +14,8 @@ void describeSceneOptions(QCommandLineParser& parser);
 /// Reads the options. `command`: the command word that they belong to, for messages. Throws an Error that names the
 /// first wrong option.
 SceneInput readSceneOptions(const QCommandLineParser& parser, const QString& command);
+/// Reads the options for the scene at `path`. Throws as above.
+SceneInput readOptionsOfScene(const QCommandLineParser& parser, const std::filesystem::path& path);
 
 /// Reads `--size`, such as 800x600; null if it was not given. Throws an Error if it is no size of an image.
 std::optional<ivec2> readSize(const QCommandLineParser& parser);

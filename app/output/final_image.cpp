@@ -23,15 +23,15 @@ const char* denoisingNote(const FinalOrder& order, JudgedImage& image) {
 }
 
 /// Measures the bias and writes the files. The device holds another scene afterwards.
-FinalImage finished(const FinalOrder& order, const Film& film, const BatchResult& result, Device& device,
-                    const std::stop_token& stop) {
-    const auto bias = measureBias(order.scene, order.display, device, kBiasTimeShare * result.seconds, stop);
+FinalImage finished(const FinalOrder& order, const TakenFilm& taken, Device& device, const std::stop_token& stop) {
+    const BatchResult& result = taken.result;
+    const auto bias = measureBias(order.scene, order.display, device, taken.biasSeconds, stop);
     const Rendered rendered{result.film, order.display, result.seconds, device.info().name,
                             bias ? *bias : MeasuredBiases()};
     const bool keeps = order.whenStopped == WhenStopped::keep;
     const std::stop_token discarded = keeps ? std::stop_token() : stop;
     const Display display = order.display.withDenoised(order.display.denoised && anyPng(order.outputs));
-    JudgedImage image(film, order.scene, display, rendered, discarded);
+    JudgedImage image(*taken.film, order.scene, display, rendered, discarded);
     const PaintOver paintOver = order.painter ? order.painter(image.shown()) : PaintOver();
     WrittenFiles written =
         writeFiles(order.outputs, [&](const auto& file) { return image.write(file, paintOver, discarded); });
@@ -39,17 +39,14 @@ FinalImage finished(const FinalOrder& order, const Film& film, const BatchResult
             bias ? std::nullopt : std::optional(bias.error())};
 }
 
-}  // namespace
-
-Result<FinalImage> renderFinal(const FinalOrder& order, Device& device, const FinalSteps& steps,
-                               const std::stop_token& stop) {
-    // Upload the scene
+/// Takes samples until a stop.
+Result<TakenFilm> takenFilm(const FinalOrder& order, Device& device, const FinalSteps& steps,
+                            const std::stop_token& stop) {
     const Scene& scene = order.scene;
     if (auto ok = device.upload(scene); !ok)
         return ok.error();
     if (auto ready = steps.beforeSamples(); !ready)
         return ready.error();
-    // Take samples until a stop
     const auto film = device.film(scene.film, scene.revision, scene.schedule);
     if (!film)
         return film.error();
@@ -59,14 +56,23 @@ Result<FinalImage> renderFinal(const FinalOrder& order, Device& device, const Fi
         return result.error();
     if (order.whenStopped == WhenStopped::discard && stop.stop_requested())
         return cancelled();
-    // Measure the bias and write the files
     steps.afterSamples();
     if (result->film.samplesPerPixel == 0)
         return Error{phrase("ended before the first sample: nothing was written"), "", ""};
     const auto known = (*film)->film();
     if (!known)
         return known.error();
-    return finished(order, **known, *result, device, stop);
+    return TakenFilm{*known, *result, kBiasTimeShare * result->seconds};
+}
+
+}  // namespace
+
+Result<FinalImage> renderFinal(const FinalOrder& order, Device& device, const FinalSteps& steps,
+                               const std::stop_token& stop) {
+    const auto taken = order.taken ? Result<TakenFilm>(*order.taken) : takenFilm(order, device, steps, stop);
+    if (!taken)
+        return taken.error();
+    return finished(order, *taken, device, stop);
 }
 
 }  // namespace pdr::app

@@ -3,6 +3,7 @@
 /// and `pdrender-cli render` share this code, so the same scene, samples and display give the same bits.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -17,6 +18,13 @@
 
 namespace pdr::app {
 
+/// A film and how it was taken.
+struct TakenFilm {
+    std::shared_ptr<const Film> film;  ///< never null
+    BatchResult result;
+    double biasSeconds = 0;  ///< rendering time that measuring the bias may take
+};
+
 /// A request for a final render.
 struct FinalOrder {
     Scene scene;      ///< has passed Scene::check(); its film sets the size
@@ -26,6 +34,8 @@ struct FinalOrder {
     Paths outputs;  ///< file names, each ".png" or ".exr"
     /// Returns what is painted over PNG files, given how good the image is; empty: nothing is.
     std::function<PaintOver(const ShownStatus&)> painter;
+    /// A film of the scene from elsewhere, of which the images are made; none: it is taken.
+    std::optional<TakenFilm> taken = std::nullopt;
 };
 
 /// Callbacks for the steps of a final render. All of them must be set.

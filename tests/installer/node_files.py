@@ -67,7 +67,24 @@ def pod(spec):
     assert drain < spec["terminationGracePeriodSeconds"], "it is killed while it drains"
 
 
+def shares(folder, yaml):
+    share, merge = yaml.safe_load_all((folder / "shares.yaml").read_text())
+    for job in (share, merge):
+        assert job["kind"] == "Job" and job["apiVersion"] == "batch/v1"
+        spec = job["spec"]["template"]["spec"]
+        assert spec["restartPolicy"] == "Never" and spec["securityContext"]["runAsNonRoot"]
+        (container,) = spec["containers"]
+        assert container["securityContext"]["readOnlyRootFilesystem"] and not spec["automountServiceAccountToken"]
+    assert share["spec"]["completionMode"] == "Indexed"
+    (words,) = share["spec"]["template"]["spec"]["containers"][0]["args"]
+    assert f"--share $((JOB_COMPLETION_INDEX + 1))/{share['spec']['completions']} " in words
+    (fails,) = [rule["onExitCodes"] for rule in share["spec"]["podFailurePolicy"]["rules"] if rule["action"] == "FailJob"]
+    assert fails["containerName"] == "share" and fails["values"] == [2]
+    assert merge["spec"]["suspend"] and "pdrender-cli merge" in merge["spec"]["template"]["spec"]["containers"][0]["args"][0]
+
+
 def kubernetes(folder, yaml):
+    shares(folder, yaml)
     deployment = yaml.safe_load((folder / "nodes.yaml").read_text())
     assert deployment["kind"] == "Deployment" and deployment["apiVersion"] == "apps/v1"
     assert deployment["spec"]["selector"]["matchLabels"] == deployment["spec"]["template"]["metadata"]["labels"]

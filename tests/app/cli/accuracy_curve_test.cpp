@@ -112,49 +112,51 @@ class AccuracyCurveTest : public QObject {
         const Scene scene = referenceScene(test::tissueScene());
         const auto device = makeCpuDevice();
         const auto quiet = [](double, const std::string&) {};
-        const std::uint64_t key = filmKey(scene, "cpu");
-        QVERIFY(!readFilm(scene, key, file));
+        const auto origin = [&](const Scene& of) { return *filmOrigin(of, *device, 1, 1); };
+        const FilmOrigin own = origin(scene);
+        const auto kept = [&] { return keptFilm(own, scene.revision, file); };
+        QVERIFY(!kept());
         const auto first = referenceFor(scene, 0.05, {}, *device, {}, quiet);
-        QVERIFY(first && writeFilm(*first, key, file));
-        const auto kept = readFilm(scene, key, file);
-        QVERIFY(kept && kept->seconds == first->seconds && sameBits(kept->film->content(), first->film->content()));
-        const auto same = referenceFor(scene, 0.05, kept, *device, {}, quiet);
+        QVERIFY(first && keepFilm(*first, own, file));
+        const auto again = kept();
+        QVERIFY(again && again->seconds == first->seconds && sameBits(again->film->content(), first->film->content()));
+        const auto same = referenceFor(scene, 0.05, again, *device, {}, quiet);
         QCOMPARE(same->film->samplesPerPixel(), first->film->samplesPerPixel());
-        const auto longer = referenceFor(scene, 1.5 * first->seconds, kept, *device, {}, quiet);
+        const auto longer = referenceFor(scene, 1.5 * first->seconds, again, *device, {}, quiet);
         const std::uint64_t samples = longer->film->samplesPerPixel();
         QVERIFY(samples > first->film->samplesPerPixel());
         QVERIFY(sameBits(longer->film->content(), test::render(scene, samples).content()));
 
         Scene other = scene;
         other.lights.clear();
-        QVERIFY(filmKey(other, "cpu") != key && filmKey(scene, "cuda:0") != key);
+        QVERIFY(origin(other) != own);
         other = scene;
         LabelMap map;
         map.geometry = scene.volume->geometry();
         map.labels.assign(map.geometry.voxelCount(), 1);
         other.parts = {std::make_shared<const LabelMap>(map), {{1, scene.transferFunction}}};
-        const std::uint64_t parted = filmKey(other, "cpu");
+        const FilmOrigin parted = origin(other);
         other.parts.curves[0].transferFunction.extinctionPerMm *= 2;
-        QVERIFY(parted != key && filmKey(other, "cpu") != parted);
+        QVERIFY(parted != own && origin(other) != parted);
         map.labels[0] = 0;
         other.parts = {std::make_shared<const LabelMap>(map), {{1, scene.transferFunction}}};
-        QVERIFY(filmKey(other, "cpu") != parted);
+        QVERIFY(origin(other) != parted);
         other = scene;
         other.volume = test::bumpyVolume({50, 41, 37}, {0.9, 1.1, 1.3}, 4);
-        QVERIFY(filmKey(other, "cpu") != key && !readFilm(scene, filmKey(other, "cpu"), file));
+        QVERIFY(origin(other) != own && !keptFilm(origin(other), scene.revision, file));
         const std::filesystem::path pipe = folder.filePath("pipe.film").toStdString();
-        QVERIFY(::mkfifo(pipe.c_str(), 0600) == 0 && !readFilm(scene, key, pipe));  // and is not waited for
+        QVERIFY(::mkfifo(pipe.c_str(), 0600) == 0 && !keptFilm(own, scene.revision, pipe));  // and is not waited for
         QFile bytes(folder.filePath("reference.film"));
         QVERIFY(bytes.open(QIODevice::Append) && bytes.write("more") == 4);
         bytes.close();
-        QVERIFY(!readFilm(scene, key, file));
+        QVERIFY(!kept());
         std::filesystem::resize_file(file, std::filesystem::file_size(file) - 4);
-        QVERIFY(readFilm(scene, key, file).has_value());
+        QVERIFY(kept().has_value());
         QVERIFY(bytes.open(QIODevice::ReadWrite) && bytes.seek(bytes.size() / 2) && bytes.write("damage") == 6);
         bytes.close();
-        QVERIFY(!readFilm(scene, key, file));
+        QVERIFY(!kept());
         std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
-        QVERIFY(!readFilm(scene, key, file));
+        QVERIFY(!kept());
     }
     void tableAndPageHoldTheSteps() {
         AccuracyReport report;
