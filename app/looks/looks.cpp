@@ -13,10 +13,27 @@ static void keepResources() {
 namespace pdr::app {
 namespace {
 
-constexpr const char* kNames[] = {
-    "bone",        "bones_alone", "bone_beside_contrast", "thin_bone",    "muscles_and_skull", "heart", "muscles",
-    "organs",      "vessels",     "vessels_and_bone",     "lung_vessels", "mip_lungs",         "mip",   "xray",
-    "fluoroscopy", "implants",    "skin_and_bone",        "skin"};
+constexpr const char* kNames[] = {"bone",
+                                  "bones_alone",
+                                  "bone_beside_contrast",
+                                  "thin_bone",
+                                  "muscles_and_skull",
+                                  "heart",
+                                  "muscles",
+                                  "organs",
+                                  "organs_in_colour",
+                                  "vessels",
+                                  "vessels_and_bone",
+                                  "bones_and_vessels",
+                                  "vessels_in_ghost",
+                                  "lung_vessels",
+                                  "mip_lungs",
+                                  "mip",
+                                  "xray",
+                                  "fluoroscopy",
+                                  "implants",
+                                  "skin_and_bone",
+                                  "skin"};
 
 }  // namespace
 

@@ -24,7 +24,8 @@ std::string lookTitle(const ImageSetup& setup) {
     return setup.lookChanged ? setup.lookName + std::string(kChangedLook) : setup.lookName;
 }
 
-Scene sceneOf(const ImageSetup& setup, std::shared_ptr<const Volume> volume, ivec2 film) {
+Scene sceneOf(const ImageSetup& setup, std::shared_ptr<const Volume> volume, ivec2 film,
+              std::shared_ptr<const LabelMap> map) {
     Scene scene;
     scene.volume = std::move(volume);
     scene.camera = setup.camera;
@@ -35,11 +36,12 @@ Scene sceneOf(const ImageSetup& setup, std::shared_ptr<const Volume> volume, ive
     scene.schedule = setup.schedule;
     scene.film = film;
     scene.lookName = lookTitle(setup);
-    return withLook(std::move(scene), setup.look);
+    return withParts(withLook(std::move(scene), setup.look), std::move(map), setup.look.parts);
 }
 
 std::optional<ImageSetup> setupOf(const Scene& scene, ImageSetup setup) {
-    setup.look.transferFunction = scene.transferFunction;
+    if (!scene.parts.map)
+        setup.look.transferFunction = scene.transferFunction;
     setup.look.phaseG = scene.phaseG;
     setup.look.gradientFactor = scene.gradientFactor;
     setup.look.rayOrigin = scene.rayOrigin;
@@ -53,7 +55,7 @@ std::optional<ImageSetup> setupOf(const Scene& scene, ImageSetup setup) {
     setup.background = scene.background;
     setup.clip = scene.clip;
     setup.model = scene.model;
-    Scene made = sceneOf(setup, scene.volume, scene.film);
+    Scene made = sceneOf(setup, scene.volume, scene.film, scene.parts.map);
     made.revision = scene.revision;
     made.mask = scene.mask;
     return made == scene ? std::optional(std::move(setup)) : std::nullopt;

@@ -36,8 +36,10 @@ std::string lookTitle(const ImageSetup& setup);
 inline constexpr std::string_view kChangedLook = " (changed)";
 
 /// Makes the scene of a setup, a volume and a film size [pixels]; the only place that joins them. `volume` must not be
-/// null; it must be the one without a table if the setup hides the table.
-Scene sceneOf(const ImageSetup& setup, std::shared_ptr<const Volume> volume, ivec2 film);
+/// null; it must be the one without a table if the setup hides the table. `map`: parts of the patient on its grid, or
+/// null.
+Scene sceneOf(const ImageSetup& setup, std::shared_ptr<const Volume> volume, ivec2 film,
+              std::shared_ptr<const LabelMap> map = nullptr);
 
 /// Returns `setup` changed so that its scene is `scene`, which is a scene of `setup` with some settings changed; none
 /// if no setup has this scene.

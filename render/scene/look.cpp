@@ -14,6 +14,8 @@ Result<void> check(const Look& look) {
         return Error{phrase("must be a list of 1 to 64 panels"), "lights.panels", "", ErrorKind::refused};
     if (auto ok = look.transferFunction.check(); !ok)
         return ok;
+    if (auto ok = check(look.parts); !ok)
+        return ok;
     return check(look.window);
 }
 

@@ -3,6 +3,7 @@
 
 #include "render/film/display.h"
 #include "render/scene/light_rig.h"
+#include "render/scene/part_styles.h"
 #include "render/scene/scene.h"
 
 namespace pdr {
@@ -18,6 +19,7 @@ struct Look {
     Display display;
     Visible visible;
     bool ctDenoised = false;  ///< as Scene::ctDenoised
+    PartStyles parts;         ///< how parts are shown, where the scan has them
     bool operator==(const Look&) const = default;
 };
 
@@ -25,7 +27,7 @@ struct Look {
 Result<void> check(const Look& look);
 
 /// Returns `scene` with that look. The lights are placed by the volume of `scene`, which must not be null, and by its
-/// camera.
+/// camera. Parts are left out: see withParts().
 Scene withLook(Scene scene, const Look& look);
 
 }  // namespace pdr

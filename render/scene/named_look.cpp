@@ -94,6 +94,10 @@ NamedLook fittedTo(NamedLook look, float bloodHu) {
     const float drawn = *look.bloodHu, wanted = std::clamp(bloodHu, 100.0f, 1000.0f);
     for (TransferNode& node : look.look.transferFunction.nodes)
         node.hu = moved(node.hu, drawn, wanted);
+    for (PartStyle& style : look.look.parts.styles)
+        if (style.transferFunction)
+            for (TransferNode& node : style.transferFunction->nodes)
+                node.hu = moved(node.hu, drawn, wanted);
     look.look.window.lowHu = moved(look.look.window.lowHu, drawn, wanted);
     look.look.window.highHu = moved(look.look.window.highHu, drawn, wanted);
     look.bloodHu = wanted;

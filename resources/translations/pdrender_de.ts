@@ -1206,6 +1206,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Nur Knochen</translation>
     </message>
     <message>
+        <source>Bones and vessels</source>
+        <translation>Knochen und Gefäße</translation>
+    </message>
+    <message>
         <source>Bones are not shown, nor is what lies within 2 mm of them; dense vessels may be missing with them.</source>
         <translation>Knochen sind nicht zu sehen, auch nichts im Umkreis von 2 mm; dichte Gefäße fehlen vielleicht mit ihnen.</translation>
     </message>
@@ -2794,6 +2798,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Nur die Lungen sind zu sehen; %1 mm am Rippenfell fehlen.</translation>
     </message>
     <message>
+        <source>Only what a label map marks is shown, in its colours; a part ends where its labels end.</source>
+        <translation>Nur was eine Labelkarte markiert, wird gezeigt, in deren Farben; ein Teil endet, wo seine Labels enden.</translation>
+    </message>
+    <message>
         <source>Opacity</source>
         <translation>Opazität</translation>
     </message>
@@ -2906,6 +2914,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>Organs</source>
         <translation>Organe</translation>
+    </message>
+    <message>
+        <source>Organs in colour</source>
+        <translation>Organe in Farbe</translation>
     </message>
     <message>
         <source>Ours</source>
@@ -4294,6 +4306,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Gefäße und Knochen</translation>
     </message>
     <message>
+        <source>Vessels are found by rule or by another program: beside bone they may be missing, and calcium may be among them.</source>
+        <translation>Gefäße werden nach Regeln oder von einem anderen Programm gefunden: neben Knochen können sie fehlen, und Kalk kann darunter sein.</translation>
+    </message>
+    <message>
+        <source>Vessels are found by rule or by another program: beside bone they may be missing, and calcium may be among them. Around them nothing can be judged.</source>
+        <translation>Gefäße werden nach Regeln oder von einem anderen Programm gefunden: neben Knochen können sie fehlen, und Kalk kann darunter sein. Um sie herum ist nichts zu beurteilen.</translation>
+    </message>
+    <message>
+        <source>Vessels in a ghost body</source>
+        <translation>Gefäße im Geisterkörper</translation>
+    </message>
+    <message>
         <source>Vessels within 5 mm of the lung's surface are not shown; arteries, veins and walls of airways look alike.</source>
         <translation>Gefäße, die weniger als 5 mm unter der Lungenoberfläche liegen, sind nicht zu sehen; Arterien, Venen und Wände der Atemwege sehen gleich aus.</translation>
     </message>
@@ -5042,6 +5066,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>hat mehr als %1 Messungen</translation>
     </message>
     <message>
+        <source>has more than %1 styles</source>
+        <translation>hat mehr als %1 Darstellungen</translation>
+    </message>
+    <message>
         <source>has more than 1000 points</source>
         <translation>hat mehr als 1000 Punkte</translation>
     </message>
@@ -5180,6 +5208,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>is the id of two measurements</source>
         <translation>ist die Kennung zweier Messungen</translation>
+    </message>
+    <message>
+        <source>is the name of two styles</source>
+        <translation>ist der Name zweier Darstellungen</translation>
     </message>
     <message>
         <source>is the second environment, a scene has at most one</source>

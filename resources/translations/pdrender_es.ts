@@ -1206,6 +1206,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Solo huesos</translation>
     </message>
     <message>
+        <source>Bones and vessels</source>
+        <translation>Huesos y vasos</translation>
+    </message>
+    <message>
         <source>Bones are not shown, nor is what lies within 2 mm of them; dense vessels may be missing with them.</source>
         <translation>No se muestran los huesos ni lo que está a menos de 2 mm de ellos; con ellos pueden faltar vasos densos.</translation>
     </message>
@@ -2794,6 +2798,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Solo se muestran los pulmones; faltan %1 mm junto a la pleura.</translation>
     </message>
     <message>
+        <source>Only what a label map marks is shown, in its colours; a part ends where its labels end.</source>
+        <translation>Solo se muestra lo que marca un mapa de etiquetas, en sus colores; una parte termina donde terminan sus etiquetas.</translation>
+    </message>
+    <message>
         <source>Opacity</source>
         <translation>Opacidad</translation>
     </message>
@@ -2906,6 +2914,10 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>Organs</source>
         <translation>Órganos</translation>
+    </message>
+    <message>
+        <source>Organs in colour</source>
+        <translation>Órganos en color</translation>
     </message>
     <message>
         <source>Ours</source>
@@ -4294,6 +4306,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Vasos y hueso</translation>
     </message>
     <message>
+        <source>Vessels are found by rule or by another program: beside bone they may be missing, and calcium may be among them.</source>
+        <translation>Los vasos se encuentran por reglas o con otro programa: junto al hueso pueden faltar, y puede haber calcio entre ellos.</translation>
+    </message>
+    <message>
+        <source>Vessels are found by rule or by another program: beside bone they may be missing, and calcium may be among them. Around them nothing can be judged.</source>
+        <translation>Los vasos se encuentran por reglas o con otro programa: junto al hueso pueden faltar, y puede haber calcio entre ellos. A su alrededor no se puede juzgar nada.</translation>
+    </message>
+    <message>
+        <source>Vessels in a ghost body</source>
+        <translation>Vasos en un cuerpo fantasma</translation>
+    </message>
+    <message>
         <source>Vessels within 5 mm of the lung's surface are not shown; arteries, veins and walls of airways look alike.</source>
         <translation>No se ven los vasos a menos de 5 mm de la superficie del pulmón; arterias, venas y paredes bronquiales se ven iguales.</translation>
     </message>
@@ -5042,6 +5066,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>tiene más de %1 mediciones</translation>
     </message>
     <message>
+        <source>has more than %1 styles</source>
+        <translation>tiene más de %1 aspectos</translation>
+    </message>
+    <message>
         <source>has more than 1000 points</source>
         <translation>tiene más de 1000 puntos</translation>
     </message>
@@ -5180,6 +5208,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>is the id of two measurements</source>
         <translation>es el identificador de dos mediciones</translation>
+    </message>
+    <message>
+        <source>is the name of two styles</source>
+        <translation>es el nombre de dos aspectos</translation>
     </message>
     <message>
         <source>is the second environment, a scene has at most one</source>

@@ -1,6 +1,7 @@
 #pragma once
 /// Names, ranges and meanings of the fields of looks and sessions.
 
+#include "render/scene/fields/part_fields.h"
 #include "render/scene/fields/rig_fields.h"
 #include "render/scene/fields/scene_fields.h"
 #include "render/scene/fields/volume_fields.h"
@@ -28,6 +29,10 @@ void describe(Visit& visit, Look& look) {
                look.display.curve, kToneCurveWords);
     visit.object({"visible", "which part of the patient is shown"}, look.visible);
     visit({"ctDenoised", "whether the CT is shown with less noise than it has; images say so"}, look.ctDenoised);
+    std::optional<PartStyles> parts = look.parts.empty() ? std::nullopt : std::optional(look.parts);
+    visit.object({"parts", "how the parts of a label map are shown, where the scan has them"}, parts);
+    if constexpr (Visit::kReads)
+        look.parts = parts.value_or(PartStyles{});
 }
 
 template <class Visit>
