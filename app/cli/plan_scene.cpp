@@ -10,6 +10,9 @@ const std::shared_ptr<const Volume>& volumeOf(const Plan& plan, const ScannedVol
 
 Result<LoadedScene> sceneOfPlan(const Plan& plan, const ScannedVolume& scanned, ivec2 film, const Progress& progress) {
     const ImageSetup& image = plan.image;
+    if (!plan.partSources.empty() && !image.look.parts.empty())
+        return Error{phrase("the plan shows parts of the scan, which only the window can show"), "",
+                     phrase("Open the plan there, and save its image."), ErrorKind::refused};
     LoadedScene work{sceneOf(image, volumeOf(plan, scanned), film), displayOf(image), {}, scanned.files, {}, {}};
     const bool whole = image.table == Table::shown;
     work.uncut = boxAround(whole ? scanned.volume->geometry() : scanned.body);

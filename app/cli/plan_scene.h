@@ -8,7 +8,7 @@
 namespace pdr::app {
 
 /// Returns the scene of `plan`, which was made on the scan `scanned`, on a film of that size [pixels]. Errors: the scan
-/// lacks the part that the plan shows, or cannot be denoised; cancelled().
+/// lacks the part that the plan shows, or cannot be denoised; the plan shows parts of a label map; cancelled().
 Result<LoadedScene> sceneOfPlan(const Plan& plan, const ScannedVolume& scanned, ivec2 film, const Progress& progress);
 
 /// Returns the voxels that the plan shows: with the table or without it.

@@ -19,6 +19,7 @@
 #include "app/presenters/looks_presenter.h"
 #include "app/presenters/marks_presenter.h"
 #include "app/presenters/nodes_presenter.h"
+#include "app/presenters/parts_presenter.h"
 #include "app/presenters/place_menu_presenter.h"
 #include "app/presenters/plan_presenter.h"
 #include "app/presenters/preferences_presenter.h"
@@ -108,6 +109,7 @@ void Desktop::addPresenters(const QString& beside, std::filesystem::path powerSu
     auto& slices = add<SlicesPresenter>();
     auto& crosshair = add<CrosshairPresenter>(slices, *scenes_);
     add<MarksPresenter>(slices, crosshair, *scenes_);
+    add<PartsPresenter>(series, slices);
     add<PlaceMenuPresenter>(PlaceFeatures{crosshair, camera, tissue}, *scenes_);
     add<RenderingPresenter>();
     auto& accuracy = add<AccuracyPresenter>(std::move(powerSupplies));

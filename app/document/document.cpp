@@ -127,8 +127,11 @@ void Document::closeVolume() {
     parts_.reset();
     masks_.clear();
     denoisedScan_.clear();
+    knownParts_.clear();
+    plan_.partSources = {};
     scene_.volume.reset();
     scene_.mask.reset();
+    scene_.parts = {};
 }
 
 void Document::setCamera(const Camera& camera, bool moving) {
@@ -237,6 +240,47 @@ void Document::keepNoise() {
     Look look = setup().look;
     look.ctDenoised = false;
     fallBackTo(look);
+}
+
+void Document::setParts(const PartSources& sources, const std::shared_ptr<const ScanParts>& parts) {
+    if (!hasVolume())
+        return;
+    if (parts)
+        knownParts_.add(sources, parts);
+    Plan plan = plan_;
+    plan.partSources = sources;
+    edit(std::move(plan));
+}
+
+void Document::takeParts(const PartSources& sources, const std::shared_ptr<const ScanParts>& parts) {
+    if (!hasVolume())
+        return;
+    knownParts_.add(sources, parts);
+    if (sources != plan_.partSources)
+        return;
+    show(false);
+    report(plan_, Changes::mask);
+}
+
+void Document::keepParts() {
+    fallBackTo(knownParts_.shown());
+}
+
+void Document::dropLabels() {
+    PartSources sources = plan_.partSources;
+    sources.labels.clear();
+    fallBackTo(sources);
+}
+
+/// As fallBackTo() of a look.
+void Document::fallBackTo(const PartSources& sources) {
+    if (sources == plan_.partSources)
+        return;
+    const Plan before = plan_;
+    plan_.partSources = sources;
+    history_.forgetStepTo(plan_);
+    show(false);
+    report(before, Changes::mask);
 }
 
 void Document::fallBackTo(const Visible& visible) {
@@ -365,6 +409,8 @@ void Document::edit(Plan plan, Changes gesture, bool moving) {
     const Plan before = std::exchange(plan_, std::move(plan));
     if (plan_.image != before.image || (moving && plan_ == before))
         show(moving);
+    else if (plan_.partSources != before.partSources)
+        showIfOther();
     report(before);
 }
 
@@ -372,10 +418,7 @@ void Document::edit(Plan plan, Changes gesture, bool moving) {
 /// or nothing of the image differs.
 void Document::comeBackTo(Plan plan) {
     const Plan before = std::exchange(plan_, std::move(plan));
-    Scene scene = made();
-    scene.revision = scene_.revision;
-    if (scene != scene_)
-        show(std::move(scene), false);
+    showIfOther();
     report(before);
 }
 
@@ -384,6 +427,14 @@ void Document::report(const Plan& before, Changes also) {
     if (displayOf(before.image) != displayOf(setup()) || has(also, Changes::display | Changes::series))
         emit displayChanged(display());
     emit changed(changesBetween(before, plan_) | also);
+}
+
+/// Shows the scene of the plan unless it is the one that is shown.
+void Document::showIfOther() {
+    Scene scene = made();
+    scene.revision = scene_.revision;
+    if (scene != scene_)
+        show(std::move(scene), false);
 }
 
 /// Shows the scene of the plan. Without a volume, the plan waits for one.
@@ -402,14 +453,20 @@ void Document::show(Scene scene, bool moving) {
         emit maskWanted(parts_, setup().look.visible);
     if (setup().look.ctDenoised && !denoisedScan_.of(seen()))
         emit denoisedCtWanted(scene_.volume);
+    if (knownParts_.shown() != plan_.partSources)
+        emit partsWanted(plan_.partSources);
 }
 
-/// Builds the scene of the plan. Its mask is that of the choice if it is known, else the one shown so far.
+/// Builds the scene of the plan. Its mask and its parts are those of the choice if they are known, else those shown so
+/// far.
 Scene Document::made() {
     masks_.show(setup().look.visible);
-    Scene scene = sceneOf(setup(), shownVolume(), film_);
+    knownParts_.show(plan_.partSources);
+    Scene scene = sceneOf(setup(), shownVolume(), film_, scanParts() ? scanParts()->map : nullptr);
     scene.mask = masks_.mask();
     scene.maskAwaited = masks_.shown() != setup().look.visible;
+    if (knownParts_.shown() != plan_.partSources)
+        scene.maskAwaited = true;
     return scene;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/document/denoised_scan.h"
+#include "app/document/known_parts.h"
 #include "app/document/part_masks.h"
 #include "app/looks/fitted_looks.h"
 #include "app/plan/history.h"
@@ -37,6 +38,8 @@ class Document : public QObject {
     const std::shared_ptr<const Volume>& scan() const { return volume_; }
     /// The parts of the body that can be shown or hidden; null without a volume.
     const std::shared_ptr<const segment::BodyParts>& parts() const { return parts_; }
+    /// The parts that a label map or a rule names, as they are shown; null: there are none.
+    const std::shared_ptr<const ScanParts>& scanParts() const { return knownParts_.parts(); }
     /// The part of the scan's grid that the body fills.
     const VolumeGeometry& bodyBox() const { return table_.bodyBox; }
     const Plan& plan() const { return plan_; }
@@ -128,6 +131,15 @@ class Document : public QObject {
                         const std::shared_ptr<const pdr::Volume>& denoised);
     /// Reports that the requested volume will not come: the image shows the CT as it is. No step to undo.
     void keepNoise();
+    /// Takes parts of the scan, from `sources`, which take the place of all others. Without `parts` there are none, and
+    /// `sources` are empty. One step to undo.
+    void setParts(const pdr::app::PartSources& sources, const std::shared_ptr<const pdr::app::ScanParts>& parts);
+    /// Takes the parts that partsWanted() has requested.
+    void takeParts(const pdr::app::PartSources& sources, const std::shared_ptr<const pdr::app::ScanParts>& parts);
+    /// Reports that the requested parts will not come: there are those that the scene shows. No step to undo.
+    void keepParts();
+    /// Reports that no label map is open with the requested hash: the others of the parts are shown. No step to undo.
+    void dropLabels();
     /// Replaces the setup of the image. One step to undo.
     void setSetup(const pdr::ImageSetup& setup);
     void setEstimator(pdr::Estimator estimator);
@@ -165,6 +177,8 @@ class Document : public QObject {
     void maskWanted(const std::shared_ptr<const pdr::segment::BodyParts>& parts, const pdr::Visible& visible);
     /// Requests `scan` with less noise. Until takeDenoisedCt() the scene shows it as it is.
     void denoisedCtWanted(const std::shared_ptr<const pdr::Volume>& scan);
+    /// Requests the parts from `sources`. Until takeParts() the scene shows those that it has.
+    void partsWanted(const pdr::app::PartSources& sources);
 
   private:
     void closeVolume();
@@ -175,9 +189,11 @@ class Document : public QObject {
     void edit(ImageSetup image, Changes gesture = Changes::none, bool moving = false);
     void comeBackTo(Plan plan);
     void report(const Plan& before, Changes also = Changes::none);
+    void showIfOther();
     void show(bool moving);
     void fallBackTo(const Visible& visible);
     void fallBackTo(const Look& look);
+    void fallBackTo(const PartSources& sources);
     std::shared_ptr<const Volume> shownVolume() const;
     Scene made();
     void show(Scene scene, bool moving);
@@ -200,6 +216,7 @@ class Document : public QObject {
     History history_;
     PartMasks masks_;
     DenoisedScan denoisedScan_;
+    KnownParts knownParts_;
     bool denoised_ = true;
     ivec2 film_ = Scene{}.film;      ///< size of the scene's film [pixels]
     ivec2 nextFilm_ = Scene{}.film;  ///< size of the next film [pixels]

@@ -68,7 +68,9 @@ void SliceJob::make(Request request) {
 }
 
 QImage SliceJob::madeNow(const Request& request) {
-    return greyImage(*reslice(request.scan, planeOf(request)), request.window);
+    QImage image = greyImage(*reslice(request.scan, planeOf(request)), request.window);
+    tint(request.tint, planeOf(request), image);
+    return image;
 }
 
 void SliceJob::drop() {
@@ -86,6 +88,7 @@ void SliceJob::begin(Request request) {
         QImage grey = greyImage(*slice, request.window);
         if (request.scan.arriving())
             hatch(*slice, grey);
+        tint(request.tint, slice->plane, grey);
         *memory = std::move(slice->hu);
         return [this, grey, plane = request.plane, window = request.window] { emit made(grey, plane, window); };
     });

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/jobs/background_job.h"
+#include "app/jobs/slice_tint.h"
 #include "app/scan/sliced_scan.h"
 #include "render/slice/grey_window.h"
 #include "render/slice/slice_plane.h"
@@ -17,12 +18,13 @@ class SliceJob : public BackgroundJob {
     Q_OBJECT
 
   public:
-    /// What to compute: the slice of `scan` on `plane`, seen through `window`.
+    /// What to compute: the slice of `scan` on `plane`, seen through `window`, with parts in colours.
     struct Request {
         SlicedScan scan;
         SlicePlane plane;
         GreyWindow window;
         bool coarse = false;  ///< at half the resolution, for a quarter of the work
+        SliceTint tint = {};
         bool operator==(const Request&) const = default;
     };
 

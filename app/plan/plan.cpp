@@ -20,13 +20,14 @@ struct Part {
     StepName name;  ///< name of a step that changes this part alone; empty: it depends on the values, see nameOf()
 };
 
-/// Returns whether two looks agree in all but tissue, light, visible part and noise of the CT.
+/// Returns whether two looks agree in all but tissue, light, visible part, noise of the CT and parts.
 bool agreeOtherwise(Look a, const Look& b) {
     a.transferFunction = b.transferFunction;
     a.rig = b.rig;
     a.environment = b.environment;
     a.visible = b.visible;
     a.ctDenoised = b.ctDenoised;
+    a.parts = b.parts;
     return a == b;
 }
 
@@ -50,6 +51,9 @@ const std::vector<Part>& parts() {
         {Changes::ctDenoised,
          [](const Plan& a, const Plan& b) { return a.image.look.ctDenoised != b.image.look.ctDenoised; },
          {phrase("Undo switching CT denoising"), phrase("Redo switching CT denoising")}},
+        {Changes::partStyles,
+         [](const Plan& a, const Plan& b) { return a.image.look.parts != b.image.look.parts; },
+         {phrase("Undo changing how a part is shown"), phrase("Redo changing how a part is shown")}},
         {Changes::otherLook,
          [](const Plan& a, const Plan& b) { return !agreeOtherwise(a.image.look, b.image.look); },
          {}},
@@ -84,6 +88,7 @@ const std::vector<Part>& parts() {
         {Changes::layout,
          [](const Plan& a, const Plan& b) { return a.navigation.layout != b.navigation.layout; },
          {phrase("Undo changing the layout"), phrase("Redo changing the layout")}},
+        {Changes::partSources, [](const Plan& a, const Plan& b) { return a.partSources != b.partSources; }, {}},
         {Changes::measurements, [](const Plan& a, const Plan& b) { return a.measurements != b.measurements; }, {}},
     };
     return all;
@@ -134,7 +139,8 @@ Changes namedParts(Changes changes) {
     const Changes look = changes & Changes::look;
     if (has(look, Changes::lookName))
         return (changes & ~(Changes::look | Changes::brightness)) | Changes::lookName;
-    constexpr Changes kParts[]{Changes::tissue, Changes::light, Changes::visible, Changes::ctDenoised};
+    constexpr Changes kParts[]{Changes::tissue, Changes::light, Changes::visible, Changes::ctDenoised,
+                               Changes::partStyles};
     const bool onePart = std::ranges::find(kParts, look) != std::end(kParts);
     return look == Changes::none || onePart ? changes : (changes & ~Changes::look) | Changes::lookName;
 }
@@ -147,6 +153,9 @@ StepName nameOf(const Plan& before, const Plan& after) {
         return nameOf(before.image.camera, after.image.camera);
     if (changes == Changes::measurements)
         return nameOf(before.measurements, after.measurements);
+    if (changes == Changes::partSources)
+        return after.partSources.empty() ? StepName{phrase("Undo removing parts"), phrase("Redo removing parts")}
+                                         : StepName{phrase("Undo adding parts"), phrase("Redo adding parts")};
     if (!has(changes, ~Changes::navigation) && changes != Changes::window && changes != Changes::layout)
         return {phrase("Undo moving through the slices"), phrase("Redo moving through the slices")};
     if (changes == Changes::table && after.image.table == Table::shown)

@@ -3,6 +3,7 @@
 
 #include "app/plan/measurement.h"
 #include "app/plan/navigation.h"
+#include "app/plan/part_sources.h"
 #include "render/base/text.h"
 #include "render/scene/image_setup.h"
 
@@ -12,6 +13,7 @@ struct Plan {
     ImageSetup image;       ///< how the volume is shown and rendered
     Navigation navigation;  ///< where the slices lie, and how they are seen
     std::vector<Measurement> measurements;
+    PartSources partSources;  ///< where the parts of the scan come from
     bool operator==(const Plan&) const = default;
 };
 
@@ -35,16 +37,18 @@ enum class Changes : unsigned {
     framing = 1 << 13,  ///< zoom and place of the slices in their views
     window = 1 << 14,   ///< the grey window of the slices
     measurements = 1 << 15,
-    layout = 1 << 20,      ///< which views are shown, and where
-    ctDenoised = 1 << 22,  ///< whether the CT is shown with less noise
+    layout = 1 << 20,       ///< which views are shown, and where
+    ctDenoised = 1 << 22,   ///< whether the CT is shown with less noise
+    partStyles = 1 << 23,   ///< how parts of a label map are shown
+    partSources = 1 << 24,  ///< where they come from
     // What a document holds beside its plan
     series = 1 << 16,   ///< a volume has been opened or closed
     arrival = 1 << 21,  ///< a volume is being read, and its slices can be seen
     looks = 1 << 17,    ///< the list of looks
-    mask = 1 << 18,     ///< the mask of the visible part, or the denoised CT, has arrived
+    mask = 1 << 18,     ///< the mask of the visible part, the denoised CT or parts have arrived
     display = 1 << 19,  ///< whether the image is shown denoised
     // Groups
-    look = lookName | tissue | light | visible | ctDenoised | otherLook,
+    look = lookName | tissue | light | visible | ctDenoised | partStyles | otherLook,
     navigation = crosshair | framing | window | layout,
     all = ~0u,
 };

@@ -126,10 +126,23 @@ void describe(Visit& visit, Measurement& measurement) {
 }
 
 template <class Visit>
+void describe(Visit& visit, PartSources& sources) {
+    visit({"labels", "of a label map: hash of its labels and names"}, sources.labels);
+    visit({"vessels", "version of the rule that finds vessels; 0: none are wanted", {0, kVesselsRule}},
+          sources.vessels);
+    visit({"shells", "version of the rule that finds skin and muscle; 0: none are wanted", {0, kShellsRule}},
+          sources.shells);
+}
+
+template <class Visit>
 void describe(Visit& visit, Plan& plan) {
     visit.object({"image", "how the scan is shown", {}, kRequired}, plan.image);
     visit.object({"navigation", "where the slices lie", {}, kRequired}, plan.navigation);
     visit.list({"measurements", "what was measured"}, plan.measurements);
+    std::optional<PartSources> parts = plan.partSources.empty() ? std::nullopt : std::optional(plan.partSources);
+    visit.object({"parts", "where the parts of the scan come from"}, parts);
+    if constexpr (Visit::kReads)
+        plan.partSources = parts.value_or(PartSources{});
 }
 
 }  // namespace app

@@ -97,6 +97,8 @@ Result<void> check(const SavedPlan& saved) {
         return Error{phrase("must not be longer than %1 bytes", kMostSliceDigits), "scan.sliceHashes", ""};
     if (auto ok = pdr::check(saved.plan.image); !ok)
         return Error{ok.error().what, "image." + ok.error().where, ok.error().hint};
+    if (saved.plan.partSources.labels.size() > 64)
+        return Error{phrase("must not be longer than %1 bytes", 64), "parts.labels", ""};
     return check(saved.plan.measurements);
 }
 

@@ -65,7 +65,12 @@ void SeriesPresenter::open(const QString& folder) {
         import_.scanFolder(folder);
 }
 
+const dicom::Series* SeriesPresenter::series() const {
+    return document().hasVolume() && shown_ >= 0 ? &import_.scan().series[std::size_t(shown_)] : nullptr;
+}
+
 void SeriesPresenter::close() {
+    shown_ = -1;
     document().close();
     window().viewport().setMessage({});
     window().start().show();
@@ -138,6 +143,7 @@ void SeriesPresenter::showVolume(std::shared_ptr<const Volume> volume, int index
     if (hidden)
         message.offer(ui::MainWindow::tr("Show"), [this] { document().setTable(Table::shown); });
     showSubject(index);
+    shown_ = index;
     window().start().hide();
     window().viewport().setMessage(ui::MainWindow::tr("Preparing %1...").arg(ui::seriesNumber(series)));
     const GreyWindow seen = firstWindow(*volume, series.window.window);

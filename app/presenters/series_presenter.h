@@ -20,6 +20,8 @@ class SeriesPresenter : public Presenter {
     /// Closes the series and shows the window in which nothing is open.
     void close();
     const ImportJob& import() const { return import_; }
+    /// Returns the series whose volume is open; null if none is.
+    const dicom::Series* series() const;
 
     bool cancelJob() override { return cancel(import_); }
 
@@ -41,6 +43,7 @@ class SeriesPresenter : public Presenter {
     ui::SeriesPanel* panel_;
     ImportJob import_;
     SeriesImages images_;
+    int shown_ = -1;  ///< index of the series whose volume is open; -1: none
 };
 
 }  // namespace pdr::app

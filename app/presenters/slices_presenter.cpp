@@ -170,7 +170,8 @@ void SlicesPresenter::openMenu(Slice& slice, QPoint place) {
 void SlicesPresenter::copy(Slice& slice) {
     const std::optional<ui::ShownSlice>& shown = slice.view->slice();
     if (shown && shown->isCoarse() && scan_.volume()) {
-        const SliceJob::Request full{scan_, shown->plane, document().plan().navigation.window};
+        const SliceJob::Request full{
+            .scan = scan_, .plane = shown->plane, .window = document().plan().navigation.window, .tint = tint_};
         show(slice, SliceJob::madeNow(full), full.plane, full.window);
     }
     QGuiApplication::clipboard()->setPixmap(slice.view->grab());
@@ -248,6 +249,13 @@ void SlicesPresenter::setScan(SlicedScan scan) {
         slice.stack = scan_ ? std::optional(SliceStack(scan_.geometry(), slice.view->plane())) : std::nullopt;
 }
 
+void SlicesPresenter::setTint(SliceTint tint) {
+    if (tint == tint_)
+        return;
+    tint_ = std::move(tint);
+    requestAll(false);
+}
+
 /// Shows what has arrived since the last time.
 void SlicesPresenter::showArrived() {
     scan_ = SlicedScan(document().arriving());
@@ -263,6 +271,7 @@ void SlicesPresenter::releaseVolume() {
         slice.stack.reset();
     }
     scan_ = {};
+    tint_ = {};
 }
 
 /// Returns the plane that the view of `slice` shows; none without a volume.
@@ -282,7 +291,7 @@ bool SlicesPresenter::request(Slice& slice, bool moving) {
     if (!plane || !scan_ || isEmpty || !slice.view->isVisible())
         return false;
     const bool coarse = moving && plane->size.x * plane->size.y > kMostMovingPixels;
-    slice.job.make({scan_, *plane, document().plan().navigation.window, coarse});
+    slice.job.make({scan_, *plane, document().plan().navigation.window, coarse, tint_});
     return coarse;
 }
 

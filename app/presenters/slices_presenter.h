@@ -25,6 +25,8 @@ class SlicesPresenter : public Presenter {
     void showSlices();
     /// Gives a slice the keyboard, unless one has it already.
     void focusOne();
+    /// Shows the slices of the scan that is open with parts in colours.
+    void setTint(SliceTint tint);
     /// The menu of the slices.
     QMenu& menu() { return *menu_; }
     ui::SliceView& view(AnatomicalPlane plane) { return *slices_[std::size_t(plane)].view; }
@@ -64,6 +66,7 @@ class SlicesPresenter : public Presenter {
     std::array<Slice, 3> slices_;        ///< in the order of kAnatomicalPlanes
     std::array<QAction*, 3> layouts_{};  ///< in the order of kViewLayouts
     SlicedScan scan_;
+    SliceTint tint_;
     QTimer atRest_;  ///< runs while something moves: until nothing has for a while
     std::optional<ArrivalWatch> arrival_;
 };

@@ -8,10 +8,8 @@
 
 namespace pdr::app {
 
-namespace {
-
-Result<LabelMap> labelsIn(const std::filesystem::path& file, const VolumeGeometry& scan, const dicom::Series* series,
-                          const Progress& progress) {
+Result<LabelMap> readLabels(const std::filesystem::path& file, const VolumeGeometry& scan, const dicom::Series* series,
+                            const Progress& progress) {
     static const dicom::Series kNone;  // of a raw file nothing is known that a segmentation could contradict
     std::error_code unknown;
     if (std::filesystem::is_directory(file, unknown))
@@ -21,11 +19,9 @@ Result<LabelMap> labelsIn(const std::filesystem::path& file, const VolumeGeometr
     return dicom::readSegmentation({file}, series ? *series : kNone, scan, progress);
 }
 
-}  // namespace
-
 Result<LabelMap> readScanLabels(const std::filesystem::path& file, const VolumeGeometry& scan,
                                 const dicom::Series* series, Resampling resampling, const Progress& progress) {
-    Result<LabelMap> map = labelsIn(file, scan, series, progress);
+    Result<LabelMap> map = readLabels(file, scan, series, progress);
     if (!map)
         return map;
     Result<LabelMap> placed = labelsOn(scan, *std::move(map), resampling);

@@ -11,10 +11,13 @@
 
 namespace pdr::app {
 
-/// Reads the label map in `file`, a folder of masks or a DICOM segmentation if its ending is that of no volume, onto
-/// the grid of a scan.
-/// `scan`: the grid of the voxels that were read; `series`: what they were read from, null for a raw file. Errors:
-/// those of readLabelFile(), readLabelFolder(), dicom::readSegmentation() and labelsOn(); each names the file.
+/// Reads the label map in `file`, a folder of masks or a DICOM segmentation if its ending is that of no volume, on the
+/// grid that it has there. `scan`: the grid of the voxels that were read; `series`: what they were read from, null for
+/// a raw file. Errors: those of readLabelFile(), readLabelFolder() and dicom::readSegmentation(); each names the file.
+Result<LabelMap> readLabels(const std::filesystem::path& file, const VolumeGeometry& scan, const dicom::Series* series,
+                            const Progress& progress);
+
+/// Reads a label map as readLabels() does, onto the grid of the scan. Errors: also those of labelsOn().
 Result<LabelMap> readScanLabels(const std::filesystem::path& file, const VolumeGeometry& scan,
                                 const dicom::Series* series, Resampling resampling, const Progress& progress);
 

@@ -614,6 +614,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Helligkei&amp;t</translation>
     </message>
     <message>
+        <source>&amp;Colour...</source>
+        <translation>Far&amp;be...</translation>
+    </message>
+    <message>
         <source>&amp;Copy image</source>
         <translation>Bild &amp;kopieren</translation>
     </message>
@@ -682,8 +686,16 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>&amp;Vollbild</translation>
     </message>
     <message>
+        <source>&amp;Ghost</source>
+        <translation>Geis&amp;t</translation>
+    </message>
+    <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>&amp;Verbergen</translation>
     </message>
     <message>
         <source>&amp;Image alone</source>
@@ -760,6 +772,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>&amp;Save this look...</source>
         <translation>Diese Darstellung &amp;sichern...</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Zeigen</translation>
     </message>
     <message>
         <source>&amp;Table and holder</source>
@@ -1002,6 +1018,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Alles außer %1</translation>
     </message>
     <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
         <source>All is sharp. A lens blurs what lies before and behind its focus.</source>
         <translation>Alles ist scharf. Eine Linse zeichnet weich, was vor und hinter ihrer Schärfeebene liegt.</translation>
     </message>
@@ -1096,6 +1116,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Arrow keys move the chosen lamp, Page up and Page down choose another, Shift and arrow keys turn all.</source>
         <translation>Pfeiltasten bewegen die gewählte Lampe, Bild auf und Bild ab wählen eine andere, Umschalt und Pfeiltasten drehen alle.</translation>
+    </message>
+    <message>
+        <source>As all tissue</source>
+        <translation>Wie alles Gewebe</translation>
     </message>
     <message>
         <source>As many iterations per frame as keep the cost of display negligible, within the frame rate. The result is the same.</source>
@@ -1248,6 +1272,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Bytes to the node</source>
         <translation>Bytes zum Render-Rechner</translation>
+    </message>
+    <message>
+        <source>C&amp;olours on the slices</source>
+        <translation>&amp;Farben auf den Schichten</translation>
     </message>
     <message>
         <source>CPU</source>
@@ -1564,6 +1592,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Colour of the light</source>
         <translation>Farbe des Lichts</translation>
+    </message>
+    <message>
+        <source>Colour of the part</source>
+        <translation>Farbe des Teils</translation>
     </message>
     <message>
         <source>Colour of the selected stop</source>
@@ -1962,8 +1994,32 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Füllt den Bildschirm mit dem Bild, dem Namen des Patienten und der Genauigkeit.</translation>
     </message>
     <message>
+        <source>Find &amp;vessels</source>
+        <translation>&amp;Gefäße finden</translation>
+    </message>
+    <message>
+        <source>Find skin and muscle</source>
+        <translation>Haut und Muskel finden</translation>
+    </message>
+    <message>
+        <source>Find skin, m&amp;uscle</source>
+        <translation>&amp;Haut, Muskel finden</translation>
+    </message>
+    <message>
+        <source>Find vessels</source>
+        <translation>Gefäße finden</translation>
+    </message>
+    <message>
         <source>Finding what is here...</source>
         <translation>Es wird gesucht, was hier liegt...</translation>
+    </message>
+    <message>
+        <source>Finds skin and muscle by density and geometry: a guess, to be checked.</source>
+        <translation>Findet Haut und Muskel nach Dichte und Geometrie: eine Vermutung, die zu prüfen ist.</translation>
+    </message>
+    <message>
+        <source>Finds vessels on a scan with contrast medium by density and geometry: a guess, to be checked.</source>
+        <translation>Findet Gefäße auf einer Aufnahme mit Kontrastmittel nach Dichte und Geometrie: eine Vermutung, die zu prüfen ist.</translation>
     </message>
     <message>
         <source>Fluoroscopy</source>
@@ -1976,6 +2032,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Focus on what is clicked</source>
         <translation>Scharf auf die angeklickte Stelle</translation>
+    </message>
+    <message>
+        <source>Folder of &amp;masks...</source>
+        <translation>&amp;Maskenordner...</translation>
     </message>
     <message>
         <source>Folders are often called after patients: anyone who uses this account can read the list.</source>
@@ -1992,6 +2052,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>For the image that is being saved. %1</source>
         <translation>Für das Bild, das gerade gespeichert wird. %1</translation>
+    </message>
+    <message>
+        <source>Found by the program: check it.</source>
+        <translation>Vom Programm gefunden: bitte prüfen.</translation>
     </message>
     <message>
         <source>Four &amp;views</source>
@@ -2020,6 +2084,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Freehand cuts: %1</source>
         <translation>Freihandschnitte: %1</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
     </message>
     <message>
         <source>From %1 to %2 %3 over %4 mm.</source>
@@ -2106,6 +2174,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Den Teil des Bündels namens %1 angeben.</translation>
     </message>
     <message>
+        <source>Gives the selected parts a colour of their own.</source>
+        <translation>Gibt den gewählten Teilen eine eigene Farbe.</translation>
+    </message>
+    <message>
+        <source>Gives the selected parts the curve and the colours of a look.</source>
+        <translation>Gibt den gewählten Teilen die Kurve und die Farben eines Looks.</translation>
+    </message>
+    <message>
         <source>Glow</source>
         <translation>Leuchten</translation>
     </message>
@@ -2164,6 +2240,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Hide the patient's &amp;name</source>
         <translation>&amp;Name des Patienten verbergen</translation>
+    </message>
+    <message>
+        <source>Hides the selected parts.</source>
+        <translation>Verbirgt die gewählten Teile.</translation>
     </message>
     <message>
         <source>Home</source>
@@ -2346,8 +2426,16 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Bekannte Teile: %1.</translation>
     </message>
     <message>
+        <source>L&amp;ook of the part</source>
+        <translation>L&amp;ook des Teils</translation>
+    </message>
+    <message>
         <source>Label</source>
         <translation>Beschriftung</translation>
+    </message>
+    <message>
+        <source>Label maps (*.nii *.nii.gz *.nrrd *.mha *.mhd *.dcm)</source>
+        <translation>Labelkarten (*.nii *.nii.gz *.nrrd *.mha *.mhd *.dcm)</translation>
     </message>
     <message>
         <source>Lamp</source>
@@ -2460,6 +2548,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Look (*.json)</source>
         <translation>Darstellung (*.json)</translation>
+    </message>
+    <message>
+        <source>Look: %1</source>
+        <translation>Look: %1</translation>
     </message>
     <message>
         <source>Looks cannot hold an environment image: this one has uniform ambient light.</source>
@@ -2820,6 +2912,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>%1 öffnen</translation>
     </message>
     <message>
+        <source>Open &amp;label map...</source>
+        <translation>&amp;Labelkarte öffnen...</translation>
+    </message>
+    <message>
         <source>Open &amp;plan...</source>
         <translation>&amp;Plan öffnen...</translation>
     </message>
@@ -2844,6 +2940,14 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Einen Ordner mit einer CT-Serie öffnen.</translation>
     </message>
     <message>
+        <source>Open a folder with a mask of each part</source>
+        <translation>Einen Ordner mit einer Maske je Teil öffnen</translation>
+    </message>
+    <message>
+        <source>Open a label map</source>
+        <translation>Eine Labelkarte öffnen</translation>
+    </message>
+    <message>
         <source>Open a plan</source>
         <translation>Einen Plan öffnen</translation>
     </message>
@@ -2854,6 +2958,10 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>Open f&amp;ile...</source>
         <translation>Date&amp;i öffnen...</translation>
+    </message>
+    <message>
+        <source>Open label map...</source>
+        <translation>Labelkarte öffnen...</translation>
     </message>
     <message>
         <source>Open the e&amp;xample</source>
@@ -2898,6 +3006,14 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
     <message>
         <source>Opens a folder of DICOM files.</source>
         <translation>Öffnet einen Ordner mit DICOM-Dateien.</translation>
+    </message>
+    <message>
+        <source>Opens a folder with a file of this kind for each part.</source>
+        <translation>Öffnet einen Ordner mit einer solchen Datei je Teil.</translation>
+    </message>
+    <message>
+        <source>Opens parts that another program has marked on this scan: NIfTI, NRRD, MetaImage or a DICOM segmentation.</source>
+        <translation>Öffnet Teile, die ein anderes Programm auf dieser Aufnahme markiert hat: NIfTI, NRRD, MetaImage oder eine DICOM-Segmentierung.</translation>
     </message>
     <message>
         <source>Opens the manual, which needs no network.</source>
@@ -2960,8 +3076,20 @@ Leuchten: Licht, das das Gewebe selbst abgibt</translation>
         <translation>Parallel</translation>
     </message>
     <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
         <source>Part that is shown</source>
         <translation>Gezeigter Teil</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Parts of the scan</source>
+        <translation>Teile der Aufnahme</translation>
     </message>
     <message>
         <source>Patient</source>
@@ -3138,8 +3266,16 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Wiederholen</translation>
     </message>
     <message>
+        <source>Redo adding parts</source>
+        <translation>Hinzufügen von Teilen wiederholen</translation>
+    </message>
+    <message>
         <source>Redo changing a measurement</source>
         <translation>Wiederholen: Messung ändern</translation>
+    </message>
+    <message>
+        <source>Redo changing how a part is shown</source>
+        <translation>Darstellung eines Teils wiederholen</translation>
     </message>
     <message>
         <source>Redo changing the background</source>
@@ -3218,6 +3354,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Wiederholen: Messung entfernen</translation>
     </message>
     <message>
+        <source>Redo removing parts</source>
+        <translation>Entfernen der Teile wiederholen</translation>
+    </message>
+    <message>
         <source>Redo several changes</source>
         <translation>Wiederholen: mehrere Änderungen</translation>
     </message>
@@ -3256,6 +3396,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove all &amp;parts</source>
+        <translation>Alle &amp;Teile entfernen</translation>
     </message>
     <message>
         <source>Remove all c&amp;uts</source>
@@ -3382,12 +3526,20 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Beginnt das Bild neu mit so vielen Pixeln, wie es gezeigt wird; die nächste Änderung tut es ebenso.</translation>
     </message>
     <message>
+        <source>Resample</source>
+        <translation>Umrechnen</translation>
+    </message>
+    <message>
         <source>Resample it first.</source>
         <translation>Erst umrechnen.</translation>
     </message>
     <message>
         <source>Reset the view</source>
         <translation>Ansicht zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Rest of the body</source>
+        <translation>Übriger Körper</translation>
     </message>
     <message>
         <source>Restart the computer to use the GPU; if it happens again, have the GPU replaced.</source>
@@ -3614,6 +3766,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
         <translation>Das Gewebe zeigen, das dort ist</translation>
     </message>
     <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
         <source>Shows all keys and what they do.</source>
         <translation>Zeigt alle Tasten und was sie tun.</translation>
     </message>
@@ -3656,8 +3812,20 @@ Das braucht noch einmal so viel Speicher wie die Voxel der Aufnahme.</translatio
         <translation>Zeigt den Patienten von dieser Seite, die Ansicht ausfüllend.</translation>
     </message>
     <message>
+        <source>Shows the selected parts so thin that one sees through.</source>
+        <translation>Zeigt die gewählten Teile so dünn, dass man hindurchsieht.</translation>
+    </message>
+    <message>
+        <source>Shows the selected parts.</source>
+        <translation>Zeigt die gewählten Teile.</translation>
+    </message>
+    <message>
         <source>Shows the version, the licence, and what this program is not for.</source>
         <translation>Nennt die Version, die Lizenz und wofür dieses Programm nicht gedacht ist.</translation>
+    </message>
+    <message>
+        <source>Shows which voxels are in which part; hidden parts stay grey.</source>
+        <translation>Zeigt, welche Voxel zu welchem Teil gehören; verborgene Teile bleiben grau.</translation>
     </message>
     <message>
         <source>Si&amp;ze</source>
@@ -3924,6 +4092,10 @@ Das braucht noch einmal so viel Speicher wie die Voxel der Aufnahme.</translatio
         <translation>Der nächste Klick ins Bild führt die Schichten zu dem, was dort zu sehen ist.</translation>
     </message>
     <message>
+        <source>The optical model of this look shows no parts.</source>
+        <translation>Das optische Modell dieses Looks zeigt keine Teile.</translation>
+    </message>
+    <message>
         <source>The outermost 5 mm and fat are not shown. The brain lies behind the skull.</source>
         <translation>Die äußersten 5 mm und Fett sind nicht zu sehen. Das Gehirn liegt hinter dem Schädel.</translation>
     </message>
@@ -4022,6 +4194,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Dieses Bild zeigt Haut: Geben Sie es nur weiter wie ein Foto des Patienten.</translation>
     </message>
     <message>
+        <source>This look shows parts of a label map, and none with them is open.</source>
+        <translation>Dieser Look zeigt Teile einer Labelkarte, und keine mit ihnen ist offen.</translation>
+    </message>
+    <message>
+        <source>This look shows skin or muscle, which has not been found in this scan yet.</source>
+        <translation>Dieser Look zeigt Haut oder Muskel, was auf dieser Aufnahme noch nicht gefunden wurde.</translation>
+    </message>
+    <message>
+        <source>This look shows vessels, which have not been found in this scan yet.</source>
+        <translation>Dieser Look zeigt Gefäße, die auf dieser Aufnahme noch nicht gefunden wurden.</translation>
+    </message>
+    <message>
         <source>This pixel ±%1</source>
         <translation>Dieses Pixel ±%1</translation>
     </message>
@@ -4040,6 +4224,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>This pixel: not known yet</source>
         <translation>Dieses Pixel: noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>This plan shows parts of a label map, of which it holds neither the voxels nor the place. Open that label map again, and its parts look as they did.</source>
+        <translation>Dieser Plan zeigt Teile einer Labelkarte, von der er weder die Voxel noch den Ort enthält. Öffnen Sie diese Labelkarte wieder, dann sehen ihre Teile aus wie zuvor.</translation>
     </message>
     <message>
         <source>Three-point light</source>
@@ -4142,8 +4330,16 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Rückgängig</translation>
     </message>
     <message>
+        <source>Undo adding parts</source>
+        <translation>Hinzufügen von Teilen rückgängig machen</translation>
+    </message>
+    <message>
         <source>Undo changing a measurement</source>
         <translation>Rückgängig: Messung ändern</translation>
+    </message>
+    <message>
+        <source>Undo changing how a part is shown</source>
+        <translation>Darstellung eines Teils rückgängig machen</translation>
     </message>
     <message>
         <source>Undo changing the background</source>
@@ -4220,6 +4416,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>Undo removing a measurement</source>
         <translation>Rückgängig: Messung entfernen</translation>
+    </message>
+    <message>
+        <source>Undo removing parts</source>
+        <translation>Entfernen der Teile rückgängig machen</translation>
     </message>
     <message>
         <source>Undo several changes</source>
@@ -4326,6 +4526,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Ansicht von: %1</translation>
     </message>
     <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
         <source>Voxel size %1 × %2 × %3 mm</source>
         <translation>Voxelgröße %1 × %2 × %3 mm</translation>
     </message>
@@ -4364,6 +4568,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>What is shown</source>
         <translation>Was gezeigt wird</translation>
+    </message>
+    <message>
+        <source>What is to be known of the parts</source>
+        <translation>Was über die Teile zu wissen ist</translation>
     </message>
     <message>
         <source>What is written over the image</source>
@@ -4998,6 +5206,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Füße</translation>
     </message>
     <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
         <source>fine detail may be missing</source>
         <translation>feine Einzelheiten können fehlen</translation>
     </message>
@@ -5046,6 +5258,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>vorn und hinten</translation>
     </message>
     <message>
+        <source>ghost</source>
+        <translation>Geist</translation>
+    </message>
+    <message>
         <source>goes with a gradient only, not with an image</source>
         <translation>passt nur zu einem Verlauf, nicht zu einem Bild</translation>
     </message>
@@ -5088,6 +5304,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>head and feet</source>
         <translation>Kopf und Füße</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verborgen</translation>
     </message>
     <message>
         <source>hidden parts</source>
@@ -6194,6 +6414,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Lage</translation>
     </message>
     <message>
+        <source>program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
         <source>rays less exact than asked for</source>
         <translation>Strahlen, die weniger genau sind als verlangt</translation>
     </message>
@@ -6312,6 +6536,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>share</source>
         <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>gezeigt</translation>
+    </message>
+    <message>
+        <source>skin</source>
+        <translation>Haut</translation>
     </message>
     <message>
         <source>skin and muscle cannot be found, because %1</source>
@@ -7332,6 +7564,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>units</source>
         <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>vessels</source>
+        <translation>Gefäße</translation>
     </message>
     <message>
         <source>vessels are guessed by their density: check them; beside bone (neck, base of the skull) they may be missing, as may veins full of undiluted medium; calcium, and organs full of medium, may be among them</source>

@@ -614,6 +614,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>&amp;Brillo</translation>
     </message>
     <message>
+        <source>&amp;Colour...</source>
+        <translation>Colo&amp;r...</translation>
+    </message>
+    <message>
         <source>&amp;Copy image</source>
         <translation>&amp;Copiar imagen</translation>
     </message>
@@ -682,8 +686,16 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Pan&amp;talla completa</translation>
     </message>
     <message>
+        <source>&amp;Ghost</source>
+        <translation>&amp;Fantasma</translation>
+    </message>
+    <message>
         <source>&amp;Help</source>
         <translation>A&amp;yuda</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>O&amp;cultar</translation>
     </message>
     <message>
         <source>&amp;Image alone</source>
@@ -760,6 +772,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>&amp;Save this look...</source>
         <translation>&amp;Guardar este aspecto...</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Mostrar</translation>
     </message>
     <message>
         <source>&amp;Table and holder</source>
@@ -1002,6 +1018,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Todo menos %1</translation>
     </message>
     <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
         <source>All is sharp. A lens blurs what lies before and behind its focus.</source>
         <translation>Todo está nítido. Una lente desenfoca lo que hay delante y detrás de su foco.</translation>
     </message>
@@ -1096,6 +1116,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Arrow keys move the chosen lamp, Page up and Page down choose another, Shift and arrow keys turn all.</source>
         <translation>Las flechas mueven la lámpara elegida, Re Pág y Av Pág eligen otra, Mayús y flechas giran todas.</translation>
+    </message>
+    <message>
+        <source>As all tissue</source>
+        <translation>Como todo el tejido</translation>
     </message>
     <message>
         <source>As many iterations per frame as keep the cost of display negligible, within the frame rate. The result is the same.</source>
@@ -1248,6 +1272,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Bytes to the node</source>
         <translation>Bytes hacia el equipo de render</translation>
+    </message>
+    <message>
+        <source>C&amp;olours on the slices</source>
+        <translation>C&amp;olores en los cortes</translation>
     </message>
     <message>
         <source>CPU</source>
@@ -1564,6 +1592,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Colour of the light</source>
         <translation>Color de la luz</translation>
+    </message>
+    <message>
+        <source>Colour of the part</source>
+        <translation>Color de la parte</translation>
     </message>
     <message>
         <source>Colour of the selected stop</source>
@@ -1962,8 +1994,32 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Llena la pantalla con la imagen, el nombre del paciente y su exactitud.</translation>
     </message>
     <message>
+        <source>Find &amp;vessels</source>
+        <translation>Buscar &amp;vasos</translation>
+    </message>
+    <message>
+        <source>Find skin and muscle</source>
+        <translation>Buscar piel y músculo</translation>
+    </message>
+    <message>
+        <source>Find skin, m&amp;uscle</source>
+        <translation>Piel, múscu&amp;lo</translation>
+    </message>
+    <message>
+        <source>Find vessels</source>
+        <translation>Buscar vasos</translation>
+    </message>
+    <message>
         <source>Finding what is here...</source>
         <translation>Buscando qué hay aquí...</translation>
+    </message>
+    <message>
+        <source>Finds skin and muscle by density and geometry: a guess, to be checked.</source>
+        <translation>Busca piel y músculo por densidad y geometría: una suposición que debe comprobarse.</translation>
+    </message>
+    <message>
+        <source>Finds vessels on a scan with contrast medium by density and geometry: a guess, to be checked.</source>
+        <translation>Busca vasos en un estudio con medio de contraste por densidad y geometría: una suposición que debe comprobarse.</translation>
     </message>
     <message>
         <source>Fluoroscopy</source>
@@ -1976,6 +2032,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Focus on what is clicked</source>
         <translation>Enfocar donde se haga clic</translation>
+    </message>
+    <message>
+        <source>Folder of &amp;masks...</source>
+        <translation>&amp;Máscaras...</translation>
     </message>
     <message>
         <source>Folders are often called after patients: anyone who uses this account can read the list.</source>
@@ -1992,6 +2052,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>For the image that is being saved. %1</source>
         <translation>Para la imagen que se está guardando. %1</translation>
+    </message>
+    <message>
+        <source>Found by the program: check it.</source>
+        <translation>Encontrado por el programa: compruébelo.</translation>
     </message>
     <message>
         <source>Four &amp;views</source>
@@ -2020,6 +2084,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Freehand cuts: %1</source>
         <translation>Cortes a mano alzada: %1</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Origen</translation>
     </message>
     <message>
         <source>From %1 to %2 %3 over %4 mm.</source>
@@ -2106,6 +2174,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Indique la parte del paquete llamada %1.</translation>
     </message>
     <message>
+        <source>Gives the selected parts a colour of their own.</source>
+        <translation>Da un color propio a las partes elegidas.</translation>
+    </message>
+    <message>
+        <source>Gives the selected parts the curve and the colours of a look.</source>
+        <translation>Da a las partes elegidas la curva y los colores de un aspecto.</translation>
+    </message>
+    <message>
         <source>Glow</source>
         <translation>Brillo propio</translation>
     </message>
@@ -2164,6 +2240,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Hide the patient's &amp;name</source>
         <translation>Ocultar el &amp;nombre del paciente</translation>
+    </message>
+    <message>
+        <source>Hides the selected parts.</source>
+        <translation>Oculta las partes elegidas.</translation>
     </message>
     <message>
         <source>Home</source>
@@ -2346,8 +2426,16 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Partes conocidas: %1.</translation>
     </message>
     <message>
+        <source>L&amp;ook of the part</source>
+        <translation>&amp;Aspecto de la parte</translation>
+    </message>
+    <message>
         <source>Label</source>
         <translation>Etiqueta</translation>
+    </message>
+    <message>
+        <source>Label maps (*.nii *.nii.gz *.nrrd *.mha *.mhd *.dcm)</source>
+        <translation>Mapas de etiquetas (*.nii *.nii.gz *.nrrd *.mha *.mhd *.dcm)</translation>
     </message>
     <message>
         <source>Lamp</source>
@@ -2460,6 +2548,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Look (*.json)</source>
         <translation>Aspecto (*.json)</translation>
+    </message>
+    <message>
+        <source>Look: %1</source>
+        <translation>Aspecto: %1</translation>
     </message>
     <message>
         <source>Looks cannot hold an environment image: this one has uniform ambient light.</source>
@@ -2820,6 +2912,10 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Abrir %1</translation>
     </message>
     <message>
+        <source>Open &amp;label map...</source>
+        <translation>Abrir &amp;etiquetas...</translation>
+    </message>
+    <message>
         <source>Open &amp;plan...</source>
         <translation>Abrir &amp;plan...</translation>
     </message>
@@ -2844,6 +2940,14 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Abra una carpeta con una serie de TC.</translation>
     </message>
     <message>
+        <source>Open a folder with a mask of each part</source>
+        <translation>Abrir una carpeta con una máscara por parte</translation>
+    </message>
+    <message>
+        <source>Open a label map</source>
+        <translation>Abrir un mapa de etiquetas</translation>
+    </message>
+    <message>
         <source>Open a plan</source>
         <translation>Abrir un plan</translation>
     </message>
@@ -2854,6 +2958,10 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>Open f&amp;ile...</source>
         <translation>Abrir arch&amp;ivo...</translation>
+    </message>
+    <message>
+        <source>Open label map...</source>
+        <translation>Abrir mapa de etiquetas...</translation>
     </message>
     <message>
         <source>Open the e&amp;xample</source>
@@ -2898,6 +3006,14 @@ Brillo propio: luz que emite el propio tejido</translation>
     <message>
         <source>Opens a folder of DICOM files.</source>
         <translation>Abre una carpeta con archivos DICOM.</translation>
+    </message>
+    <message>
+        <source>Opens a folder with a file of this kind for each part.</source>
+        <translation>Abre una carpeta con un archivo de este tipo por parte.</translation>
+    </message>
+    <message>
+        <source>Opens parts that another program has marked on this scan: NIfTI, NRRD, MetaImage or a DICOM segmentation.</source>
+        <translation>Abre partes que otro programa ha marcado en este estudio: NIfTI, NRRD, MetaImage o una segmentación DICOM.</translation>
     </message>
     <message>
         <source>Opens the manual, which needs no network.</source>
@@ -2960,8 +3076,20 @@ Brillo propio: luz que emite el propio tejido</translation>
         <translation>Paralela</translation>
     </message>
     <message>
+        <source>Part</source>
+        <translation>Parte</translation>
+    </message>
+    <message>
         <source>Part that is shown</source>
         <translation>Parte que se muestra</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Partes</translation>
+    </message>
+    <message>
+        <source>Parts of the scan</source>
+        <translation>Partes del estudio</translation>
     </message>
     <message>
         <source>Patient</source>
@@ -3138,8 +3266,16 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Rehacer</translation>
     </message>
     <message>
+        <source>Redo adding parts</source>
+        <translation>Rehacer la adición de partes</translation>
+    </message>
+    <message>
         <source>Redo changing a measurement</source>
         <translation>Rehacer: cambiar una medición</translation>
+    </message>
+    <message>
+        <source>Redo changing how a part is shown</source>
+        <translation>Rehacer el cambio de aspecto de una parte</translation>
     </message>
     <message>
         <source>Redo changing the background</source>
@@ -3218,6 +3354,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Rehacer: quitar una medición</translation>
     </message>
     <message>
+        <source>Redo removing parts</source>
+        <translation>Rehacer la eliminación de las partes</translation>
+    </message>
+    <message>
         <source>Redo several changes</source>
         <translation>Rehacer: varios cambios</translation>
     </message>
@@ -3256,6 +3396,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Remove</source>
         <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Remove all &amp;parts</source>
+        <translation>Quitar todas las &amp;partes</translation>
     </message>
     <message>
         <source>Remove all c&amp;uts</source>
@@ -3382,12 +3526,20 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Empieza la imagen de nuevo con tantos píxeles como se muestran; el próximo cambio también lo hace.</translation>
     </message>
     <message>
+        <source>Resample</source>
+        <translation>Remuestrear</translation>
+    </message>
+    <message>
         <source>Resample it first.</source>
         <translation>Remuestréelo antes.</translation>
     </message>
     <message>
         <source>Reset the view</source>
         <translation>Restablecer la vista</translation>
+    </message>
+    <message>
+        <source>Rest of the body</source>
+        <translation>Resto del cuerpo</translation>
     </message>
     <message>
         <source>Restart the computer to use the GPU; if it happens again, have the GPU replaced.</source>
@@ -3614,6 +3766,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
         <translation>Mostrar el tejido que hay allí</translation>
     </message>
     <message>
+        <source>Shown</source>
+        <translation>Visible</translation>
+    </message>
+    <message>
         <source>Shows all keys and what they do.</source>
         <translation>Muestra todas las teclas y lo que hacen.</translation>
     </message>
@@ -3656,8 +3812,20 @@ Requiere otra vez tanta memoria como los vóxeles del estudio.</translation>
         <translation>Muestra al paciente desde este lado, llenando la vista.</translation>
     </message>
     <message>
+        <source>Shows the selected parts so thin that one sees through.</source>
+        <translation>Muestra las partes elegidas tan tenues que se ve a través de ellas.</translation>
+    </message>
+    <message>
+        <source>Shows the selected parts.</source>
+        <translation>Muestra las partes elegidas.</translation>
+    </message>
+    <message>
         <source>Shows the version, the licence, and what this program is not for.</source>
         <translation>Dice la versión, la licencia y para qué no sirve este programa.</translation>
+    </message>
+    <message>
+        <source>Shows which voxels are in which part; hidden parts stay grey.</source>
+        <translation>Muestra qué vóxeles están en qué parte; las partes ocultas siguen grises.</translation>
     </message>
     <message>
         <source>Si&amp;ze</source>
@@ -3924,6 +4092,10 @@ Requiere otra vez tanta memoria como los vóxeles del estudio.</translation>
         <translation>El próximo clic en la imagen lleva los cortes a lo que se ve allí.</translation>
     </message>
     <message>
+        <source>The optical model of this look shows no parts.</source>
+        <translation>El modelo óptico de este aspecto no muestra partes.</translation>
+    </message>
+    <message>
         <source>The outermost 5 mm and fat are not shown. The brain lies behind the skull.</source>
         <translation>No se ven los 5 mm exteriores ni la grasa. El cerebro queda detrás del cráneo.</translation>
     </message>
@@ -4022,6 +4194,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Esta imagen muestra piel: compártala como una fotografía del paciente.</translation>
     </message>
     <message>
+        <source>This look shows parts of a label map, and none with them is open.</source>
+        <translation>Este aspecto muestra partes de un mapa de etiquetas, y no hay ninguno abierto que las tenga.</translation>
+    </message>
+    <message>
+        <source>This look shows skin or muscle, which has not been found in this scan yet.</source>
+        <translation>Este aspecto muestra piel o músculo, que aún no se han buscado en este estudio.</translation>
+    </message>
+    <message>
+        <source>This look shows vessels, which have not been found in this scan yet.</source>
+        <translation>Este aspecto muestra vasos, que aún no se han buscado en este estudio.</translation>
+    </message>
+    <message>
         <source>This pixel ±%1</source>
         <translation>Este píxel ±%1</translation>
     </message>
@@ -4040,6 +4224,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>This pixel: not known yet</source>
         <translation>Este píxel: aún desconocido</translation>
+    </message>
+    <message>
+        <source>This plan shows parts of a label map, of which it holds neither the voxels nor the place. Open that label map again, and its parts look as they did.</source>
+        <translation>Este plan muestra partes de un mapa de etiquetas, del que no guarda ni los vóxeles ni el lugar. Abra de nuevo ese mapa de etiquetas y sus partes se verán como antes.</translation>
     </message>
     <message>
         <source>Three-point light</source>
@@ -4142,8 +4330,16 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Deshacer</translation>
     </message>
     <message>
+        <source>Undo adding parts</source>
+        <translation>Deshacer la adición de partes</translation>
+    </message>
+    <message>
         <source>Undo changing a measurement</source>
         <translation>Deshacer: cambiar una medición</translation>
+    </message>
+    <message>
+        <source>Undo changing how a part is shown</source>
+        <translation>Deshacer el cambio de aspecto de una parte</translation>
     </message>
     <message>
         <source>Undo changing the background</source>
@@ -4220,6 +4416,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>Undo removing a measurement</source>
         <translation>Deshacer: quitar una medición</translation>
+    </message>
+    <message>
+        <source>Undo removing parts</source>
+        <translation>Deshacer la eliminación de las partes</translation>
     </message>
     <message>
         <source>Undo several changes</source>
@@ -4326,6 +4526,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Vista desde: %1</translation>
     </message>
     <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
         <source>Voxel size %1 × %2 × %3 mm</source>
         <translation>Tamaño de vóxel %1 × %2 × %3 mm</translation>
     </message>
@@ -4364,6 +4568,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>What is shown</source>
         <translation>Qué se muestra</translation>
+    </message>
+    <message>
+        <source>What is to be known of the parts</source>
+        <translation>Lo que hay que saber de las partes</translation>
     </message>
     <message>
         <source>What is written over the image</source>
@@ -4998,6 +5206,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>pies</translation>
     </message>
     <message>
+        <source>file</source>
+        <translation>archivo</translation>
+    </message>
+    <message>
         <source>fine detail may be missing</source>
         <translation>pueden faltar detalles finos</translation>
     </message>
@@ -5046,6 +5258,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>delante y detrás</translation>
     </message>
     <message>
+        <source>ghost</source>
+        <translation>fantasma</translation>
+    </message>
+    <message>
         <source>goes with a gradient only, not with an image</source>
         <translation>va solo con un degradado, no con una imagen</translation>
     </message>
@@ -5088,6 +5304,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>head and feet</source>
         <translation>cabeza y pies</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>oculta</translation>
     </message>
     <message>
         <source>hidden parts</source>
@@ -6194,6 +6414,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>posición</translation>
     </message>
     <message>
+        <source>program</source>
+        <translation>programa</translation>
+    </message>
+    <message>
         <source>rays less exact than asked for</source>
         <translation>rayos menos exactos de lo pedido</translation>
     </message>
@@ -6312,6 +6536,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>share</source>
         <translation>parte</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>visible</translation>
+    </message>
+    <message>
+        <source>skin</source>
+        <translation>piel</translation>
     </message>
     <message>
         <source>skin and muscle cannot be found, because %1</source>
@@ -7332,6 +7564,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>units</source>
         <translation>unidades</translation>
+    </message>
+    <message>
+        <source>vessels</source>
+        <translation>vasos</translation>
     </message>
     <message>
         <source>vessels are guessed by their density: check them; beside bone (neck, base of the skull) they may be missing, as may veins full of undiluted medium; calcium, and organs full of medium, may be among them</source>

@@ -17,9 +17,9 @@ class WallsTest : public QObject {
     };
 
     /// The rooms of the window's panels: none knows another.
-    inline static const QStringList kPanels{"accuracy",  "camera", "cut",     "keys",  "light",
-                                            "looks",     "manual", "measure", "nodes", "output",
-                                            "rendering", "series", "slices",  "theme", "tissue"};
+    inline static const QStringList kPanels{"accuracy", "camera",  "cut",   "keys",   "light", "looks",
+                                            "manual",   "measure", "nodes", "output", "parts", "rendering",
+                                            "series",   "slices",  "theme", "tissue"};
 
     /// Our own rooms: the longest matching entry counts.
     static QList<Wall> rooms() {

@@ -44,6 +44,16 @@ QString askForScan(QWidget* parent, const QString& start) {
                       translated("Scans in one file (%1)").arg(patterns.join(' ')), start);
 }
 
+QString askForLabels(QWidget* parent) {
+    return askForFile(
+        parent, translated("Open a label map"),
+        translated("Label maps (*.nii *.nii.gz *.nrrd *.mha *.mhd *.dcm)") + ";;" + translated("All files (*)"));
+}
+
+QString askForMasks(QWidget* parent) {
+    return askForFolderOf(parent, translated("Open a folder with a mask of each part"), {});
+}
+
 QString askForCertificates(QWidget* parent, const QString& start) {
     return askForFolderOf(parent, translated("The folder of this machine's certificates"), start);
 }

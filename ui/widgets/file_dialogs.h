@@ -13,6 +13,12 @@ QString askForFolder(QWidget* parent, const QString& start);
 /// Asks for a file that holds a whole scan (kScanEndings), beginning in `start`. Empty: the user cancelled.
 QString askForScan(QWidget* parent, const QString& start);
 
+/// Asks for a label map: a volume file, or a DICOM segmentation. Empty: the user cancelled.
+QString askForLabels(QWidget* parent);
+
+/// Asks for a folder with a mask of each part. Empty: the user cancelled.
+QString askForMasks(QWidget* parent);
+
 /// Asks for a folder with certificates, beginning in `start`. Empty: the user cancelled.
 QString askForCertificates(QWidget* parent, const QString& start);
 

@@ -208,6 +208,20 @@ class PlanCommandTest : public QObject {
         QVERIFY(QImage(at("quiet.png")).text("pdrender/remarks").contains("CT denoised"));
     }
 
+    /// An image without the parts would be another one.
+    void aPlanWithPartsIsNotRendered() {
+        SavedPlan saved = saved_;
+        saved.plan.partSources.vessels = kVesselsRule;
+        saved.plan.image.look.parts.rest = PartState::hidden;
+        save(saved, at("parts.plan.json"));
+        const QStringList listed{at("parts.plan.json"), "--scan", series()};
+        QCOMPARE(runPlan(listed).code, 0);
+        const ProgramRun run = runPlan(listed + QStringList{"--render", "-o", at("parts.png")});
+        QCOMPARE(run.code, 1);
+        QVERIFY2(run.err.contains("which only the window can show"), run.err.constData());
+        QVERIFY(!QFile::exists(at("parts.png")));
+    }
+
     void foreignAndDamagedPlansAreRefused() {
         const QByteArray text = contents(plan());
         const auto said = [&](const QByteArray& content) {

@@ -6,6 +6,7 @@
 #include "app/jobs/slice_job.h"
 #include "render/slice/slice_stack.h"
 #include "tests/support/patience.h"
+#include "tests/support/scenes/part_scenes.h"
 #include "tests/support/scenes/scenes.h"
 
 namespace pdr::app {
@@ -85,6 +86,27 @@ class SliceJobTest : public QObject {
         request.coarse = true;
         job.make(request);
         QVERIFY(!job.isRunning());
+    }
+
+    /// A pixel has the colour of the voxel on which it lies; other parts, and all that is in none, stay grey.
+    void partsHaveTheirColours() {
+        const auto volume = ramp();
+        const auto map = test::labelled(*volume, 2, [](ivec3 at) { return at.x < 10 ? 1 : at.x < 20 ? 2 : 0; });
+        SliceJob::Request request = requestOf(volume, 3);
+        request.window = {0, 4000};
+        request.plane.originMm.x -= 0.3;  // pixels lie between the centres of voxels
+        const QImage grey = SliceJob::madeNow(request);
+        request.tint = {map, {LabelColour{255, 0, 0}, std::nullopt}};
+        const QImage tinted = SliceJob::madeNow(request);
+        QCOMPARE(grey.size(), QSize(40, 30));
+        for (int x = 0; x < 40; ++x) {
+            const double along = request.plane.mmAt({x, 7}).x - volume->geometry().patientFromIndex[3].x;
+            const QColor colour = tinted.pixelColor(x, 7);
+            if (along < 9.4)
+                QVERIFY2(colour.red() > colour.green() + 50, qPrintable(QString::number(x)));
+            else if (along > 9.6)
+                QCOMPARE(colour, grey.pixelColor(x, 7));
+        }
     }
 
     void droppedVolumesAreReleased() {

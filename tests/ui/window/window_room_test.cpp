@@ -43,8 +43,8 @@ class TestWindowRoom : public QObject {
 };
 
 /// The keys of the panels in the side bar.
-static constexpr QKeyCombination kSideBarKeys[] = {Qt::Key_F4, Qt::Key_F5, Qt::Key_F7,          Qt::Key_F8,
-                                                   Qt::Key_F9, Qt::Key_F3, Qt::CTRL | Qt::Key_M};
+static constexpr QKeyCombination kSideBarKeys[] = {Qt::Key_F4, Qt::Key_F5, Qt::Key_F7,           Qt::Key_F8,
+                                                   Qt::Key_F9, Qt::Key_F3, Qt::CTRL | Qt::Key_M, Qt::CTRL | Qt::Key_P};
 
 static void press(MainWindow& window, QKeyCombination key) {
     QTest::keyClick(&window, key.key(), key.keyboardModifiers());

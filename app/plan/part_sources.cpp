@@ -1,0 +1,33 @@
+#include "app/plan/part_sources.h"
+
+#include <span>
+#include <string_view>
+
+#include "app/wire/content_hash.h"
+
+namespace pdr::app {
+
+PartSources withRule(PartSources sources, PartRule rule) {
+    if (rule == PartRule::vessels)
+        sources.vessels = kVesselsRule;
+    else
+        sources.shells = kShellsRule;
+    return sources;
+}
+
+std::string labelsHash(const LabelMap& map) {
+    constexpr std::string_view kKey = "label map";
+    constexpr std::size_t kBytes = 16;
+    wire::ContentHash hash(std::as_bytes(std::span(kKey)));
+    for (const MappedPart& part : map.parts)
+        hash.add(std::as_bytes(std::span(part.name.c_str(), part.name.size() + 1)));
+    hash.add(std::as_bytes(std::span(map.labels)));
+    const wire::Hash whole = hash.finish();
+    constexpr char kDigits[] = "0123456789abcdef";
+    std::string text;
+    for (const std::byte byte : std::span(whole).first(kBytes))
+        text += {kDigits[std::size_t(byte) >> 4], kDigits[std::size_t(byte) & 15]};
+    return text;
+}
+
+}  // namespace pdr::app
