@@ -46,6 +46,7 @@ std::vector<Message> extremes() {
                      .volume = {ones<32>(), {2048, 1024, 1024}, {}},
                      .mask = MaskOrder{ones<32>(), {2048, 1024, 1024}, ivec3(15)},
                      .environment = EnvironmentOrder{ones<32>(), {16384, 8192}},
+                     .labels = LabelsOrder{ones<32>()},
                      .text = letters(16 << 20)};
     order.volume.patientFromIndex.fill(-kHighestReal);
     return {
