@@ -74,8 +74,8 @@ void giveParts(Scene& scene, const Division& division) {
 /// A head of a number of parts, and what it costs.
 struct Head {
     Division division;
-    std::size_t labelBytes;  ///< of voxels and cells
-    std::size_t curveBytes;  ///< of the tables of all curves
+    std::size_t labelBytes;  ///< bytes of the labels of voxels and the curves of cells
+    std::size_t curveBytes;  ///< bytes of the tables of all curves
     LiveImage image;
     std::vector<double> nanoseconds;  ///< time per sample in each round
 };
