@@ -1,6 +1,8 @@
 #pragma once
 /// The cell between eight neighbouring voxel centres, in which trilinear interpolation is a single formula.
 
+#include <initializer_list>
+
 #include "render/base/extremes.h"
 #include "render/kernel/flat_scene.h"
 

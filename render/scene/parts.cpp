@@ -28,7 +28,7 @@ Result<void> checkCurves(const std::vector<PartCurve>& curves) {
         last = curves[i].label;
         if (const Result<void> checked = curves[i].transferFunction.check(); !checked)
             return below(where, checked.error());
-        if (const Result<void> checked =
+        if (Result<void> checked =
                 checkRange(curves[i].gradientFactor.value_or(0), kGradientFactor, where + ".gradientFactor");
             !checked)
             return checked;
@@ -55,7 +55,7 @@ Result<void> checkParts(const Scene& scene) {
         return Error{phrase("the model %1 knows no materials of parts", std::string(modelName(scene.model))), "parts",
                      phrase("Take singleScattering or multipleScattering, or leave the parts out.")};
     if (parts.map && scene.volume)
-        if (const Result<void> checked = checkMap(*parts.map, *scene.volume); !checked)
+        if (Result<void> checked = checkMap(*parts.map, *scene.volume); !checked)
             return checked;
     return checkCurves(parts.curves);
 }

@@ -96,8 +96,8 @@ inline void findPieces(const FlatScene& scene, IntLanes curve, IntLanes mask, co
     piece = {same ? found.index : piece.index, same ? found.start : piece.start, same ? found.end : piece.end};
     for (std::uint32_t left = laneBits(mask & !same); left != 0; left &= left - 1) {
         const int lane = std::countr_zero(left);
-        const OpticsPiece<float> one = pieceAtBegin(scene.optics, scene.parts.curves[curve[lane]],
-                                                    {hu.b0[lane], hu.b1[lane], hu.b2[lane], hu.b3[lane]});
+        const Cubic<float> alone{hu.b0[lane], hu.b1[lane], hu.b2[lane], hu.b3[lane]};
+        const OpticsPiece<float> one = pieceAtBegin(scene.optics, scene.parts.curves[curve[lane]], alone);
         piece.index[lane] = one.index;
         piece.start[lane] = one.start;
         piece.end[lane] = one.end;
