@@ -33,7 +33,7 @@ class ForecastCoverageTest : public QObject {
     }
     void forecastsComeTrue() {
         QFETCH(MakeScene, made);
-        const int asked = qEnvironmentVariableIntValue("PDR_COVERAGE_SEEDS"), seeds = std::max(asked, 10);
+        const int asked = qEnvironmentVariableIntValue("PDR_COVERAGE_SEEDS"), seeds = std::max(asked, 20);
         Scene scene = made();
         scene.film = {28, 22};
         std::vector<bench::Prediction> predictions{{64, 0.6}, {64, 0.35}};
@@ -52,8 +52,9 @@ class ForecastCoverageTest : public QObject {
             QVERIFY(tally.notBefore >= 0.9 * seeds);
             if (tally.atLeast > seeds / 2)
                 continue;
-            // At 95 %, this fails by chance once in 1,000 scenes with 10 seeds. 256 samples are the worst place for a
-            // forecast: there the points dip, for all seeds alike.
+            // At 95 %, this fails by chance once in 1,000 scenes. Ten seeds scatter the median of the small bright lamp,
+            // 1.25 of 60 seeds, up to 1.5. 256 samples are the worst place for a forecast: there the points dip, for all
+            // seeds alike.
             QVERIFY(tally.within >= (asked > 0 ? 0.8 : 0.7) * seeds);
             QVERIFY(median > 0.66 && median < 1.5);
             ratios_.insert(ratios_.end(), tally.ratios.begin(), tally.ratios.end());

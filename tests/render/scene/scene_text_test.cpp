@@ -114,7 +114,7 @@ std::string tableOf(const std::string& name) {
            : is("suits")       ? FieldTable::of<Suits>()
            : is("cut")         ? FieldTable::of<CutHint>()
            : is("panel")       ? FieldTable::of<RigPanel>()
-           : is("parts")       ? FieldTable::of<PartStyles>()
+           : is("styles")      ? FieldTable::of<PartStyles>()
            : is("style")       ? FieldTable::of<PartStyle>()
            : is("rig")         ? FieldTable::of(RigFields{look.look.rig, look.look.environment})
                                : "there is no table of this name\n";
@@ -200,7 +200,7 @@ class SceneTextTest : public QObject {
         QTest::newRow("scene-file-tissue.md") << 8;
         QTest::newRow("scene-file-view.md") << 9;
         QTest::newRow("look-file.md") << 7;
-        QTest::newRow("label-maps.md") << 2;
+        QTest::newRow("scene-file-parts.md") << 2;
     }
     void theManualsTablesAreThoseOfTheFields() {
         QFETCH(int, tables);
