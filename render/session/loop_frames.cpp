@@ -44,18 +44,18 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
     finish(step, std::move(done));
 }
 
-/// Ends a step: prepares for the next edit, takes snapshots, a checkpoint and bias measurements where due. If `done` is
+/// Ends a step: takes snapshots and a checkpoint, prepares for the next edit, and measures the bias, where due. If `done` is
 /// an error, handles that instead.
 void Session::Loop::finish(const RenderCommands::Iteration& step, Result<void> done) {
     if (done && step.stop.stop_requested())
         return;  // its image may have been interrupted
-    if (done && canSnapshot() && !step.detour.stop_requested())
-        done = prepareEdit(step.detour);
     if (done && canSnapshot())
         done = takeSnapshots();
     const bool isLosable = hasSamples() && !isHalfMade() && !coarse() && !place_.info().hostMemory;
     if (done && isLosable && checkpoint_.isDue())
         done = checkpoint_.take(*place_.film());
+    if (done && canSnapshot() && !step.detour.stop_requested())
+        done = prepareEdit(step.detour);
     if (done && canSnapshot() && step.render && bias_.isDue() && !step.detour.stop_requested())
         done = bias_.measure(place_, scene_, scheduler_.samples().least, commands.display(), step.detour);
     if (!done)

@@ -267,6 +267,7 @@ class LookFlightTest : public QObject {
     void densityDecidesHowLightLooks() {
         const auto looks = [](float extinctionPerMm, float opacity, float ofPart) {
             Scene scene = ramp(extinctionPerMm);
+            scene.lights = {SphereLight{}};
             scene.transferFunction.nodes = {{.hu = 30, .opacity = 0}, {.hu = 330, .opacity = opacity}};
             if (ofPart > 0) {
                 scene.parts.map = test::anyParts(*scene.volume, 1, 4);
@@ -280,6 +281,11 @@ class LookFlightTest : public QObject {
         QVERIFY(!looks(4, 1, 0));  // no thin tissue
         QVERIFY(looks(4, 0.01f, 3.9f));
         QVERIFY(!looks(4, 0.01f, 4.3f));
+        Scene parallel = ramp(4);
+        parallel.transferFunction.nodes = {{.hu = 30, .opacity = 0}, {.hu = 330, .opacity = 0.01f}};
+        parallel.lights = {DirectionalLight{}};
+        const auto prepared = Flattener().prepare(parallel);
+        QVERIFY(prepared->flat.looksAtThin && !prepared->flat.lightLooks);
     }
 
     /// The looks of a path's first flight and of its flights to the lights share no number: else what a path meets and
@@ -311,6 +317,7 @@ class LookFlightTest : public QObject {
         QFETCH(Scene, scene);
         scene = thinned(scene);
         scene.transferFunction.extinctionPerMm *= 3;
+        scene.lights = {SphereLight{{20, -60, 40}, 10, vec3(30)}};
         const auto prepared = Flattener().prepare(scene);
         QVERIFY(prepared->flat.looksAtThin && prepared->flat.lightLooks);
         const Film one = test::sampled(prepared, 8, 8, 4096, 1);

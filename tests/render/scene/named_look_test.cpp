@@ -83,12 +83,13 @@ class NamedLookTest : public QObject {
             QCOMPARE(look.look.transferFunction.at(-1000).opacity, 0.0f);
     }
 
-    /// Vessels are drawn so that a rim of 1 mm is like glass and 10 mm are opaque.
+    /// Vessels are drawn so that a rim of 1 mm is like glass and 10 mm are opaque. Looks that show vessels as a part of the
+    /// scan need not tell them from bone.
     void vesselsAreDrawnForTheirBlood() {
         int drawn = 0;
         for (const NamedLook& look : allLooks()) {
             if (!look.suits.contrast.value_or(false) || look.model != Model::singleScattering ||
-                look.group == LookGroup::bones)
+                look.group == LookGroup::bones || !look.look.parts.empty())
                 continue;
             ++drawn;
             for (const float blood : {250.0f, 365.0f, 420.0f, 600.0f}) {
