@@ -1,6 +1,7 @@
 #include "app/cli/part_looks.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/cli/look_option.h"
 #include "app/command_line/option_reader.h"
@@ -23,15 +24,22 @@ std::string namesOf(const LabelMap& map) {
     return names;
 }
 
-/// Returns the curves of the labels whose part has a look, in the order of the labels.
-std::vector<PartCurve> curvesOf(const LabelMap& map, const std::vector<PartLook>& looks) {
-    std::vector<PartCurve> curves;
+/// Puts the curve of a label in place of the one that it has, in the order of the labels.
+void setCurve(std::vector<PartCurve>& curves, PartCurve curve) {
+    const auto at = std::ranges::lower_bound(curves, curve.label, {}, &PartCurve::label);
+    if (at != curves.end() && at->label == curve.label)
+        *at = std::move(curve);
+    else
+        curves.insert(at, std::move(curve));
+}
+
+/// Sets the curves of the labels whose part has a look.
+void setCurves(std::vector<PartCurve>& curves, const LabelMap& map, const std::vector<PartLook>& looks) {
     for (std::size_t n = 0; n < map.parts.size(); ++n) {
         const auto look = std::ranges::find(looks, map.parts[n].name, &PartLook::part);
         if (look != looks.end())
-            curves.push_back({std::uint8_t(n + 1), look->look.look.transferFunction, look->look.look.gradientFactor});
+            setCurve(curves, {std::uint8_t(n + 1), look->look.look.transferFunction, look->look.look.gradientFactor});
     }
-    return curves;
 }
 
 }  // namespace
@@ -50,24 +58,24 @@ PartLooks readPartLooks(const QCommandLineParser& parser) {
     PartLooks wanted{readPartsSource(parser), {}};
     for (const QString& part : parser.values("part"))
         wanted.looks.push_back(readPart(part));
-    if (wanted.looks.empty() == wanted.source.isGiven())
-        usageError("--part", "gives parts a look, and --labels or --find says where they come from",
-                   "Give both, or neither.");
+    if (!wanted.looks.empty() && !wanted.source.isGiven())
+        usageError("--part", "needs to know where the parts come from", "Add --labels FILE or --find vessels.");
     return wanted;
 }
 
-Result<Parts> partsWithLooks(const PartLooks& wanted, const Volume& scan, const dicom::Series* series,
-                             const Progress& progress) {
-    Result<LabelMap> map = partsFrom(wanted.source, scan, series, progress);
-    if (!map)
-        return map.error();
+Result<Scene> withPartLooks(Scene scene, const PartLooks& wanted, const PartStyles& styles, const dicom::Series* series,
+                            const Progress& progress) {
+    Result<LabelMap> found = partsFrom(wanted.source, *scene.volume, series, progress);
+    if (!found)
+        return found.error();
     for (const PartLook& look : wanted.looks)
-        if (std::ranges::find(map->parts, look.part, &MappedPart::name) == map->parts.end())
-            return Error{"no part has the name \"" + look.part + "\"", "--part", "There are: " + namesOf(*map) + "."};
-    Parts parts;
-    parts.curves = curvesOf(*map, wanted.looks);
-    parts.map = std::make_shared<const LabelMap>(*std::move(map));
-    return parts;
+        if (std::ranges::find(found->parts, look.part, &MappedPart::name) == found->parts.end())
+            return Error{"no part has the name \"" + look.part + "\"", "--part", "There are: " + namesOf(*found) + "."};
+    const auto map = std::make_shared<const LabelMap>(*std::move(found));
+    scene = withParts(std::move(scene), map, styles);
+    setCurves(scene.parts.curves, *map, wanted.looks);
+    scene.parts.map = map;
+    return scene;
 }
 
 Result<Parts> partsOfFile(const PartsSource& source, std::vector<PartCurve> curves, const Volume& scan,

@@ -11,7 +11,9 @@
 #include "render/base/progress.h"
 #include "render/base/result.h"
 #include "render/scene/named_look.h"
+#include "render/scene/part_styles.h"
 #include "render/scene/parts.h"
+#include "render/scene/scene.h"
 
 namespace pdr::app {
 
@@ -23,7 +25,7 @@ struct PartLook {
 
 struct PartLooks {
     PartsSource source;
-    std::vector<PartLook> looks;  ///< empty: all parts have the common look
+    std::vector<PartLook> looks;  ///< empty: parts are shown as the look of the scene says
 };
 
 void describePartLooks(QCommandLineParser& parser);
@@ -31,11 +33,11 @@ void describePartLooks(QCommandLineParser& parser);
 /// Reads the options. Throws an Error that names the first wrong one.
 PartLooks readPartLooks(const QCommandLineParser& parser);
 
-/// Reads or finds the parts of a scan, and gives those that are named the curve of their look; parts of one name get
-/// the same. `series`: what the scan was read from, or null. Errors: those of reading or finding parts; a name that no
-/// part has.
-Result<Parts> partsWithLooks(const PartLooks& wanted, const Volume& scan, const dicom::Series* series,
-                             const Progress& progress);
+/// Reads or finds the parts of the scan of `scene`, and returns the scene in which they are shown as `styles`, those of
+/// its look, say, but those that are named have the curve of their look; parts of one name get the same. `series`: what
+/// the scan was read from, or null. Errors: those of reading or finding parts; a name that no part has.
+Result<Scene> withPartLooks(Scene scene, const PartLooks& wanted, const PartStyles& styles, const dicom::Series* series,
+                            const Progress& progress);
 /// Reads or finds the parts that have `curves` in a scene file. Errors: those of reading or finding parts; a label that
 /// no part has.
 Result<Parts> partsOfFile(const PartsSource& source, std::vector<PartCurve> curves, const Volume& scan,

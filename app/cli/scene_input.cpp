@@ -94,8 +94,9 @@ Result<void> dress(LoadedScene& work, const SceneInput& input, const std::option
 
 /// Marks the look's name as changed if the scene differs from the look: an image must not bear the name of a look that
 /// it does not show.
-void nameLook(Scene& scene, const NamedLook& look) {
-    if (scene.model != look.model || scene.visible != look.look.visible || scene.parts.map)
+void nameLook(Scene& scene, const NamedLook& look, const std::vector<PartLook>& looks) {
+    const bool otherParts = !looks.empty() || (scene.parts.map && look.look.parts.empty());
+    if (scene.model != look.model || scene.visible != look.look.visible || otherParts)
         scene.lookName += kChangedLook;
 }
 
@@ -121,17 +122,28 @@ Result<void> hide(LoadedScene& work, const SceneInput& input, const segment::Bod
     return {};
 }
 
-/// Gives parts of the patient the curves of their looks, or the materials that the scene file names.
-Result<void> giveParts(LoadedScene& work, const PartLooks& looks, const PartsSource& ofFile, const Progress& progress) {
-    if (looks.looks.empty() && !ofFile.isGiven())
-        return {};
+/// Shows parts of the patient as the look and the options say, or with the materials that the scene file names.
+Result<void> giveParts(LoadedScene& work, const PartLooks& looks, const std::optional<NamedLook>& look,
+                       const PartsSource& ofFile, const Progress& progress) {
     Scene& scene = work.scene;
-    auto parts = looks.looks.empty()
-                     ? partsOfFile(ofFile, scene.parts.curves, *scene.volume, work.series.get(), progress)
-                     : partsWithLooks(looks, *scene.volume, work.series.get(), progress);
-    if (!parts)
-        return parts.error();
-    scene.parts = *std::move(parts);
+    const PartStyles styles = look ? look->look.parts : PartStyles();
+    if (looks.source.isGiven()) {
+        auto shown = withPartLooks(scene, looks, styles, work.series.get(), progress);
+        if (!shown)
+            return shown.error();
+        scene = *std::move(shown);
+        if (looks.looks.empty() && scene.parts.curves.empty())
+            work.notes.push_back("the parts look as all tissue does: give them a look with --part.");
+    } else if (ofFile.isGiven()) {
+        auto parts = partsOfFile(ofFile, scene.parts.curves, *scene.volume, work.series.get(), progress);
+        if (!parts)
+            return parts.error();
+        scene.parts = *std::move(parts);
+    } else {
+        if (!styles.empty())
+            work.notes.push_back("The look shows parts of the scan, such as vessels: --find or --labels gives them.");
+        return {};
+    }
     for (const Text& note : scene.parts.map->notes)
         work.notes.push_back(note);
     return scene.check();
@@ -201,13 +213,13 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
     const segment::BodyParts parts(work.scene.volume);
     if (auto ok = hide(work, input, parts, partOf(progress, 0.9, 0.95)); !ok)
         return ok.error();
-    if (auto ok = giveParts(work, input.partLooks, file->parts, partOf(progress, 0.95, 0.97)); !ok)
+    if (auto ok = giveParts(work, input.partLooks, *look, file->parts, partOf(progress, 0.95, 0.97)); !ok)
         return ok.error();
     work.scene.ctDenoised = work.scene.ctDenoised || input.ctDenoised;
     if (auto ok = denoiseCt(work, partOf(progress, 0.97, 1)); !ok)
         return input.ctDenoised ? ok.error().in("--ct-denoised") : ok.error();
     if (*look)
-        nameLook(work.scene, **look);
+        nameLook(work.scene, **look, input.partLooks.looks);
     if (input.autoExposure && followsTissue(work.scene.model))
         if (auto ok = expose(work, parts, body); !ok)
             return ok.error();

@@ -44,8 +44,8 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
     finish(step, std::move(done));
 }
 
-/// Ends a step: takes snapshots and a checkpoint, prepares for the next edit, and measures the bias, where due. If `done` is
-/// an error, handles that instead.
+/// Ends a step: takes snapshots and a checkpoint, prepares for the next edit, and measures the bias, where due. If
+/// `done` is an error, handles that instead.
 void Session::Loop::finish(const RenderCommands::Iteration& step, Result<void> done) {
     if (done && step.stop.stop_requested())
         return;  // its image may have been interrupted

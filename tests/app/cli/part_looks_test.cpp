@@ -109,6 +109,42 @@ class PartLooksTest : public QObject {
         QVERIFY2(plain > 30 && glowing < plain / 2, qPrintable(QString("%1 %2").arg(plain).arg(glowing)));
     }
 
+    /// A look that shows parts does so here as in the window: the same image as of --part, and --part goes first.
+    void aLookShowsParts() {
+        const auto curve = [](const char* albedo) {
+            return QByteArray(R"({ "extinctionPerMm": 0.5, "nodes": [ { "hu": 0, "opacity": 0 },
+                { "hu": 500, "opacity": 1, "albedo": )") +
+                   albedo + " } ] }";
+        };
+        const auto look = [&](const char* name, const QByteArray& fields) {
+            BallScene::write(ball_.at(name),
+                             R"({ "format": "pdrender-look", "version": 1, "name": "A look", "lights": {},
+                )" + fields + " }");
+            return ball_.at(name);
+        };
+        const QByteArray plain = "\"transferFunction\": " + curve("[0.9, 0.8, 0.7]");
+        const QByteArray red = "\"transferFunction\": " + curve("[0.9, 0.1, 0.1]");
+        const QString common = look("common.json", plain), reddened = look("red.json", red);
+        const QString styled =
+            look("styled.json", plain + R"(, "parts": { "styles": [ { "part": "upper", )" + red + " } ] }");
+        QByteArray said;
+        const auto image = [&](const QString& name, const QStringList& options) {
+            const ProgramRun made = render(name, options);
+            said = made.err;
+            return made.code == 0 ? QImage(ball_.at(name)) : QImage();
+        };
+        const QImage byLook = image("look.png", {"--look", styled, "--labels", labels_});
+        const QImage byPart =
+            image("by_part.png", {"--look", common, "--labels", labels_, "--part", "upper=" + reddened});
+        QVERIFY(!byLook.isNull() && byLook == byPart);
+        const QImage without = image("without.png", {"--look", styled});
+        QVERIFY2(said.contains("The look shows parts of the scan"), said.constData());
+        QVERIFY(without != byLook && without == image("common.png", {"--look", common}));
+        QVERIFY(without == image("first.png", {"--look", styled, "--labels", labels_, "--part", "upper=" + common}));
+        QVERIFY(without == image("alike.png", {"--look", common, "--labels", labels_}));
+        QVERIFY2(said.contains("look as all tissue does"), said.constData());
+    }
+
     void whatCannotBeIsExplained() {
         const ProgramRun unknown = render("a.png", {"--labels", labels_, "--part", "lower=Muscles"});
         QCOMPARE(unknown.code, 1);
@@ -120,7 +156,7 @@ class PartLooksTest : public QObject {
         QVERIFY2(sums.err.contains("knows no materials of parts"), sums.err.constData());
         const ProgramRun sourceless = render("a.png", {"--part", "upper=Muscles"});
         QCOMPARE(sourceless.code, 2);
-        QVERIFY2(sourceless.err.contains("--labels or --find says where they come from"), sourceless.err.constData());
+        QVERIFY2(sourceless.err.contains("needs to know where the parts come from"), sourceless.err.constData());
         QCOMPARE(render("a.png", {"--labels", labels_, "--part", "upper=Nothing"}).code, 2);
         QVERIFY(!QFile::exists(ball_.at("a.png")));
     }
