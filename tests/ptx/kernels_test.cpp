@@ -134,6 +134,25 @@ class KernelsTest : public QObject {
             }
     }
 
+    /// Where no light is parallel and no tissue dense, light flies by looks alone.
+    void lightByLooksGivesTheCpusBits() {
+        for (const bool parted : {false, true})
+            for (const bool masked : {false, true}) {
+                Scene scene = sceneOf(kSurface);
+                scene.lights = {SphereLight{{0, -200, 50}, 20, vec3(30)}};
+                scene.transferFunction.extinctionPerMm = 0.3f;
+                if (parted) {
+                    scene.parts.map = test::anyParts(*scene.volume, 3, 1);
+                    test::giveCurves(scene, 1);
+                    for (PartCurve& part : scene.parts.curves)
+                        part.transferFunction.extinctionPerMm = 0.3f;
+                }
+                if (masked)
+                    scene.mask = test::anyMask(*scene.volume, 1);
+                QVERIFY2(agree(scene), qPrintable(QString("parted %1, masked %2").arg(parted).arg(masked)));
+            }
+    }
+
     /// The emulated device rounds fractions of textures as this room does.
     void fastFilteringReadsTextures() {
         Scene scene = sceneOf(kSurface);
