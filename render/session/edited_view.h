@@ -64,7 +64,7 @@ class EditedView {
         coarse_.emplace_back(edited_->shareOld(), size, std::move(before));
     }
 
-    // The same of the current scene, which the next edit makes the old one:
+    // A coarse film of the current scene, for the edit to come:
     /// Returns whether there is none yet, and its image has been judged with enough samples.
     bool awaitsNext() const;
     void keepNext(ivec2 size, FirstSamples first) { next_ = {size, std::move(first)}; }
