@@ -8,7 +8,7 @@
 #include "app/bench/median.h"
 #include "app/bench/options.h"
 #include "app/bench/paper/head_scene.h"
-#include "render/base/processor_time.h"
+#include "app/bench/turns.h"
 #include "render/prepare/flatten.h"
 
 namespace pdr::bench {
@@ -101,14 +101,6 @@ Result<Head> startHead(int edge, const Division& division) {
     return Head{division, labels, curveBytes(tables), *std::move(image), {}};
 }
 
-Result<void> takeSamples(Head& head, int samples) {
-    const double start = processorSeconds();
-    if (const auto taken = head.image.live->accumulate(std::uint32_t(samples), {}); !taken)
-        return taken.error();
-    head.nanoseconds.push_back(1e9 * (processorSeconds() - start) / (double(samples) * kFilm.x * kFilm.y));
-    return {};
-}
-
 /// Returns the median of a head's time over that of the head without parts, which took its turn just before or after.
 double timesNone(const Head& head, const Head& none) {
     std::vector<double> times;
@@ -157,10 +149,8 @@ int parts(const Arguments& arguments) {
             return fail(head.error());
         heads.push_back(*std::move(head));
     }
-    for (int round = 0; round < *rounds; ++round)
-        for (Head& head : heads)
-            if (const auto taken = takeSamples(head, *samples); !taken)
-                return fail(taken.error());
+    if (const auto taken = takeTurns(heads, kFilm, *samples, *rounds); !taken)
+        return fail(taken.error());
     options->named.contains("--json") ? printJson(heads) : printText(heads);
     return 0;
 }

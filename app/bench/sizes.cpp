@@ -7,7 +7,7 @@
 #include "app/bench/median.h"
 #include "app/bench/options.h"
 #include "app/bench/paper/head_scene.h"
-#include "render/base/processor_time.h"
+#include "app/bench/turns.h"
 
 namespace pdr::bench {
 
@@ -34,14 +34,6 @@ Result<Head> startHead(int edge) {
     return Head{edge, *std::move(image), {}};
 }
 
-Result<void> takeSamples(Head& head, int samples) {
-    const double start = processorSeconds();
-    if (const auto taken = head.image.live->accumulate(std::uint32_t(samples), {}); !taken)
-        return taken.error();
-    head.nanoseconds.push_back(1e9 * (processorSeconds() - start) / (double(samples) * kFilm.x * kFilm.y));
-    return {};
-}
-
 }  // namespace
 
 int sizes(const Arguments& arguments) {
@@ -61,10 +53,8 @@ int sizes(const Arguments& arguments) {
             return fail(head.error());
         heads.push_back(*std::move(head));
     }
-    for (int round = 0; round < *rounds; ++round)
-        for (Head& head : heads)
-            if (const auto taken = takeSamples(head, *samples); !taken)
-                return fail(taken.error());
+    if (const auto taken = takeTurns(heads, kFilm, *samples, *rounds); !taken)
+        return fail(taken.error());
     for (const Head& head : heads)
         std::printf("{\"voxelsPerEdge\": %d, \"nsPerSample\": %.1f, \"timesTheSmallest\": %.2f}\n", head.edge,
                     median(head.nanoseconds), median(head.nanoseconds) / median(heads.front().nanoseconds));
