@@ -1,6 +1,7 @@
 #include "render/prepare/flatten.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -163,16 +164,25 @@ std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
     return prepared;
 }
 
-void Flattener::bound(PreparedScene& prepared) const {
-    const bool highest = prepared.flat.optics.model == FlatModel::maximumIntensity;
-    const bool sameVolume = last_ && last_->ranges && last_->volume == prepared.volume;
+/// Computes the majorants, in memory that no scene needs any more if there is some.
+std::shared_ptr<const Majorants> Flattener::majorantsOf(const PreparedScene& prepared) {
     const ivec3 size = prepared.volume->size();
+    if (prepared.flat.optics.model == FlatModel::maximumIntensity)
+        return std::make_shared<const Majorants>(highestHu(*prepared.ranges, size, prepared.flat.mask));
+    std::swap(newest_, spare_);
+    if (!newest_ || newest_.use_count() > 1)
+        newest_ = std::make_shared<Majorants>();
+    std::atomic_thread_fence(std::memory_order_acquire);  // another thread may have let go of it
+    newest_->compute(*prepared.ranges, prepared.tables, size, prepared.flat.mask, prepared.flat.parts);
+    return newest_;
+}
+
+void Flattener::bound(PreparedScene& prepared) {
+    const bool sameVolume = last_ && last_->ranges && last_->volume == prepared.volume;
+    if (!sameVolume)
+        newest_ = spare_ = nullptr;
     prepared.ranges = sameVolume ? last_->ranges : std::make_shared<const CellRanges>(*prepared.volume);
-    prepared.majorants = sameVolume && sameMajorants(*last_, prepared) ? last_->majorants
-                         : highest
-                             ? std::make_shared<const Majorants>(highestHu(*prepared.ranges, size, prepared.flat.mask))
-                             : std::make_shared<const Majorants>(*prepared.ranges, prepared.tables, size,
-                                                                 prepared.flat.mask, prepared.flat.parts);
+    prepared.majorants = sameVolume && sameMajorants(*last_, prepared) ? last_->majorants : majorantsOf(prepared);
     flattenMajorants(prepared);
     prepared.viewDepths = viewDepths(prepared.flat);
     prepared.flat.viewBounds = {prepared.viewDepths.data(), viewBlocks(prepared.flat.camera.film).x};

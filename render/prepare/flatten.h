@@ -21,9 +21,13 @@ class Flattener {
 
   private:
     std::shared_ptr<PreparedScene> flattened(const Scene& scene) const;
-    void bound(PreparedScene& prepared) const;
+    void bound(PreparedScene& prepared);
+    std::shared_ptr<const Majorants> majorantsOf(const PreparedScene& prepared);
 
     std::shared_ptr<const PreparedScene> last_;
+    /// Majorants computed last, and those before, whose memory the next ones take once no scene needs them: to clear
+    /// new memory takes longer than to compute them.
+    std::shared_ptr<Majorants> newest_, spare_;
 };
 
 }  // namespace pdr

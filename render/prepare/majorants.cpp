@@ -43,14 +43,36 @@ std::vector<CurveBound> curveBounds(const FlatTransferFunction& common, const Fl
     return bounds;
 }
 
+/// Bounds the fine cells of a slab, bound(range, cell), and the coarse ones, which are 0. Returns the box of all above
+/// 0.
+template <class Bound>
+Box boundSlab(Majorants& majorants, const CellRanges& ranges, int slab, const Bound& bound) {
+    const ivec3 size = ranges.fineSize(), coarseSize = ranges.coarseSize();
+    Box box;
+    for (int k = slab * kFinePerCoarse; k < (slab + 1) * kFinePerCoarse; ++k)
+        for (int j = 0; j < size.y; ++j) {
+            const std::size_t row = (std::size_t(k) * size.y + j) * size.x;
+            float* above = &majorants.coarse[(std::size_t(slab) * coarseSize.y + j / kFinePerCoarse) * coarseSize.x];
+            for (int i = 0; i < size.x; ++i) {
+                const float here = bound(ranges.cells()[row + i], ivec3(i, j, k));
+                majorants.fine[row + i] = here;
+                if (!(here > 0))
+                    continue;
+                above[i / kFinePerCoarse] = std::max(above[i / kFinePerCoarse], here);
+                box.include({i, j, k});
+            }
+        }
+    return box;
+}
+
 }  // namespace
 
-Majorants::Majorants(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize, const FlatMask& mask,
-                     const FlatParts& parts)
-    : fine(ranges.cells().size()),
-      coarse(std::size_t(ranges.coarseSize().x) * ranges.coarseSize().y * ranges.coarseSize().z, 0.0f) {
-    const std::vector<CurveBound> curves = curveBounds(tables.flat(), parts, ranges.whole());
+void Majorants::compute(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize, const FlatMask& mask,
+                        const FlatParts& parts) {
     const ivec3 size = ranges.fineSize(), coarseSize = ranges.coarseSize();
+    fine.resize(ranges.cells().size());
+    coarse.assign(std::size_t(coarseSize.x) * coarseSize.y * coarseSize.z, 0.0f);
+    const std::vector<CurveBound> curves = curveBounds(tables.flat(), parts, ranges.whole());
     const auto tissueBound = [&](HuRange range, ivec3 cell) {
         if (parts.labels == nullptr)
             return curves[0].over(range);
@@ -65,21 +87,7 @@ Majorants::Majorants(const CellRanges& ranges, const TransferTables& tables, ive
     };
     // Bound the fine and coarse cells, slab by slab in parallel.
     std::vector<Box> boxes(coarseSize.z);
-    tbb::parallel_for(0, coarseSize.z, [&](int slab) {
-        for (int k = slab * kFinePerCoarse; k < (slab + 1) * kFinePerCoarse; ++k)
-            for (int j = 0; j < size.y; ++j)
-                for (int i = 0; i < size.x; ++i) {
-                    const std::size_t at = (std::size_t(k) * size.y + j) * size.x + i;
-                    const float bound = boundIn(ranges.cells()[at], {i, j, k});
-                    fine[at] = bound;
-                    if (!(bound > 0))
-                        continue;
-                    const std::size_t above =
-                        (std::size_t(slab) * coarseSize.y + j / kFinePerCoarse) * coarseSize.x + i / kFinePerCoarse;
-                    coarse[above] = std::max(coarse[above], bound);
-                    boxes[slab].include({i, j, k});
-                }
-    });
+    tbb::parallel_for(0, coarseSize.z, [&](int slab) { boxes[slab] = boundSlab(*this, ranges, slab, boundIn); });
     // Unite the boxes of the slabs and clip them to the volume.
     Box all;
     for (const Box& box : boxes) {

@@ -14,9 +14,13 @@ struct Majorants {
     vec3 occupiedLow{0}, occupiedHigh{0};
 
     Majorants() = default;
-    /// `parts`: the curves of the scene, where it has parts.
     Majorants(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize, const FlatMask& mask = {},
-              const FlatParts& parts = {});
+              const FlatParts& parts = {}) {
+        compute(ranges, tables, volumeSize, mask, parts);
+    }
+    /// Computes them anew, in the memory of those before. `parts`: the curves of the scene, where it has parts.
+    void compute(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize, const FlatMask& mask,
+                 const FlatParts& parts);
 };
 
 }  // namespace pdr

@@ -1,39 +1,31 @@
 #include "render/prepare/opacity_maximum.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace pdr {
 
 OpacityMaximum::OpacityMaximum(const FlatTransferFunction& function, HuRange domain) : first_(domain.lowest) {
     const int bins = std::max(int(domain.highest) - domain.lowest, 0);
+    stride_ = std::size_t(bins);
     points_.resize(bins + 1);
-    std::vector<float> bin(bins);
+    maxima_.resize(bins);
     const auto whole = [this](int i) { return std::int16_t(first_ + i); };
     for (int i = 0; i <= bins; ++i)
         points_[i] = highestOpacity(function, {whole(i), whole(i)});
     for (int i = 0; i < bins; ++i)
-        bin[i] = highestOpacity(function, {whole(i), whole(i + 1)});
-    levels_.push_back(std::move(bin));
+        maxima_[i] = highestOpacity(function, {whole(i), whole(i + 1)});
     for (int width = 1; 2 * width <= bins; width *= 2) {
-        const std::vector<float>& below = levels_.back();
-        std::vector<float> level(bins - 2 * width + 1);
-        for (std::size_t i = 0; i < level.size(); ++i)
-            level[i] = std::max(below[i], below[i + width]);
-        levels_.push_back(std::move(level));
+        const std::size_t below = maxima_.size() - stride_;
+        maxima_.resize(maxima_.size() + stride_);
+        for (int i = 0; i <= bins - 2 * width; ++i)
+            maxima_[below + stride_ + i] = std::max(maxima_[below + i], maxima_[below + i + width]);
     }
-}
-
-float OpacityMaximum::over(HuRange range) const {
-    if (range.lowest > range.highest)
-        return 0;
-    const unsigned from = unsigned(int(range.lowest) - first_);
-    const unsigned bins = unsigned(int(range.highest) - range.lowest);
-    if (bins == 0)
-        return points_[from];
-    const int level = std::bit_width(bins) - 1;
-    const std::vector<float>& maxima = levels_[level];
-    return std::max(maxima[from], maxima[from + bins - (1u << level)]);
+    for (int i = 0; i <= bins; ++i)
+        if (points_[i] > 0)
+            seen_.include({whole(i), whole(i)});
+    for (int i = 0; i < bins; ++i)
+        if (maxima_[i] > 0)
+            seen_.include({whole(i), whole(i + 1)});
 }
 
 }  // namespace pdr

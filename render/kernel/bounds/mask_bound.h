@@ -23,6 +23,8 @@ PDR_HD inline int highestWeight(const FlatMask& mask, ivec3 volume, ivec3 cell) 
             const std::int16_t* row = mask.voxels + k * mask.stepZ + j * mask.stepY;
             for (int i = first.x; i <= last.x; ++i)
                 highest = glm::max(highest, int(row[i]));
+            if (highest == kSeen)  // so it is in most cells, after the first row
+                return kSeen;
         }
     return highest;
 }

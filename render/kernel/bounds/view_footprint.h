@@ -12,6 +12,7 @@ inline constexpr float kDepthRoom = 1e-4f;  ///< relative margin; projection and
 /// An affine map from index space to (x, y, depth): film position before the perspective division, and depth in mm.
 struct ViewProjection {
     dvec3 origin, perI, perJ, perK;
+    dvec3 halfCell;  ///< from the middle of a fine cell to the sides of a box around it
     bool perspective;
     double focus;  ///< depth of the plane in focus [mm]; 0: a pinhole
     dvec2 lens;    ///< radius of the lens in image widths and heights, at depth 1 or (orthographic) at any depth
@@ -32,6 +33,7 @@ struct ViewProjection {
         perJ = project(local[1]);
         perK = project(local[2]);
         origin = project(local * -camera.eye);
+        halfCell = double(kFineCell) / 2 * (glm::abs(perI) + glm::abs(perJ) + glm::abs(perK));
     }
 
     PDR_HD dvec3 operator()(dvec3 p) const { return origin + perI * p.x + perJ * p.y + perK * p.z; }
@@ -46,18 +48,9 @@ struct ViewProjection {
 
 /// Pixels and depths that a cell covers.
 struct Footprint {
-    dvec2 low{1e30}, high{-1e30};
-    dvec2 spread{0};
-    double nearest = 1e30, farthest = -1e30;
-
-    PDR_HD void include(dvec3 projected, const ViewProjection& projection) {
-        const dvec2 place = dvec2(projected) / (projection.perspective ? projected.z : 1.0);
-        low = glm::min(low, place);
-        high = glm::max(high, place);
-        spread = glm::max(spread, projection.spread(projected.z));
-        nearest = std::min(nearest, projected.z);
-        farthest = std::max(farthest, projected.z);
-    }
+    dvec2 low, high;
+    dvec2 spread;
+    double nearest, farthest;
 };
 
 /// The blocks of kViewBlock x kViewBlock pixels that a footprint covers, and its depth range.
@@ -95,21 +88,21 @@ PDR_HD inline bool cutAway(const FlatClip& clip, ivec3 cell) {
     return false;
 }
 
-/// Returns the footprint of a fine cell. `behind` becomes true if the cell reaches behind the eye and may cover any
-/// pixel.
+/// Returns the footprint of a fine cell, that of a box around its projection. `behind` becomes true if the cell reaches
+/// behind the eye and may cover any pixel.
 PDR_HD inline Footprint footprintOf(const ViewProjection& projection, ivec3 cell, bool& behind) {
-    const dvec3 corner = projection(dvec3(cell - 1) * double(kFineCell));
-    Footprint footprint;
-    behind = false;
-    for (int n = 0; n < 8; ++n) {
-        const dvec3 projected =
-            corner + double(kFineCell) * (projection.perI * double(n & 1) + projection.perJ * double((n >> 1) & 1) +
-                                          projection.perK * double(n >> 2));
-        behind = behind || (projection.perspective && !(projected.z > 1e-3));
-        if (!behind)
-            footprint.include(projected, projection);
-    }
-    return footprint;
+    const dvec3 middle = projection((dvec3(cell) - 0.5) * double(kFineCell));
+    const dvec3 low = middle - projection.halfCell, high = middle + projection.halfCell;
+    behind = projection.perspective && !(low.z > 1e-3);
+    const dvec2 spread = glm::max(projection.spread(low.z), projection.spread(high.z));
+    if (!projection.perspective || behind)
+        return {dvec2(low), dvec2(high), spread, low.z, high.z};
+    const double nearest = 1 / low.z, farthest = 1 / high.z;  // a division takes as long as all the rest
+    return {{low.x * (low.x < 0 ? nearest : farthest), low.y * (low.y < 0 ? nearest : farthest)},
+            {high.x * (high.x > 0 ? nearest : farthest), high.y * (high.y > 0 ? nearest : farthest)},
+            spread,
+            low.z,
+            high.z};
 }
 
 }  // namespace pdr

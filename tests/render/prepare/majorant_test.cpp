@@ -169,6 +169,28 @@ class MajorantTest : public QObject {
         qInfo("%d edits, %d points each: %ld violations in %ld edits", kEdits, points, found.load(), wrongEdits.load());
         QCOMPARE(found.load(), 0L);
     }
+
+    /// The memory of majorants is used again, but not while a scene needs them; and nothing of what it held stays.
+    void majorantsAreThoseOfTheirOwnScene() {
+        Scene scene = test::plainScene(volume(), 1);
+        scene.film = {1, 1};
+        Flattener flattener;
+        std::vector<std::shared_ptr<const PreparedScene>> held;
+        for (unsigned number = 0; number < 12; ++number) {
+            scene.transferFunction = edit(number);
+            auto prepared = flattener.prepare(scene);
+            const auto alone = Flattener().prepare(scene);
+            QVERIFY(prepared->majorants->fine == alone->majorants->fine);
+            QVERIFY(prepared->majorants->coarse == alone->majorants->coarse);
+            QCOMPARE(prepared->majorants->occupiedLow, alone->majorants->occupiedLow);
+            if (number % 4 == 0)
+                held.push_back(std::move(prepared));
+        }
+        for (unsigned i = 0; i < held.size(); ++i) {
+            scene.transferFunction = edit(4 * i);
+            QVERIFY(held[i]->majorants->fine == Flattener().prepare(scene)->majorants->fine);
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(MajorantTest)

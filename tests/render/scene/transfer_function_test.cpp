@@ -98,6 +98,18 @@ class TransferFunctionTest : public QObject {
         }
     }
 
+    void maximumKnowsWhereTheCurveBeginsAndEnds() {
+        const TransferFunction function{
+            1, {{.hu = 150, .opacity = 0}, {.hu = 160, .opacity = 1}, {.hu = 170, .opacity = 0}}};
+        const TransferTables tables(function);
+        const OpacityMaximum maximum(tables.flat(), {100, 200});
+        for (int low = 100; low <= 200; ++low)
+            for (int high = low; high <= 200; ++high) {
+                const HuRange range{std::int16_t(low), std::int16_t(high)};
+                QCOMPARE(maximum.over(range), highestOpacity(tables.flat(), range));
+            }
+    }
+
     void maximumOfOneValueIsThatValue() {
         const TransferFunction function{1, {{.hu = 150, .opacity = 0}, {.hu = 1500, .opacity = 1}}};
         const TransferTables tables(function);
