@@ -85,6 +85,13 @@ inline std::shared_ptr<const KeptImage> keptImageOf(SampledScene& scene, std::ui
 
 class EditTrial {
   public:
+    /// An image of run() for a sheet, and what is printed of it.
+    struct Kept {
+        QString name;
+        QImage image;
+        QJsonObject row;
+    };
+
     /// `truth`: the image of the new scene from many other samples, of which `tissue` tells the tissue's pixels.
     EditTrial(QImage truth, std::shared_ptr<const Film> tissue, Display display)
         : truth_(std::move(truth)), tissue_(std::move(tissue)), display_(display) {}
@@ -99,14 +106,17 @@ class EditTrial {
         then.live.reset();
         for (const int divider : {3, 4, 6, 8})
             runCoarse(before, after, kept, divider, threads);
-        add("old image", samples, old_);
+        kept_ = {{"the image before", old_, add("old image", samples, old_)}};
         SampledScene now{*startFilm(*device, after), {}};
         EditedImage edited(kept);
         for (const std::uint64_t mark : FirstSamples::kMarks) {
             const std::shared_ptr<const Film> film = now.at(mark);
             const NoisyFilm noisy = noisyFilm(*film);
             add("new samples", mark, shown(*film, noisy.all.mean, noisy.unit));
-            add("denoised", mark, shown(*film, smoothRadiance(noisy), noisy.unit));
+            const QImage denoised = shown(*film, smoothRadiance(noisy), noisy.unit);
+            const QJsonObject row = add("denoised", mark, denoised);
+            if (mark <= 4)
+                kept_.push_back({QString("new samples alone, %1 a pixel").arg(mark), denoised, row});
             std::optional<SmoothingJudgement> judged =
                 SmoothingJudgement::of(*film, [&](const NoisyFilm& halves, const std::stop_token& stop) {
                     return edited.halves(halves, denoisedHalves(halves, stop), mark, now.first);
@@ -118,6 +128,9 @@ class EditTrial {
         }
         return rows_;
     }
+
+    /// Returns the image before the edit, and those of 1 and 4 new samples alone, denoised, of the last run().
+    const std::vector<Kept>& kept() const { return kept_; }
 
     /// Adds the images of films of 1 / `divider` of the width: on a guide, and with the change laid on the old image.
     void runCoarse(Scene before, Scene after, const std::shared_ptr<const KeptImage>& kept, int divider, int threads) {
@@ -174,8 +187,8 @@ class EditTrial {
         return QImage(rgba.data(), size.x, size.y, 4 * size.x, QImage::Format_RGBA8888)
             .convertToFormat(QImage::Format_RGB32);
     }
-    void add(const char* kind, std::uint64_t samples, const QImage& image,
-             const std::optional<DenoisedError>& said = std::nullopt) {
+    QJsonObject add(const char* kind, std::uint64_t samples, const QImage& image,
+                    const std::optional<DenoisedError>& said = std::nullopt) {
         const int levels = levelsOff(image, truth_, *tissue_);
         const double change = changeError(image, old_, truth_);
         std::printf("%-20s %4llu samples  95 %% of the tissue within %3d levels  change off by %.2f", kind,
@@ -186,6 +199,7 @@ class EditTrial {
         if (said)
             row["said"] = said->levelsAtMost;
         rows_.append(row);
+        return row;
     }
 
     QImage truth_;
@@ -193,6 +207,7 @@ class EditTrial {
     Display display_;
     QImage old_;
     QJsonArray rows_;
+    std::vector<Kept> kept_;
 };
 
 }  // namespace pdr

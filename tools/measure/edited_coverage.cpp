@@ -1,11 +1,11 @@
 /// Measures whether what is stated of an image after an edit of its look covers what it claims, over random edits.
 ///   edited_coverage FOLDER... [--edits N] [--size N] [--reference N] [--threads N]
-/// FOLDER holds a CT; N edits (default 400) are spread over the folders and kLooks. An edit is of a random kind and
-/// amount, small ones as likely as large ones; before it the film has 16, 64 or 256 samples. Prints, for the image
-/// after 4, 16, 64 and 256 samples and each kind of edit: the share of the tissue within the margin stated for 95 % of
-/// it and within the upper end of that [%], and that upper end over the error that 95 % of the tissue does not exceed,
-/// the median of all images. The truth of an image is the denoised image of --reference samples (default 2048) of a
-/// distant seed; eight edits in a row are of one kind and amount and share it.
+/// FOLDER holds a CT; N edits (default 400) are spread over the folders, kLooks and five kinds of edits. An edit is of
+/// a random amount, small ones as likely as large ones; before it the film has 16, 64 or 256 samples. Prints, for the
+/// image after 4, 16, 64 and 256 samples and each kind of edit: the share of the tissue within the margin stated for 95
+/// % of it and within the upper end of that [%], and that upper end over the error that 95 % of the tissue does not
+/// exceed, the median of all images. The truth of an image is the denoised image of --reference samples (default 2048)
+/// of a distant seed; eight edits in a row are of one kind and amount and share it.
 
 #include <QCoreApplication>
 #include <array>
@@ -42,10 +42,11 @@ double between(std::mt19937_64& numbers, double least, double most) {
     return least * std::pow(most / least, std::uniform_real_distribution<>()(numbers));
 }
 
-RandomEdit randomEdit(std::mt19937_64& numbers) {
+/// Returns an edit of the kind of that turn.
+RandomEdit randomEdit(std::mt19937_64& numbers, int turn) {
     const double sign = numbers() % 2 == 0 ? 1 : -1;
     std::pair<const char*, double> edit;
-    switch (numbers() % 5) {
+    switch (turn % 5) {
         case 0:
             edit = {"node", sign * between(numbers, 5, 200)};
             break;
@@ -118,8 +119,9 @@ void tryEdit(Device& device, const Scene& before, const Scene& after, std::uint6
     }
 }
 
-/// All edits with one truth; `number` of the first one, which chooses their seeds.
-bool tryEdits(const std::string& folder, const NamedLook& look, int number, int count, const Plan& plan, Rows& rows) {
+/// All edits of a turn, which have one truth; `number` of the first one, which chooses their seeds.
+bool tryEdits(const std::string& folder, const NamedLook& look, int turn, int number, const Plan& plan, Rows& rows) {
+    const int count = std::min(kEditsOfOneTruth, plan.edits - number);
     const app::SceneInput input{.path = folder, .look = look, .size = ivec2(plan.size), .autoExposure = true};
     const auto loaded = app::loadScene(input, noProgress);
     if (!loaded) {
@@ -127,7 +129,7 @@ bool tryEdits(const std::string& folder, const NamedLook& look, int number, int 
         return false;
     }
     std::mt19937_64 numbers(std::uint64_t(number) + 1);
-    const RandomEdit edit = randomEdit(numbers);
+    const RandomEdit edit = randomEdit(numbers, turn);
     const std::unique_ptr<Device> device = makeCpuDevice(plan.threads);
     Scene before = loaded->scene, after = withLook(before, *editedLook(look.look, edit.text));
     ++after.revision;
@@ -164,10 +166,10 @@ int main(int count, char** words) {
     const int step = test::kEditsOfOneTruth;
     for (int number = 0, turn = 0; number < plan.edits; number += step, ++turn) {
         const std::string& folder = options->files[std::size_t(turn) % options->files.size()];
-        const char* name = test::kLooks[std::size_t(turn) / options->files.size() % test::kLooks.size()];
+        const int ofFolder = turn / int(options->files.size());
+        const char* name = test::kLooks[std::size_t(ofFolder) % test::kLooks.size()];
         const auto look = std::ranges::find(*looks, name, &NamedLook::name);
-        if (look == looks->end() ||
-            !test::tryEdits(folder, *look, number, std::min(step, plan.edits - number), plan, rows))
+        if (look == looks->end() || !test::tryEdits(folder, *look, ofFolder, number, plan, rows))
             return 1;
         std::fprintf(stderr, "%d of %d edits\n", std::min(number + step, plan.edits), plan.edits);
     }

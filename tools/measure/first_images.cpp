@@ -5,10 +5,11 @@
 /// FOLDER holds a CT. The edit is a view from the front. Prints a line for each image: its samples and pixels, the
 /// levels of 255 within which 95 % of the tissue are once the image is stretched to the view as the window does,
 /// and the error that the window states. With -o the images are drawn on one sheet: raw above, denoised below, the
-/// reference on the right.
+/// reference on the right. No film is kept, so that none of this view comes back.
 /// With --edit the look is edited instead (edit_trial.h), once the film has N samples (default 256): the images after
 /// 1, 4, 16 and 64 samples, and those in the window after 0.1, 1 and 10 seconds; each with the error of the change over
-/// tiles of 16 x 16 pixels, in parts of the mean change.
+/// tiles of 16 x 16 pixels, in parts of the mean change. Their sheet: those of the window above, the image before the
+/// edit and new samples alone below, denoised, the reference on the right.
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -100,13 +101,13 @@ QString said(const Frame& frame) {
 Trial trialOf(const char* kind, double seconds, const Shown& shown, const QImage& truth, const Film& tissue) {
     const QString name = QString("%1, %2 s").arg(kind).arg(seconds);
     if (!shown)
-        return {name + ": no picture yet", {}};
-    const QImage picture = stretched(imageOf(shown->rgba, shown->size), truth.size());
-    const int levels = levelsOff(picture, truth, tissue);
+        return {name + ": no image yet", {}};
+    const QImage image = stretched(imageOf(shown->rgba, shown->size), truth.size());
+    const int levels = levelsOff(image, truth, tissue);
     std::printf("%-14s %4d x %-4d pixels  %4llu samples  95 %% of the tissue within %3d levels  %s\n", qPrintable(name),
                 shown->size.x, shown->size.y, (unsigned long long)shown->status.samplesPerPixel, levels,
                 said(*shown).toUtf8().constData());
-    return {QString("%1: ±%2\n%3").arg(name).arg(levels).arg(said(*shown)), picture};
+    return {QString("%1: ±%2\n%3").arg(name).arg(levels).arg(said(*shown)), image};
 }
 
 /// The part of the image with tissue, and a margin.
@@ -163,6 +164,11 @@ bool waitForFilm(Desktop& desktop, int samples) {
     return grown;
 }
 
+/// Returns the errors in a row of EditTrial's.
+QString errorsOf(const QJsonValue& row) {
+    return QString("±%1, change off by %2").arg(row["levels"].toInt()).arg(row["change"].toDouble(), 0, 'f', 2);
+}
+
 /// Measures the images after an edit of the look, made from films and as the window shows them.
 int runEdit(Desktop& desktop, const Plan& plan) {
     desktop.document().setView(StandardView::anterior);
@@ -186,10 +192,17 @@ int runEdit(Desktop& desktop, const Plan& plan) {
                 qPrintable(plan.look), qPrintable(plan.edit), plan.film, after.film.x, after.film.y);
     EditTrial trial(truth, film, display);
     QJsonArray rows = trial.run(before, after, std::uint64_t(plan.film), plan.threads);
-    for (std::size_t i = 0; i < kSeconds.size(); ++i)
-        rows.append(trial.inWindow(
-            kSeconds[i], shown[i] ? stretched(imageOf(shown[i]->rgba, shown[i]->size), truth.size()) : QImage(),
-            shown[i].get()));
+    std::vector<Trial> trials;
+    for (std::size_t i = 0; i < kSeconds.size(); ++i) {
+        const QImage image = shown[i] ? stretched(imageOf(shown[i]->rgba, shown[i]->size), truth.size()) : QImage();
+        rows.append(trial.inWindow(kSeconds[i], image, shown[i].get()));
+        trials.push_back({QString("in the window, %1 s\n%2").arg(kSeconds[i]).arg(errorsOf(rows.last())), image});
+    }
+    for (const EditTrial::Kept& kept : trial.kept())
+        trials.push_back({kept.name + "\n" + errorsOf(kept.row), kept.image});
+    const Trial reference{QString("reference: %1 samples").arg(plan.reference), truth};
+    if (!plan.out.isEmpty() && !sheetOf(trials, reference, tissueIn(*film)).save(plan.out, nullptr, 88))
+        return 1;
     if (QFile json(plan.json); !plan.json.isEmpty() && json.open(QIODevice::WriteOnly))
         json.write(QJsonDocument(QJsonObject{{"edit", plan.edit},
                                              {"look", plan.look},
@@ -204,13 +217,14 @@ int runEdit(Desktop& desktop, const Plan& plan) {
 int run(const Plan& plan) {
     QTemporaryDir settings;
     Desktop desktop(*bundledLooks(), makeCpuDevice(plan.threads), settings.filePath("settings.ini"), plan.threads);
+    desktop.bridge().setKeptMemory(0);
     desktop.window().show();
     if (!plan.window.isEmpty())
         desktop.window().resize(plan.window);
     desktop.open(plan.folder);
     if (!QTest::qWaitFor([&] { return desktop.bridge().lastFrame() && !desktop.bridge().lastFrame()->coarse; },
                          600'000)) {
-        std::printf("no picture of %s\n", qPrintable(plan.folder));
+        std::printf("no image of %s\n", qPrintable(plan.folder));
         return 1;
     }
     for (std::size_t i = 0; i < desktop.document().looks().fitted().size(); ++i)
@@ -254,7 +268,7 @@ int main(int argc, char** argv) {
     pdr::ui::applyTheme(application, pdr::ui::ThemeChoice::dark);
     QCommandLineParser parser;
     parser.addPositionalArgument("FOLDER", "a folder with a CT");
-    parser.addOption({"o", "draw all pictures on this sheet", "FILE"});
+    parser.addOption({"o", "draw all images on this sheet", "FILE"});
     parser.addOption({"look", "part of its name", "NAME", "Bone"});
     parser.addOption({"reference", "samples of the reference", "N", "256"});
     parser.addOption({"threads", "0: one per core", "N", "0"});
