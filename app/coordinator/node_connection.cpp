@@ -19,7 +19,11 @@ static_assert(2 * std::chrono::seconds(1) / kPace <= remote::ChannelLimits{}.mes
 // Each lease must fit into a message.
 static_assert(pdr::kMostLeasePixels == wire::kMostLeasePixels);
 
-std::string keyOf(const wire::Nonce& boot) {
+/// Returns what a node is known by: the name of its certificate, which it cannot choose, if no other node has it; else
+/// the number of its run.
+std::string keyOf(const remote::Channel& channel, const wire::Nonce& boot) {
+    if (const QString name = channel.peerCertificate(); !name.isEmpty())
+        return name.toStdString();
     static constexpr char kDigits[] = "0123456789abcdef";
     std::string text;
     for (const std::byte byte : boot) {
@@ -76,7 +80,7 @@ void NodeConnection::take(const wire::Hello& hello) {
     if (otherBits_)
         return refuse(wire::Refused::Why::bits,
                       phrase("its images differ from this machine's in the last bits: it runs a different build"));
-    worker_ = coordinator_.leases->join(keyOf(hello.boot), hello.name);
+    worker_ = coordinator_.leases->join(keyOf(*channel_, hello.boot), hello.name);
     coordinator_.leases->setPaused(*worker_, paused_);
     channel_->send(wire::Welcome{*version, kHeartbeatMs, coordinator_.key});
     channel_->setAdmitted();

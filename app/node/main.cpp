@@ -23,14 +23,15 @@ int ending(const Error& error, ExitCode code) {
     return int(code);
 }
 
-int makeBundle(const QString& folder) {
-    if (const Result<void> made = remote::makeCertificates(folder); !made)
+int makeBundle(const QString& folder, int nodes) {
+    if (const Result<void> made = remote::makeCertificates(folder, nodes); !made)
         return ending(made.error(), ExitCode::configuration);
     const QByteArray where = folder.toUtf8();
+    const QByteArray ofNodes = nodes == 0 ? "/node goes to all nodes" : "/node-1, node-2, ... go to one node each";
     std::printf(
-        "certificates: %s/coordinator stays on the machine that shows the image, %s/node goes to all nodes.\n"
+        "certificates: %s/coordinator stays on the machine that shows the image, %s%s.\n"
         "Keep the keys secret: who has one can take part.\n",
-        where.constData(), where.constData());
+        where.constData(), where.constData(), ofNodes.constData());
     return 0;
 }
 
@@ -95,7 +96,8 @@ int run() {
         std::puts("PD-Render " PDR_VERSION);
         return 0;
     }
-    return options->makeCertificates.isEmpty() ? work(*options, interrupt) : makeBundle(options->makeCertificates);
+    return options->makeCertificates.isEmpty() ? work(*options, interrupt)
+                                               : makeBundle(options->makeCertificates, options->certificates);
 }
 
 }  // namespace

@@ -38,6 +38,10 @@ void describe(QCommandLineParser& parser) {
         {"give-up-seconds", "End when no coordinator could be reached for so long; default 120. PDR_GIVE_UP_SECONDS.",
          "S"},
         {"make-certificates", "Write certificates for a coordinator and for nodes into DIR, and end.", "DIR"},
+        {"nodes",
+         "With --make-certificates: write a certificate for each of N nodes, so that one can be shut out; default: "
+         "one for all.",
+         "N"},
     });
 }
 
@@ -68,6 +72,9 @@ NodeOptions read(const QCommandLineParser& parser) {
     options.help = parser.isSet("help");
     options.version = parser.isSet("version");
     options.makeCertificates = reader.text("make-certificates").value_or("");
+    options.certificates = int(reader.whole("nodes", 1, 10'000).value_or(0));
+    if (options.certificates > 0 && options.makeCertificates.isEmpty())
+        usageError("--nodes", "says for how many nodes --make-certificates writes certificates");
     if (options.help || options.version || !options.makeCertificates.isEmpty())
         return options;
     if (const auto text = reader.text("coordinator"))

@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QUuid>
+#include <vector>
 
 #include "app/remote/role.h"
 #include "app/remote/signed_certificate.h"
@@ -38,60 +39,86 @@ Result<void> writePart(const QString& folder, const SignedCertificate& authority
     return {};
 }
 
-/// Writes both parts of a bundle into an existing folder.
-Result<void> writeBundle(const QString& folder, std::chrono::system_clock::time_point now) {
+/// A part of a bundle: its folder, and its owner.
+struct Part {
+    Role role;
+    QString suffix;  ///< "-3": it is the third node's alone
+
+    QString folder() const { return folderOf(role) + suffix; }
+    QString name() const { return nameIn(role) + suffix; }
+};
+
+std::vector<Part> partsOf(int nodes) {
+    std::vector<Part> parts{{Role::coordinator, ""}};
+    if (nodes == 0)
+        parts.push_back({Role::node, ""});
+    for (int node = 1; node <= nodes; ++node)
+        parts.push_back({Role::node, "-" + QString::number(node)});
+    return parts;
+}
+
+/// Writes all parts of a bundle into an existing folder.
+Result<void> writeBundle(const QString& folder, const std::vector<Part>& parts,
+                         std::chrono::system_clock::time_point now) {
     const auto from = now - std::chrono::days(1);
-    const auto order = [&](const QString& name) {
-        return CertificateOrder{name, false, from, from + kCertificatesHold};
+    const auto order = [&](const QString& name, const QString& dnsName) {
+        return CertificateOrder{name, dnsName, false, from, from + kCertificatesHold};
     };
     // A unique name: a certificate of another bundle is then reported as one of a stranger, not as damaged.
-    CertificateOrder ofAuthority = order("PD-Render " + QUuid::createUuid().toString(QUuid::WithoutBraces));
+    CertificateOrder ofAuthority = order("PD-Render " + QUuid::createUuid().toString(QUuid::WithoutBraces), "");
     ofAuthority.authority = true;
     const auto authority = makeCertificate(ofAuthority);
     if (!authority)
         return authority.error();
-    for (const Role role : {Role::coordinator, Role::node}) {
-        const auto own = makeCertificate(order(nameIn(role)), &authority.value());
+    for (const Part& part : parts) {
+        const auto own = makeCertificate(order(part.name(), nameIn(part.role)), &authority.value());
         if (!own)
             return own.error();
-        if (auto written = writePart(folder + "/" + folderOf(role), *authority, *own); !written)
+        if (auto written = writePart(folder + "/" + part.folder(), *authority, *own); !written)
             return written;
     }
     return {};
 }
 
-/// Moves the parts of a bundle one after the other; if the second cannot be moved, the first is removed.
-bool moveParts(const QDir& from, const QDir& to) {
-    const QString first = folderOf(Role::coordinator), second = folderOf(Role::node);
-    if (!QFile::rename(from.filePath(first), to.filePath(first)))
+/// Moves the parts of a bundle one after the other; if one cannot be moved, those before are removed.
+bool moveParts(const std::vector<Part>& parts, const QDir& from, const QDir& to) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (QFile::rename(from.filePath(parts[i].folder()), to.filePath(parts[i].folder())))
+            continue;
+        for (std::size_t before = 0; before < i; ++before)
+            QDir(to.filePath(parts[before].folder())).removeRecursively();
         return false;
-    if (QFile::rename(from.filePath(second), to.filePath(second)))
-        return true;
-    QDir(to.filePath(first)).removeRecursively();
-    return false;
+    }
+    return true;
+}
+
+/// Returns whether there is a part of a bundle in the folder.
+bool hasParts(const QDir& folder) {
+    const QString node = folderOf(Role::node);
+    return folder.exists(folderOf(Role::coordinator)) || folder.exists(node) || folder.exists(node + "-1");
 }
 
 bool makeFolder(const QString& folder) {
-    return QDir(folder).exists() ||
-           (QDir().mkpath(QFileInfo(folder).absolutePath()) && QDir().mkdir(folder, kOwnerFolder));
+    const QString path = QDir::cleanPath(folder);  // without a slash at its end
+    return QDir(path).exists() || (QDir().mkpath(QFileInfo(path).absolutePath()) && QDir().mkdir(path, kOwnerFolder));
 }
 
 }  // namespace
 
-Result<void> makeCertificates(const QString& folder, std::chrono::system_clock::time_point now) {
+Result<void> makeCertificates(const QString& folder, int nodes, std::chrono::system_clock::time_point now) {
     const QDir bundle(folder);
-    for (const Role role : {Role::coordinator, Role::node})
-        if (bundle.exists(folderOf(role)))
-            return Error{phrase("there are certificates already"), folder.toStdString(),
-                         phrase("Choose another folder, or delete this one first: nodes that have the old ones are "
-                                "strangers then."),
-                         ErrorKind::refused};
+    if (hasParts(bundle))
+        return Error{phrase("there are certificates already"), folder.toStdString(),
+                     phrase("Choose another folder, or delete this one first: nodes that have the old ones are "
+                            "strangers then."),
+                     ErrorKind::refused};
     const bool isNew = !bundle.exists();
     if (!makeFolder(folder))
         return cannotWrite(folder);
+    const std::vector<Part> parts = partsOf(nodes);
     QTemporaryDir scratch(bundle.filePath("making-XXXXXX"));
-    auto written = scratch.isValid() ? writeBundle(scratch.path(), now) : cannotWrite(folder);
-    if (written && !moveParts(QDir(scratch.path()), bundle))
+    auto written = scratch.isValid() ? writeBundle(scratch.path(), parts, now) : cannotWrite(folder);
+    if (written && !moveParts(parts, QDir(scratch.path()), bundle))
         written = cannotWrite(folder);
     scratch.remove();
     if (!written && isNew)

@@ -6,6 +6,7 @@
 
 #include "app/remote/address.h"
 #include "app/remote/tcp_options.h"
+#include "app/remote/tls.h"
 #include "app/wire/frame_reader.h"
 #include "app/wire/message_codec.h"
 
@@ -40,8 +41,10 @@ Channel::Channel(QTcpSocket* socket, Role role, const ChannelLimits& limits, QOb
     peerName_ = Address{peerHost_, socket_->peerPort()}.text();
     connect(socket_, &QTcpSocket::readyRead, this, &Channel::read);
     connect(socket_, &QTcpSocket::bytesWritten, this, &Channel::written);
-    if (auto* tls = qobject_cast<QSslSocket*>(socket_))
+    if (auto* tls = qobject_cast<QSslSocket*>(socket_)) {
+        peerCertificate_ = ownName(tls->peerCertificate());
         connect(tls, &QSslSocket::encryptedBytesWritten, this, &Channel::written);
+    }
     connect(socket_, &QTcpSocket::disconnected, this, [this] { lose(phrase("the other side ended the connection")); });
     connect(socket_, &QTcpSocket::errorOccurred, this, [this] { lose(socket_->errorString().toStdString()); });
     patience_.setSingleShot(true);

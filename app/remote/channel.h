@@ -72,6 +72,8 @@ class Channel : public QObject {
     /// Address and port of the peer: "192.0.2.7:50123".
     QString peerName() const { return peerName_; }
     QString peerHost() const { return peerHost_; }
+    /// Name of the peer's certificate, if it is one node's alone; else empty.
+    QString peerCertificate() const { return peerCertificate_; }
 
   signals:
     /// A message has arrived; the receiver may move from it.
@@ -113,7 +115,7 @@ class Channel : public QObject {
     bool wasFull_ = false;
     State state_ = State::open;
     Text reason_;
-    QString peerName_, peerHost_;
+    QString peerName_, peerHost_, peerCertificate_;
     DripWatch drip_;
     TokenBucket bucket_;
     QElapsedTimer clock_;

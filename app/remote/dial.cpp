@@ -43,9 +43,8 @@ void Dial::beginTls() {
 
 void Dial::arrived() {
     const auto* tls = qobject_cast<QSslSocket*>(socket_);
-    const QString role = folderOf(other(identity_.role));
-    if (tls && !isOf(tls->peerCertificate(), other(identity_.role)))
-        return fail(phrase("its certificate is not that of a %1", role.toStdString()), ErrorKind::refused);
+    if (const Text why = tls ? whyNot(tls->peerCertificate(), identity_) : Text(); !why.empty())
+        return fail(why, ErrorKind::refused);
     if (!tls && !socket_->peerAddress().isLoopback())
         return fail(phrase("without certificates only this machine itself may be dialled"), ErrorKind::refused);
     patience_.stop();
@@ -59,7 +58,11 @@ void Dial::fail(const Text& what, ErrorKind kind) {
     if (socket_)
         socket_->disconnect(this);
     const Error error{phrase("there is no connection: %1", what), address_.text().toStdString(), "", kind};
-    QTimer::singleShot(0, this, [this, error] { emit failed(error); });
+    QTimer::singleShot(0, this, [this, error] {
+        if (socket_)
+            socket_->abort();  // the other side may be content with this one
+        emit failed(error);
+    });
 }
 
 }  // namespace pdr::remote

@@ -56,11 +56,11 @@ void Guest::begin() {
 }
 
 void Guest::check() {
-    const QSslCertificate certificate = qobject_cast<QSslSocket*>(socket_)->peerCertificate();
-    if (isOf(certificate, other(identity_.role)))
+    const Text why = whyNot(qobject_cast<QSslSocket*>(socket_)->peerCertificate(), identity_);
+    if (why.empty())
         emit known();
     else
-        leave("its certificate is not that of a " + folderOf(other(identity_.role)));
+        leave(QString::fromStdString(why));
 }
 
 QTcpSocket* Guest::takeSocket() {

@@ -61,7 +61,7 @@ bool setExtensions(X509* certificate, X509* issuer, const CertificateOrder& orde
     return identified && extend(certificate, issuer, NID_basic_constraints, "critical,CA:FALSE") &&
            extend(certificate, issuer, NID_key_usage, "critical,digitalSignature") &&
            extend(certificate, issuer, NID_ext_key_usage, "serverAuth,clientAuth") &&
-           extend(certificate, issuer, NID_subject_alt_name, "DNS:" + order.name.toUtf8());
+           extend(certificate, issuer, NID_subject_alt_name, "DNS:" + order.dnsName.toUtf8());
 }
 
 std::shared_ptr<BIO> reader(const QByteArray& text) {

@@ -15,7 +15,8 @@ struct x509_st;
 namespace pdr::remote {
 
 struct CertificateOrder {
-    QString name;            ///< common name; without `authority` also the DNS name
+    QString name;            ///< common name
+    QString dnsName;         ///< the role of its owner; empty for an authority
     bool authority = false;  ///< true: may only sign other certificates; false: for either side of a TLS connection
     std::chrono::system_clock::time_point from, until;
 };

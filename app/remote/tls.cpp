@@ -66,6 +66,24 @@ Result<void> checkKey(const QByteArray& pem, const QString& path) {
     return {};
 }
 
+/// Reads the names of revoked certificates; lines that begin with # are remarks. Without the file none is revoked.
+Result<QStringList> readRevoked(const QString& path) {
+    if (!QFileInfo::exists(path))
+        return QStringList();
+    const Result<std::string> text = readPlainFile(QFile::encodeName(path).toStdString(), kMostBytes);
+    if (!text)
+        return refused(text.error().what, path, phrase("Without it, it is not known who is shut out."));
+    QStringList names;
+    for (const QString& line : QString::fromStdString(*text).split('\n'))
+        if (const QString name = line.trimmed(); !name.isEmpty() && !name.startsWith('#'))
+            names << name;
+    return names;
+}
+
+QString commonName(const QSslCertificate& certificate) {
+    return certificate.subjectInfo(QSslCertificate::CommonName).join(' ');
+}
+
 }  // namespace
 
 QSslConfiguration tlsConfiguration(const QList<QSslCertificate>& authorities, const QList<QSslCertificate>& chain,
@@ -100,15 +118,19 @@ Result<Identity> readIdentity(const QString& folder, Role role) {
         return refused(phrase("this is no certificate"), part + "/ca.pem", makeNewOnes());
     if (!belongTogether(*key, *own, *authority))
         return refused(phrase("these certificates do not belong together"), part, makeNewOnes());
+    const auto revoked = readRevoked(part + "/revoked.txt");
+    if (!revoked)
+        return revoked.error();
     return Identity{role,
-                    tlsConfiguration(QSslCertificate::fromData(*authority), {certificate}, QSslKey(*key, QSsl::Ec))};
+                    tlsConfiguration(QSslCertificate::fromData(*authority), {certificate}, QSslKey(*key, QSsl::Ec)),
+                    *revoked};
 }
 
 Result<Identity> identityFor(const Address& address, const QString& folder, Role role) {
     if (!folder.isEmpty())
         return readIdentity(folder, role);
     if (address.isLoopback())
-        return Identity{role, std::nullopt};
+        return Identity{role, std::nullopt, {}};
     return refused(phrase("other machines are only talked to with certificates"), address.text(),
                    phrase("Make some with \"pdrender-node --make-certificates FOLDER\", and give them to both sides: "
                           "--bundle, or the "
@@ -117,6 +139,19 @@ Result<Identity> identityFor(const Address& address, const QString& folder, Role
 
 bool isOf(const QSslCertificate& certificate, Role role) {
     return certificate.subjectAlternativeNames().values(QSsl::DnsEntry) == QStringList{nameIn(role)};
+}
+
+QString ownName(const QSslCertificate& certificate) {
+    const QString name = commonName(certificate);
+    return name.startsWith(nameIn(Role::node) + "-") ? name : QString();
+}
+
+Text whyNot(const QSslCertificate& peer, const Identity& self) {
+    if (!isOf(peer, other(self.role)))
+        return phrase("its certificate is not that of a %1", folderOf(other(self.role)).toStdString());
+    if (self.revoked.contains(commonName(peer)))
+        return phrase("its certificate, %1, is revoked", commonName(peer).toStdString());
+    return {};
 }
 
 }  // namespace pdr::remote

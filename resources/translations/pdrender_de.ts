@@ -4670,6 +4670,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Ohne Zertifikate: nur Programme auf diesem Rechner</translation>
     </message>
     <message>
+        <source>Without it, it is not known who is shut out.</source>
+        <translation>Ohne sie ist nicht bekannt, wer ausgeschlossen ist.</translation>
+    </message>
+    <message>
         <source>Write to another one.</source>
         <translation>In eine andere schreiben.</translation>
     </message>
@@ -5684,6 +5688,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>its certificate is not that of a %1</source>
         <translation>sein Zertifikat ist nicht das eines %1</translation>
+    </message>
+    <message>
+        <source>its certificate, %1, is revoked</source>
+        <translation>sein Zertifikat, %1, ist gesperrt</translation>
     </message>
     <message>
         <source>its compressed image is not made of fragments</source>

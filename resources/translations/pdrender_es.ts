@@ -4670,6 +4670,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Sin certificados: solo programas en este equipo</translation>
     </message>
     <message>
+        <source>Without it, it is not known who is shut out.</source>
+        <translation>Sin ella no se sabe quién está excluido.</translation>
+    </message>
+    <message>
         <source>Write to another one.</source>
         <translation>Escriba en otro.</translation>
     </message>
@@ -5684,6 +5688,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>its certificate is not that of a %1</source>
         <translation>su certificado no es el de un %1</translation>
+    </message>
+    <message>
+        <source>its certificate, %1, is revoked</source>
+        <translation>su certificado, %1, está revocado</translation>
     </message>
     <message>
         <source>its compressed image is not made of fragments</source>

@@ -185,9 +185,32 @@ class NodesTest : public QObject {
         QCOMPARE(trial.nodes.nodes().at(0).reason, std::string("it lied"));
     }
 
+    /// The number of its run is a node's own choice, its certificate is not.
+    void nodeThatLiedIsKnownByItsCertificate() {
+        const QString own = bundle_.filePath("own/");
+        QVERIFY(bool(remote::makeCertificates(own, 2)));
+        NodeTrial trial;
+        trial.nodes.setBundle(own + "coordinator");
+        const auto address = trial.nodes.listen("127.0.0.1:0");
+        QVERIFY2(bool(address), address ? "" : address.error().text().c_str());
+        const QString there = QString("localhost:%1").arg(address->port);
+        {
+            NodeProcess liar({"--coordinator", there, "--bundle", own + "node-1"});
+            QTRY_COMPARE_WITH_TIMEOUT(trial.pool->workers().size(), 1u, kPatience);
+            trial.pool->quarantine(trial.pool->workers().at(0).id, "it lied");
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(trial.pool->workers().empty(), kPatience);
+        NodeProcess again({"--coordinator", there, "--bundle", own + "node-1", "--name", "honest"}),
+            other({"--coordinator", there, "--bundle", own + "node-2", "--name", "other"});
+        QTRY_COMPARE_WITH_TIMEOUT(trial.pool->workers().size(), 2u, kPatience);
+        for (const WorkerStatus& worker : trial.pool->workers())
+            QCOMPARE(worker.state == WorkerState::quarantined, worker.name == "honest");
+    }
+
     void exitCodesSayWhatToDo() {
         QCOMPARE(codeOf({}), int(ExitCode::usage));
         QCOMPARE(codeOf({"--coordinator", "localhost:x"}), int(ExitCode::usage));
+        QCOMPARE(codeOf({"--coordinator", "localhost:1", "--nodes", "3"}), int(ExitCode::usage));
         QCOMPARE(codeOf({"--coordinator", "localhost:1", "--give-up-seconds", "1"}), int(ExitCode::unreachable));
         QCOMPARE(codeOf({"--coordinator", "localhost:1", "--bundle", "/nowhere"}), int(ExitCode::configuration));
         QCOMPARE(codeOf({"--coordinator", "localhost:1", "--device", "cuda:77"}), int(ExitCode::configuration));

@@ -134,6 +134,34 @@ class CertificatesTest : public QObject {
         }
     }
 
+    void eachNodeMayHaveOneOfItsOwn() {
+        const QString folder = folder_.filePath("own");
+        QVERIFY(makeCertificates(folder, 3));
+        QCOMPARE(QDir(folder).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden),
+                 (QStringList{"coordinator", "node-1", "node-2", "node-3"}));
+        QSet<QByteArray> keys;
+        for (const char* part : {"/node-1", "/node-2", "/node-3"}) {
+            const auto identity = readIdentity(folder + part, Role::node);
+            QVERIFY2(identity, identity ? "" : identity.error().text().c_str());
+            QCOMPARE(ownName(identity->tls->localCertificate()), QString("pdrender-node-") + part[6]);
+            QVERIFY(isBelieved(folder + part, X509_PURPOSE_SSL_SERVER));
+            keys << contentOf(folder + part + "/key.pem");
+        }
+        QCOMPARE(keys.size(), 3);
+        QCOMPARE(ownName(readIdentity(bundle_, Role::node)->tls->localCertificate()), QString());
+        QVERIFY(!makeCertificates(folder) && !makeCertificates(folder, 3));
+    }
+
+    void revokedCertificatesAreNamedInAList() {
+        const QString folder = another(), list = folder + "/coordinator/revoked.txt";
+        QVERIFY(readIdentity(folder, Role::coordinator)->revoked.isEmpty());
+        QVERIFY(overwrite(list, "# stolen in March\n\n pdrender-node-3\r\npdrender-node-12"));
+        QCOMPARE(readIdentity(folder, Role::coordinator)->revoked,
+                 (QStringList{"pdrender-node-3", "pdrender-node-12"}));
+        QVERIFY(QFile::remove(list) && ::mkfifo(QFile::encodeName(list).constData(), 0600) == 0);
+        QVERIFY(refusalOf(folder, Role::coordinator).contains("revoked.txt: this is no plain file"));
+    }
+
     void aBundleIsNotOverwritten() {
         const QByteArray before = contentOf(partOf(Role::node) + "/key.pem");
         const auto again = makeCertificates(bundle_);
@@ -235,9 +263,9 @@ class CertificatesTest : public QObject {
 
         const auto now = std::chrono::system_clock::now();
         const QString old = folder_.filePath("old"), early = folder_.filePath("early");
-        QVERIFY(makeCertificates(old, now - kCertificatesHold));
+        QVERIFY(makeCertificates(old, 0, now - kCertificatesHold));
         QVERIFY(refusalOf(old, Role::node).contains("no longer"));
-        QVERIFY(makeCertificates(early, now + std::chrono::days(2)));
+        QVERIFY(makeCertificates(early, 0, now + std::chrono::days(2)));
         QVERIFY(refusalOf(early, Role::node).contains("not hold yet"));
     }
 

@@ -17,8 +17,8 @@ namespace {
 const auto kNow = std::chrono::system_clock::now();
 
 SignedCertificate made(const QString& name, bool authority, const SignedCertificate* issuer, days from = days(-1),
-                       days until = days(30)) {
-    const auto certificate = makeCertificate({name, authority, kNow + from, kNow + until}, issuer);
+                       days until = days(30), const QString& suffix = "") {
+    const auto certificate = makeCertificate({name + suffix, name, authority, kNow + from, kNow + until}, issuer);
     if (!certificate)
         qFatal("%s", certificate.error().text().c_str());
     return *certificate;
@@ -33,9 +33,10 @@ const SignedCertificate& authority() {
 Identity showing(Role role, const std::optional<SignedCertificate>& shown) {
     const QList<QSslCertificate> believed{QSslCertificate(authority().certificatePem())};
     if (!shown)
-        return {role, tlsConfiguration(believed, {}, {})};
+        return {role, tlsConfiguration(believed, {}, {}), {}};
     return {role,
-            tlsConfiguration(believed, {QSslCertificate(shown->certificatePem())}, QSslKey(shown->keyPem(), QSsl::Ec))};
+            tlsConfiguration(believed, {QSslCertificate(shown->certificatePem())}, QSslKey(shown->keyPem(), QSsl::Ec)),
+            {}};
 }
 
 Identity right(Role role) {
@@ -53,6 +54,17 @@ Identity ofTime(Role role, days from, days until) {
 
 Identity ofOtherRole(Role role) {
     return showing(role, made(nameIn(other(role)), false, &authority()));
+}
+
+/// The third node's, where nodes have certificates of their own.
+Identity ofNode3() {
+    return showing(Role::node, made(nameIn(Role::node), false, &authority(), days(-1), days(30), "-3"));
+}
+
+Identity whoRevokes(const QString& name) {
+    Identity identity = right(Role::coordinator);
+    identity.revoked << name;
+    return identity;
 }
 
 Identity ofTls12(Role role) {
@@ -87,6 +99,21 @@ class HandshakesTest : public QObject {
         }
     }
 
+    void aNodeIsKnownByACertificateOfItsOwn() {
+        for (const auto& [listens, dials] :
+             {std::pair(whoRevokes("pdrender-node-4"), ofNode3()), std::pair(ofNode3(), whoRevokes("pdrender-node"))}) {
+            Meeting meeting(listens, dials);
+            meeting.begin();
+            QTRY_VERIFY_WITH_TIMEOUT(meeting.isSettled(), kPatience);
+            QVERIFY2(meeting.listening.admitted && meeting.dialling.admitted, qPrintable(meeting.dialling.reason));
+            const bool nodeDials = listens.role == Role::coordinator;
+            const Side &coordinator = nodeDials ? meeting.listening : meeting.dialling,
+                       &node = nodeDials ? meeting.dialling : meeting.listening;
+            QCOMPARE(coordinator.channel->peerCertificate(), QString("pdrender-node-3"));
+            QCOMPARE(node.channel->peerCertificate(), QString());
+        }
+    }
+
     /// The coordinator listens and the node dials, and then the other way round.
     void wrongOnesAreRefused_data() {
         const Role c = Role::coordinator, n = Role::node;
@@ -107,6 +134,8 @@ class HandshakesTest : public QObject {
         QTest::addRow("TLS to plain TCP") << plain(c) << right(n);
         QTest::addRow("self-signed client") << right(c) << selfSigned(n);
         QTest::addRow("self-signed server") << selfSigned(c) << right(n);
+        QTest::addRow("revoked node") << whoRevokes("pdrender-node-3") << ofNode3();
+        QTest::addRow("revoked nodes") << whoRevokes("pdrender-node") << right(n);
         QTest::addRow("signed by a certificate that signs nothing") << right(c) << signedByNode();
     }
     void wrongOnesAreRefused() {

@@ -25,7 +25,7 @@ inline remote::Identity identityOf(remote::Role role) {
 }
 
 inline remote::Identity plain(remote::Role role) {
-    return {role, std::nullopt};
+    return {role, std::nullopt, {}};
 }
 
 /// What one side has seen. The node greets; who is greeted admits the other.
