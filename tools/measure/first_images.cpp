@@ -1,15 +1,15 @@
 /// Measures how good the image is soon after an edit, in the real window: the image after 0.1, 1 and 10 seconds,
 /// denoised and raw, against an image of many samples of another seed.
 ///   first_images FOLDER [-o SHEET.jpg] [--reference N] [--threads N] [--look NAME]
-///                [--edit KIND:AMOUNT [--film N] [--json FILE]] [--window W,H]
-/// FOLDER holds a CT. The edit is a view from the front. Prints a line for each image: its samples and pixels, the
-/// levels of 255 within which 95 % of the tissue are once the image is stretched to the view as the window does,
-/// and the error that the window states. With -o the images are drawn on one sheet: raw above, denoised below, the
-/// reference on the right. No film is kept, so that none of this view comes back.
-/// With --edit the look is edited instead (edit_trial.h), once the film has N samples (default 256): the images after
-/// 1, 4, 16 and 64 samples, and those in the window after 0.1, 1 and 10 seconds; each with the error of the change over
-/// tiles of 16 x 16 pixels, in parts of the mean change. Their sheet: those of the window above, the image before the
-/// edit and new samples alone below, denoised, the reference on the right.
+///                [--edit KIND:AMOUNT [--film N] [--json FILE]] [--window W,H] [--labels FILE]
+/// FOLDER holds a CT, and a label map may mark parts of it, which a look may show. The edit is a view from the front.
+/// Prints a line for each image: its samples and pixels, the levels of 255 within which 95 % of the tissue are once the
+/// image is stretched to the view as the window does, and the error that the window states. With -o the images are
+/// drawn on one sheet: raw above, denoised below, the reference on the right. No film is kept, so that none of this
+/// view comes back. With --edit the look is edited instead (edit_trial.h), once the film has N samples (default 256):
+/// the images after 1, 4, 16 and 64 samples, and those in the window after 0.1, 1 and 10 seconds; each with the error
+/// of the change over tiles of 16 x 16 pixels, in parts of the mean change. Their sheet: those of the window above, the
+/// image before the edit and new samples alone below, denoised, the reference on the right.
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -25,6 +25,7 @@
 
 #include "app/desktop/desktop.h"
 #include "app/looks/looks.h"
+#include "app/presenters/parts_presenter.h"
 #include "render/film/display/tone_map.h"
 #include "tools/measure/edit_trial.h"
 #include "ui/theme/theme.h"
@@ -39,7 +40,8 @@ struct Plan {
     int reference, threads;
     QString edit, json;  ///< edit: empty: another view
     int film;
-    QSize window;  ///< empty: the usual size
+    QSize window;    ///< empty: the usual size
+    QString labels;  ///< a label map; empty: none
 };
 
 using Shown = std::shared_ptr<const Frame>;
@@ -227,6 +229,14 @@ int run(const Plan& plan) {
         std::printf("no image of %s\n", qPrintable(plan.folder));
         return 1;
     }
+    if (!plan.labels.isEmpty()) {
+        auto& parts = desktop.presenter<PartsPresenter>();
+        parts.open(plan.labels);
+        if (!QTest::qWaitFor([&] { return !parts.job().isRunning(); }, 600'000) || !desktop.document().scanParts()) {
+            std::printf("no parts in %s\n", qPrintable(plan.labels));
+            return 1;
+        }
+    }
     for (std::size_t i = 0; i < desktop.document().looks().fitted().size(); ++i)
         if (QString::fromStdString(desktop.document().looks().fitted()[i].name).contains(plan.look))
             desktop.document().chooseLook(int(i));
@@ -275,6 +285,7 @@ int main(int argc, char** argv) {
     parser.addOption({"edit", "edit the look: node:30, curve:20, opacity:0.9, albedo:0.9, lights:3 or cut:10", "EDIT"});
     parser.addOption({"film", "samples of the film before the edit", "N", "256"});
     parser.addOption({"window", "size of the window", "W,H"});
+    parser.addOption({"labels", "a label map of the scan", "FILE"});
     parser.addOption({"json", "write the figures of an edit", "FILE"});
     parser.addHelpOption();
     parser.process(application);
@@ -283,5 +294,6 @@ int main(int argc, char** argv) {
     return pdr::app::run(
         {parser.positionalArguments()[0], parser.value("o"), parser.value("look"), parser.value("reference").toInt(),
          parser.value("threads").toInt(), parser.value("edit"), parser.value("json"), parser.value("film").toInt(),
-         QSize(parser.value("window").section(',', 0, 0).toInt(), parser.value("window").section(',', 1).toInt())});
+         QSize(parser.value("window").section(',', 0, 0).toInt(), parser.value("window").section(',', 1).toInt()),
+         parser.value("labels")});
 }
