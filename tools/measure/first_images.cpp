@@ -237,9 +237,13 @@ int run(const Plan& plan) {
             return 1;
         }
     }
-    for (std::size_t i = 0; i < desktop.document().looks().fitted().size(); ++i)
-        if (QString::fromStdString(desktop.document().looks().fitted()[i].name).contains(plan.look))
-            desktop.document().chooseLook(int(i));
+    const std::vector<NamedLook>& looks = desktop.document().looks().fitted();
+    const auto look = std::ranges::find(looks, plan.look.toStdString(), &NamedLook::name);
+    if (look == looks.end()) {
+        std::printf("no look is called %s\n", qPrintable(plan.look));
+        return 1;
+    }
+    desktop.document().chooseLook(int(look - looks.begin()));
     if (!plan.edit.isEmpty())
         return runEdit(desktop, plan);
     QTest::qWait(2000);
@@ -279,7 +283,7 @@ int main(int argc, char** argv) {
     QCommandLineParser parser;
     parser.addPositionalArgument("FOLDER", "a folder with a CT");
     parser.addOption({"o", "draw all images on this sheet", "FILE"});
-    parser.addOption({"look", "part of its name", "NAME", "Bone"});
+    parser.addOption({"look", "its name", "NAME", "Bone"});
     parser.addOption({"reference", "samples of the reference", "N", "256"});
     parser.addOption({"threads", "0: one per core", "N", "0"});
     parser.addOption({"edit", "edit the look: node:30, curve:20, opacity:0.9, albedo:0.9, lights:3 or cut:10", "EDIT"});
