@@ -254,6 +254,20 @@ inline FloatLanes floatOf(IntLanes bits) {
 
 #endif
 
+/// Returns -1 or 1: the sign of a number, or of a zero.
+template <class Real>
+PDR_HD inline Real signOf(Real x) {
+    using Int = typename SimdTraits<Real>::Int;
+    constexpr std::int32_t kOne = 0x3F800000, kSign = INT32_MIN;
+    return floatOf(Int((bitsOf(x) & kSign) | kOne));
+}
+/// Returns the number without its sign.
+template <class Real>
+PDR_HD inline Real magnitude(Real x) {
+    using Int = typename SimdTraits<Real>::Int;
+    return floatOf(Int(bitsOf(x) & INT32_MAX));
+}
+
 template <class Real>
 PDR_HD inline Real min(Real a, Real b) {
     return a < b ? a : b;
@@ -263,11 +277,66 @@ PDR_HD inline Real max(Real a, Real b) {
     return a > b ? a : b;
 }
 
-/// A point or direction; one for each lane if Real is FloatLanes.
+/// A point, direction or colour; one for each lane if Real is FloatLanes.
 template <class Real>
-struct Vec3 {
-    Real x, y, z;
-};
+using Vec3 = glm::vec<3, Real>;
+template <class Real>
+using Vec2 = glm::vec<2, Real>;
+
+template <class Number, class Mask>
+PDR_HD_INLINE Vec3<Number> chosen(Mask mask, const Vec3<Number>& yes, const Vec3<Number>& no) {
+    return {mask ? yes.x : no.x, mask ? yes.y : no.y, mask ? yes.z : no.z};
+}
+
+/// Returns `v`, in every lane if Real is FloatLanes. The sign of zeros stays.
+template <class Real>
+PDR_HD_INLINE Vec3<Real> everywhere(vec3 v) {
+    return {v.x - Real{}, v.y - Real{}, v.z - Real{}};
+}
+
+#if !defined(__CUDACC__)
+
+/// What GLM has for vectors of single numbers, for lanes, and with one vector or number for all lanes: in the order of
+/// GLM's operations, so that a lane gets the bits that a single vector does.
+PDR_HD_INLINE Vec3<FloatLanes> operator*(const Vec3<FloatLanes>& v, float factor) {
+    return {v.x * factor, v.y * factor, v.z * factor};
+}
+PDR_HD_INLINE Vec3<FloatLanes> operator*(const vec3& v, FloatLanes factor) {
+    return {v.x * factor, v.y * factor, v.z * factor};
+}
+PDR_HD_INLINE Vec3<FloatLanes> operator*(const Vec3<FloatLanes>& a, const vec3& b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+PDR_HD_INLINE Vec3<FloatLanes> operator/(const Vec3<FloatLanes>& v, float divisor) {
+    return {v.x / divisor, v.y / divisor, v.z / divisor};
+}
+PDR_HD_INLINE Vec3<FloatLanes> operator+(const vec3& a, const Vec3<FloatLanes>& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+PDR_HD_INLINE Vec3<FloatLanes> operator-(const Vec3<FloatLanes>& a, const vec3& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+PDR_HD_INLINE Vec3<FloatLanes> operator-(float a, const Vec3<FloatLanes>& b) {
+    return {a - b.x, a - b.y, a - b.z};
+}
+PDR_HD_INLINE Vec3<FloatLanes> operator*(const mat3& m, const Vec3<FloatLanes>& v) {
+    return {m[0][0] * v.x + m[1][0] * v.y + m[2][0] * v.z, m[0][1] * v.x + m[1][1] * v.y + m[2][1] * v.z,
+            m[0][2] * v.x + m[1][2] * v.y + m[2][2] * v.z};
+}
+PDR_HD_INLINE FloatLanes dot(const Vec3<FloatLanes>& a, const Vec3<FloatLanes>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+PDR_HD_INLINE FloatLanes dot(const vec3& a, const Vec3<FloatLanes>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+PDR_HD_INLINE FloatLanes dot(const Vec3<FloatLanes>& a, const vec3& b) {
+    return dot(b, a);
+}
+PDR_HD_INLINE Vec3<FloatLanes> normalize(const Vec3<FloatLanes>& v) {
+    return v * (1.0f / squareRoot(dot(v, v)));
+}
+
+#endif
 
 /// Returns -ln(u) for u in [2^-24, 1], with a relative error below 3e-7. The arithmetic is the same on every device, so
 /// that devices agree bit by bit: ln(2^e m) = e ln 2 + 2 artanh((m - 1) / (m + 1)), m in [0.7, 1.4).

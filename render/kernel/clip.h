@@ -2,6 +2,7 @@
 /// Clipping by planes: everything beyond any of the planes is cut away. What remains is convex, so a ray is clipped by
 /// shortening it.
 
+#include "render/base/lanes.h"
 #include "render/kernel/flat_scene.h"
 #include "render/kernel/ray.h"
 
@@ -26,15 +27,24 @@ PDR_HD_INLINE Interval<Number> cut(const FlatClip& clip, glm::vec<3, Number> ori
 }
 
 /// Returns the length [mm] up to which a ray stays in the uncut part. The ray must start there.
-PDR_HD inline float cutLength(const FlatClip& clip, vec3 origin, vec3 direction, float length) {
-    return cut(clip, origin, direction, Interval<float>{0, length}).leave;
+template <class Real>
+PDR_HD inline Real cutLength(const FlatClip& clip, const Vec3<Real>& origin, const Vec3<Real>& direction, Real length) {
+    for (int i = 0; i < clip.count; ++i) {
+        const vec3 normal = clip.planes[i].normal;
+        const Real room = clip.planes[i].offset - dot(normal, origin);
+        const Real closing = dot(normal, direction);
+        const Real reached = min(room / closing, length);
+        const Real parallel = room < 0.0f ? Real{} - 1.0f : length;
+        length = closing > 0.0f ? reached : (closing < 0.0f ? length : parallel);
+    }
+    return length;
 }
 
 /// A clip plane near a point.
 struct CutFace {
-    vec3 normal;          ///< index space, of any length, towards the part that is cut away
-    vec3 foot;  ///< nearest point on the plane, index space
-    float voxelMm = 0;    ///< size of a voxel across the plane; 0: no plane is near
+    vec3 normal;        ///< index space, of any length, towards the part that is cut away
+    vec3 foot;          ///< nearest point on the plane, index space
+    float voxelMm = 0;  ///< size of a voxel across the plane; 0: no plane is near
 };
 
 /// Returns the nearest plane that is less than a voxel away from `position` (index space).

@@ -19,13 +19,15 @@ struct alignas(16) OpacityPiece {  // aligned, so that a GPU reads it in one acc
     bool operator==(const OpacityPiece&) const = default;
 };
 
-/// Optical properties at one end of a piece; meanings as in TransferNode.
-struct Material {
-    vec3 albedo;
-    vec3 emission;
-    vec3 specular;
-    float roughness;
+/// Optical properties; meanings as in TransferNode. Real: float, or FloatLanes for those of several places.
+template <class Real>
+struct MaterialOf {
+    glm::vec<3, Real> albedo;
+    glm::vec<3, Real> emission;
+    glm::vec<3, Real> specular;
+    Real roughness;
 };
+using Material = MaterialOf<float>;
 
 /// A transfer function. pieces[pieceAt[(hu - INT16_MIN) / 16]] is the first piece that may hold hu. The first piece
 /// begins below any HU, the last one has no end.

@@ -24,10 +24,6 @@ PDR_HD_INLINE Real weightAt(const FlatScene& scene, const Vec3<Real>& position) 
     return min(trilinearAt(scene.mask, place) * kPerWeight, Real{} + 1.0f);
 }
 
-PDR_HD inline float weightAt(const FlatScene& scene, vec3 position) {
-    return weightAt(scene, Vec3<float>{position.x, position.y, position.z});
-}
-
 /// Returns the gradient of the weight at `position` (index space) in local space [1/mm], from differences over the
 /// distance between two nodes.
 PDR_HD inline vec3 weightGradient(const FlatScene& scene, vec3 position) {

@@ -90,8 +90,8 @@ PDR_HD inline float mixedExtinction(const FlatScene& scene, const PlaceInCell& p
 }
 
 /// Returns the extinction at a position with `hu` where parts have curves of their own [1/mm].
-PDR_HD inline float partedExtinction(const FlatScene& scene, const Vec3<float>& position, float hu) {
-    const PlaceInCell place = placeInCell(scene.volume, vec3(position.x, position.y, position.z));
+PDR_HD inline float partedExtinction(const FlatScene& scene, vec3 position, float hu) {
+    const PlaceInCell place = placeInCell(scene.volume, position);
     const int only = onlyCurve(scene, place.corner);
     return only == kSeveralCurves ? mixedExtinction(scene, place, hu) : extinctionOf(scene.parts.curves[only], hu);
 }
@@ -133,10 +133,6 @@ PDR_HD_INLINE Real extinction(const FlatScene& scene, const Vec3<Real>& position
 template <class Real>
 PDR_HD_INLINE Real extinction(const FlatScene& scene, const Vec3<Real>& position) {
     return extinction(scene, position, hounsfield(scene.volume, position));
-}
-
-PDR_HD inline float extinction(const FlatScene& scene, vec3 position) {
-    return extinction(scene, Vec3<float>{position.x, position.y, position.z});
 }
 
 PDR_HD_INLINE Material materialAt(const FlatTransferFunction& function, float hu) {

@@ -7,11 +7,13 @@ namespace pdr {
 
 /// A ray origin + direction * t in index space, with t in mm from the origin and 0 <= t <= length. The origin lies at
 /// the border of the volume's box or inside, so that single precision is accurate wherever the camera stands.
-struct Ray {
-    vec3 origin;
-    vec3 direction;  ///< index-space step per mm
-    float length;    ///< mm; <= 0: the ray misses the box
+template <class Real>
+struct RayOf {
+    glm::vec<3, Real> origin;
+    glm::vec<3, Real> direction;  ///< index-space step per mm
+    Real length;                  ///< mm; <= 0: the ray misses the box
 };
+using Ray = RayOf<float>;
 
 /// The part of a ray at t in [enter, leave]; empty if enter > leave. Number: float or double.
 template <class Number>

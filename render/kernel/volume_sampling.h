@@ -24,7 +24,7 @@ PDR_HD_INLINE Real trilinearAt(const FlatGrid& volume, const Vec3<Real>& positio
 }
 
 PDR_HD inline float interpolatedHounsfield(const FlatVolume& volume, vec3 position) {
-    return trilinearAt<float>(volume, {position.x, position.y, position.z});
+    return trilinearAt(volume, position);
 }
 
 /// Returns the HU at `position` (index space): interpolated exactly, or as texture units do if the volume has a
@@ -33,10 +33,6 @@ PDR_HD inline float hounsfield(const FlatVolume& volume, vec3 position) {
     if (volume.texture != 0) [[unlikely]]  // on the CPU
         return textureHounsfield(volume, position);
     return interpolatedHounsfield(volume, position);
-}
-
-PDR_HD inline float hounsfield(const FlatVolume& volume, const Vec3<float>& position) {
-    return hounsfield(volume, vec3(position.x, position.y, position.z));
 }
 
 #if !defined(__CUDACC__)
@@ -49,7 +45,8 @@ PDR_HD_INLINE FloatLanes hounsfield(const FlatVolume& volume, const Vec3<FloatLa
 #endif
 
 /// Returns the local position [mm] of an index-space position.
-PDR_HD inline vec3 localPosition(const FlatVolume& volume, vec3 position) {
+template <class Real>
+PDR_HD inline Vec3<Real> localPosition(const FlatVolume& volume, const Vec3<Real>& position) {
     return volume.localFromIndex * (position - 0.5f * volume.lastIndex);
 }
 

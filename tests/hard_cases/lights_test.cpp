@@ -93,9 +93,9 @@ class LightsTest : public QObject {
         QCOMPARE(brought(panel, {0, 0, -20}), 0.0);  // behind
         QVERIFY(brought(panel, {20, 0, 1e-30f}) < 1e-20);
         for (const float facing : {0.0f, -0.0f, 1e-45f, 1e-38f, 1e-20f, -1e-20f}) {
-            const LightHit hit = intersectRectangle(panel, {20, 0, 1}, {-1, 0, -facing});
+            const LightHit hit = intersectRectangle(panel, vec3(20, 0, 1), vec3(-1, 0, -facing));
             // Met or not, what is found along such a ray counts for nothing beside the panel's own samples.
-            QVERIFY(!hit.met || powerHeuristic(1, hit.pdf) < 1e-12f);
+            QVERIFY(!hit.met || powerHeuristic(1.0f, hit.pdf) < 1e-12f);
         }
         Scene scene = test::slab(1, {0, 0, -1}, 1);
         for (const dvec3 centre : {kMiddle, dvec3(200.5, 200.5, 60), dvec3(260, 200.5, 5)}) {
@@ -267,9 +267,9 @@ class LightsTest : public QObject {
         for (const float own : {1e-38f, 1e-30f, 1e-3f, 1.0f, 1e3f, 1e30f, 1e38f})
             for (const float other : {1e-38f, 1e-30f, 1e-3f, 1.0f, 1e3f, 1e30f, 1e38f})
                 QVERIFY(std::fabs(powerHeuristic(own, other) + powerHeuristic(other, own) - 1) < 1e-6f);
-        QCOMPARE(powerHeuristic(0, 0), 1.0f);  // light that nobody else can find
-        QCOMPARE(powerHeuristic(5, 0), 1.0f);
-        QCOMPARE(powerHeuristic(5, INFINITY), 0.0f);
+        QCOMPARE(powerHeuristic(0.0f, 0.0f), 1.0f);  // light that nobody else can find
+        QCOMPARE(powerHeuristic(5.0f, 0.0f), 1.0f);
+        QCOMPARE(powerHeuristic(5.0f, INFINITY), 0.0f);
     }
 
     /// Case 50. A shadow march that begins one step of 3 voxels away, so as not to shadow itself, misses that much.

@@ -137,9 +137,12 @@ class PhaseFunctionTest : public QObject {
             for (const float x : {0.0f, -0.0f, tiny, -tiny, 1e-20f, 1e-4f, -4e-4f}) {
                 const float rest = std::sqrt(std::max(0.0f, 1 - z * z - x * x));
                 for (const vec3 n : {vec3(x, rest, z), vec3(-rest, x, z)})
-                    QVERIFY2(error(n, orthonormalBasis) < 1e-6f,
-                             qPrintable(
-                                 QString("%1 at %2 %3 %4").arg(error(n, orthonormalBasis)).arg(n.x).arg(n.y).arg(n.z)));
+                    QVERIFY2(error(n, orthonormalBasis<float>) < 1e-6f,
+                             qPrintable(QString("%1 at %2 %3 %4")
+                                            .arg(error(n, orthonormalBasis<float>))
+                                            .arg(n.x)
+                                            .arg(n.y)
+                                            .arg(n.z)));
             }
     }
 };

@@ -104,8 +104,8 @@ class RandomNumbersTest : public QObject {
             QVERIFY(std::isfinite(light.radiance.x) && light.radiance.x > 0 && light.distance >= 5);
             LightReservoir choice(u.x);
             for (int i = 0; i < lights; ++i)
-                choice.offer({{vec3(float(i)), vec3(0), 1}, vec3(i < 9 ? 1.0f : 0.0f)});
-            QVERIFY(choice.path().radiance.x > 0 && choice.path().ray.origin.x < 9);  // never the dark one
+                choice.offer(true, vec3(float(i)), 1, vec3(i < 9 ? 1.0f : 0.0f));
+            QVERIFY(choice.radianceOfAll().x > 0 && choice.wi.x < 9);  // never the dark one
         }
     }
 

@@ -255,10 +255,9 @@ class LightSamplingTest : public QObject {
         for (int i = 0; i < kSamples; ++i) {
             LightReservoir choice(random.pair().x);
             for (int light = 0; light < 5; ++light)
-                choice.offer({{vec3(float(light)), vec3(0), 1}, vec3(1, 2, 0.5f) * float(strengths[light])});
-            const LightPath path = choice.path();
+                choice.offer(true, vec3(float(light)), 1, vec3(1, 2, 0.5f) * float(strengths[light]));
             for (int light = 0; light < 5; ++light)
-                brought[light].add(path.ray.origin.x == float(light) ? path.radiance.y : 0);
+                brought[light].add(choice.wi.x == float(light) ? choice.radianceOfAll().y : 0);
         }
         QCOMPARE(brought[2].mean(), 0.0);
         for (const int light : {1, 3, 4})

@@ -6,6 +6,7 @@
 
 #include "render/device/cpu/flight_batch.h"
 #include "render/device/cpu/lane_tracker.h"
+#include "render/device/cpu/light_group.h"
 #include "render/device/cpu/sample_origin.h"
 #include "render/kernel/transport/integrator.h"
 
@@ -53,8 +54,7 @@ class PixelBatch {
     template <std::uint32_t F>
     void traceSegments(const FlatScene& scene) {
         traceCollisions(scene);
-        for (int row = 0; row < active_; ++row)
-            endRow<F>(scene, row);
+        lanesCanSeekLight(scene) ? endRowsInLanes<F>(scene) : endRows<F>(scene);
         traceLights(scene);
         keepWhatContinues();
     }
@@ -86,22 +86,64 @@ class PixelBatch {
         scene.looksAtThin ? flights_.flyByLooks(scene, end) : flights_.fly(scene, end);
     }
 
+    /// Ends all segments as endSegment() does. Light is sought from as many events at a time as there are lanes.
     template <std::uint32_t F>
-    PDR_HD_INLINE void endRow(const FlatScene& scene, int row) {
-        const Path& path = paths_[row];
-        const PathVertex vertex = endSegment<F>(scene, paths_[row], collision_[row], bounces_[row], sampleOf(row));
-        continues_[row] = vertex.continues;
-        for (int i = 0; i < kMostLightPaths; ++i) {
-            const LightPath& light = vertex.scattered[i];
-            if (isDark(light))
+    void endRowsInLanes(const FlatScene& scene) {
+        for (int row = 0; row < active_; ++row) {
+            const Path& path = paths_[row];
+            const int bounce = bounces_[row], lightPaths = lightPathsFrom(bounce);
+            vec3 collected(0);
+            continues_[row] = false;
+            if (!arrive<F>(scene, path, collision_[row], bounce, sampleOf(row), collected))
                 continue;
-            if (isFlown(bounces_[row])) {
-                lightOfFlight_[flights_.size()] = {row, light.radiance};
-                flights_.add(light.ray, shadowDepth(path, i), lightLookStream(path, i));
-            } else {
-                lightOfRay_[rays_.size()] = {row, light.radiance};
-                rays_.add(light.ray, shadowStream(path, bounces_[row]));
-            }
+            if (!lit_.hasRoom(lightPaths))
+                departInLanes<F>(scene);
+            const Event event = eventOf<F>(scene, path, collision_[row], bounce);
+            for (int i = 0; i < lightPaths; ++i)
+                lit_.add({row, i}, event, lightNumbers<F>(scene, lightSampler(path, i, bounce), bounce));
+        }
+        departInLanes<F>(scene);
+    }
+
+    template <std::uint32_t F>
+    void departInLanes(const FlatScene& scene) {
+        const LaneColumns<LightPathOf> lights = lit_.lights<F>(scene);
+        for (int lane = 0; lane < lit_.size(); ++lane) {
+            const auto [row, i] = lit_.start(lane);
+            addLightPath(row, i, seen(paths_[row], lights.at(lane), bounces_[row]));
+        }
+        for (int lane = 0; lane < lit_.size(); ++lane) {
+            const auto [row, i] = lit_.start(lane);
+            if (i > 0)
+                continue;
+            PathVertex vertex;
+            depart<F>(scene, paths_[row], lit_.event(lane), bounces_[row], sampleOf(row), vertex);
+            continues_[row] = vertex.continues;
+        }
+        lit_.clear();
+    }
+
+    template <std::uint32_t F>
+    void endRows(const FlatScene& scene) {
+        for (int row = 0; row < active_; ++row) {
+            const PathVertex vertex = endSegment<F>(scene, paths_[row], collision_[row], bounces_[row], sampleOf(row));
+            continues_[row] = vertex.continues;
+            for (int i = 0; i < kMostLightPaths; ++i)
+                addLightPath(row, i, vertex.scattered[i]);
+        }
+    }
+
+    /// Adds light path `i` from the event of a row to those that are traced.
+    PDR_HD_INLINE void addLightPath(int row, int i, const LightPath& light) {
+        if (isDark(light))
+            return;
+        const Path& path = paths_[row];
+        if (isFlown(bounces_[row])) {
+            lightOfFlight_[flights_.size()] = {row, light.radiance};
+            flights_.add(light.ray, shadowDepth(path, i), lightLookStream(path, i));
+        } else {
+            lightOfRay_[rays_.size()] = {row, light.radiance};
+            rays_.add(light.ray, shadowStream(path, bounces_[row]));
         }
     }
 
@@ -168,6 +210,7 @@ class PixelBatch {
     std::array<std::size_t, RayBatch::kCapacity> indices_;  ///< positions in samples_
     std::array<bool, RayBatch::kCapacity> continues_;
     std::array<float, RayBatch::kCapacity> collision_;  ///< distance of the collision; see endSegment()
+    LightGroup lit_;                                    ///< events whose light is sought next
     // for each ray: first of segments, then of light paths
     FlightBatch flights_;
     RayBatch rays_;

@@ -14,53 +14,67 @@
 namespace pdr {
 
 /// A path of light from a light to an event. Where nothing is in between, `radiance` arrives in the camera.
-struct LightPath {
-    Ray ray;        ///< ray from the event to the light
-    vec3 radiance;  ///< linear Rec. 709; 0: nothing to trace
+template <class Real>
+struct LightPathOf {
+    RayOf<Real> ray;      ///< ray from the event to the light
+    Vec3<Real> radiance;  ///< linear Rec. 709; 0: nothing to trace
 };
+using LightPath = LightPathOf<float>;
 
 PDR_HD inline bool isDark(const LightPath& light) {
     return light.radiance == vec3(0);
 }
 
-/// One of several light paths, chosen in proportion to the unshadowed contribution of each and weighted so that it
-/// stands for the sum of all on average (resampled importance sampling, Talbot et al. 2005).
+/// One of several lights, chosen in proportion to the unshadowed contribution of each and weighted so that it stands
+/// for the sum of all on average (resampled importance sampling, Talbot et al. 2005).
+template <class Real>
 struct LightReservoir {
-    LightPath chosen{{vec3(0), vec3(0), 0}, vec3(0)};
-    float weight = 0, total = 0;
-    float u;  ///< the random number that chooses, rescaled: uniform whatever was chosen so far
+    using Mask = typename SimdTraits<Real>::Mask;
 
-    PDR_HD explicit LightReservoir(float number) : u(number) {}
+    Vec3<Real> wi{};        ///< direction to the chosen light, unit, local
+    Real distance{};        ///< mm
+    Vec3<Real> radiance{};  ///< linear Rec. 709
+    Real weight{}, total{};
+    Real u;  ///< the random number that chooses, rescaled: uniform whatever was chosen so far
 
-    PDR_HD void offer(const LightPath& path) {
-        const float strength = std::fabs(path.radiance.x + path.radiance.y + path.radiance.z);
-        if (strength == 0)
+    PDR_HD explicit LightReservoir(Real number) : u(number) {}
+
+    PDR_HD void offer(Mask mask, const Vec3<Real>& direction, Real away, const Vec3<Real>& light) {
+        const Real strength = magnitude(light.x + light.y + light.z);
+        const Mask offered = mask & (strength != 0.0f);
+        if (!any(offered))
             return;
-        total += strength;
-        if (strength == total || !(u * total >= strength)) {  // NaN is chosen, so that it is counted
-            chosen = path;
-            weight = strength;
-            u *= total / strength;
-        } else {
-            u = (u * total - strength) / (total - strength);
+        const Real sum = total + strength;
+        // NaN is chosen, so that it is counted.
+        const Mask taken = offered & ((strength == sum) | !(u * sum >= strength)), left = offered & !taken;
+        total = offered ? sum : total;
+        if (any(left))
+            u = left ? (u * sum - strength) / (sum - strength) : u;
+        if (any(taken)) {
+            u = taken ? u * (sum / strength) : u;
+            wi = chosen(taken, direction, wi);
+            distance = taken ? away : distance;
+            radiance = chosen(taken, light, radiance);
+            weight = taken ? strength : weight;
         }
     }
-    PDR_HD LightPath path() const {
-        LightPath result = chosen;
-        if (total != weight)
-            result.radiance *= total / weight;
-        return result;
+    /// Returns the radiance of the chosen light that stands for all.
+    PDR_HD Vec3<Real> radianceOfAll() const {
+        const Mask several = total != weight;
+        return any(several) ? chosen(several, radiance * (total / weight), radiance) : radiance;
     }
 };
 
 /// Calls visit(light, hit) for each light that a ray meets. `place`: the ray's origin; `direction`: unit; both local.
-template <std::uint32_t F, class Visit>
-PDR_HD inline void forLightsMet(const FlatScene& scene, vec3 place, vec3 direction, Visit&& visit) {
+template <std::uint32_t F, class Real, class Visit>
+PDR_HD inline void forLightsMet(const FlatScene& scene, const Vec3<Real>& place, const Vec3<Real>& direction,
+                                Visit&& visit) {
     if (!has(F, kPlacedLights))
         return;
-    forLightsOnRay(scene, place, direction, [&](const FlatLight& light) {
-        const LightHit hit = intersectLight(light, place - light.position, direction);
-        if (hit.met && hit.distance > 0)
+    forLightsOnRay<Real>(scene, place, direction, [&](const FlatLight& light) {
+        LightHitOf<Real> hit = intersectLight<Real>(light, place - light.position, direction);
+        hit.met = hit.met & (hit.distance > 0.0f);
+        if (any(hit.met))
             visit(light, hit);
     });
 }
@@ -71,56 +85,143 @@ PDR_HD inline bool continuationFindsLight(const FlatScene& scene, int bounce) {
     return scene.lightAlongPath && bounce + 1 < scene.maxBounces;
 }
 
+/// Whether light is sampled along a direction that events scatter to, too: where it pays.
+template <std::uint32_t F>
+PDR_HD inline bool bothWays(const FlatScene& scene) {
+    return has(F, kPlacedLights | kEnvironment) && scene.sampleDirections;
+}
+
+/// The random numbers for the light of an event, or of several in lanes.
+template <class Real>
+struct LightNumbersOf {
+    Real choice;           ///< of the light
+    Vec2<Real> onLight;    ///< all lights share one position, since only one of them is chosen
+    Vec3<Real> direction;  ///< that the event scatters to
+    Real looksAlong;       ///< 1: light is sought along that direction, too
+};
+using LightNumbers = LightNumbersOf<float>;
+
+template <std::uint32_t F>
+PDR_HD inline LightNumbers lightNumbers(const FlatScene& scene, const Sampler& sampler, int bounce) {
+    LightNumbers numbers{sampler.number(bounce, BounceDimension::choice), vec2(0), vec3(0), 0};
+    if (has(F, kPlacedLights))
+        numbers.onLight = sampler.pair(bounce, BounceDimension::light);
+    if (bothWays<F>(scene) && !continuationFindsLight(scene, bounce)) {
+        numbers.direction = sampler.triple(bounce, BounceDimension::direction);
+        numbers.looksAlong = 1;
+    }
+    return numbers;
+}
+
+/// The search for the light of an event, or of several in lanes.
+template <std::uint32_t F, class Real>
+class LightSearch {
+  public:
+    using Mask = typename SimdTraits<Real>::Mask;
+
+    PDR_HD LightSearch(const FlatScene& scene, const EventOf<Real>& event, const LightNumbersOf<Real>& numbers)
+        : scene_(scene),
+          event_(event),
+          numbers_(numbers),
+          origin_(rayOrigin<F>(scene, event)),
+          choice_(numbers.choice) {
+        if constexpr (has(F, kPlacedLights))
+            place_ = localPosition(scene.volume, origin_);
+    }
+
+    PDR_HD void offerLight(const FlatLight& light, float weight) {
+        offer(sampleLight<F, Real>(light, place_, numbers_.onLight), weight);
+    }
+    /// Offers a sample of a light, weighted against what offerScattered() would have found.
+    PDR_HD void offer(const LightSampleOf<Real>& light, float weight) {
+        Real other{};
+        if (bothWays<F>(scene_)) {
+            const Mask found = light.pdf > 0.0f;
+            if (any(found))
+                other = found ? scatterPdf<F>(scene_, event_, light.wi) : other;
+        }
+        offer(Mask{} == Mask{}, light.wi, light.distance,
+              scatterEval<F>(scene_, event_, light.wi) * light.radiance * (weight * powerHeuristic(light.pdf, other)));
+    }
+    /// Offers the light in a direction that the event scatters to, where it looks there.
+    PDR_HD void offerScattered() {
+        const Mask looks = numbers_.looksAlong > 0.0f;
+        if (!bothWays<F>(scene_) || !any(looks))
+            return;
+        const ScatteredOf<Real> along = scatterSample<F>(scene_, event_, numbers_.direction);
+        const Real density = scatterPdf<F>(scene_, event_, along.wi);
+        forLightsMet<F, Real>(scene_, place_, along.wi, [&](const FlatLight& light, const LightHitOf<Real>& hit) {
+            offer(looks & hit.met, along.wi, hit.distance,
+                  along.weight * light.radiance * powerHeuristic(density, hit.pdf));
+        });
+        if constexpr (has(F, kEnvironment))
+            offer(looks, along.wi, Real{} + kFarAway,
+                  along.weight * environmentRadiance(scene_.environment, along.wi) *
+                      powerHeuristic(density, environmentPdf(scene_.environment, along.wi)));
+    }
+
+    /// Returns the chosen light path, shortened where clipped tissue casts no shadow.
+    PDR_HD LightPathOf<Real> path() const {
+        LightPathOf<Real> path{{origin_, scene_.volume.indexFromLocal * choice_.wi, choice_.distance},
+                               choice_.radianceOfAll()};
+        if (scene_.clip.count > 0 && !scene_.clip.shadows)
+            path.ray.length = cutLength(scene_.clip, path.ray.origin, path.ray.direction, path.ray.length);
+        if (scene_.unshadowed)
+            path.ray.length = Real{};
+        return path;
+    }
+
+  private:
+    PDR_HD void offer(Mask mask, const Vec3<Real>& wi, Real distance, const Vec3<Real>& radiance) {
+        const Real crossing = scene_.unshadowed ? Real{} + 1.0f : edgeTransmittance<F>(scene_, event_, wi);
+        choice_.offer(mask, wi, distance, radiance * crossing);
+    }
+
+    const FlatScene& scene_;
+    const EventOf<Real>& event_;
+    const LightNumbersOf<Real>& numbers_;
+    Vec3<Real> origin_;   ///< of rays from the event, index space
+    Vec3<Real> place_{};  ///< the same, local
+    LightReservoir<Real> choice_;
+};
+
 /// Returns a path of light that reaches the event directly from a light and is scattered back along the camera path.
 /// Every light is sampled, or some of very many (many_lights.h). Where it pays, light is also sampled along a direction
 /// that the event scatters to: here, or by the path itself where it continues. Light that both techniques can find is
 /// weighted by multiple importance sampling.
 template <std::uint32_t F>
 PDR_HD inline LightPath directLight(const FlatScene& scene, const Event& event, const Sampler& sampler, int bounce) {
-    const bool bothWays = has(F, kPlacedLights | kEnvironment) && scene.sampleDirections;
-    const vec3 origin = rayOrigin<F>(scene, event);
-    const vec3 place = has(F, kPlacedLights) ? localPosition(scene.volume, origin) : vec3(0);
-    LightReservoir choice(sampler.number(bounce, BounceDimension::choice));
-    const auto offer = [&](vec3 wi, float distance, vec3 radiance) {
-        const float crossing = scene.unshadowed ? 1.0f : edgeTransmittance<F>(scene, event, wi);
-        choice.offer({{origin, scene.volume.indexFromLocal * wi, distance}, radiance * crossing});
-    };
-    const auto offerSample = [&](const LightSample& light, float weight = 1) {
-        const float other = bothWays && light.pdf > 0 ? scatterPdf<F>(scene, event, light.wi) : 0;
-        offer(light.wi, light.distance,
-              scatterEval<F>(scene, event, light.wi) * light.radiance * (weight * powerHeuristic(light.pdf, other)));
-    };
-
-    // All lights share one random position, since only one of them is chosen.
-    const vec2 onLight = has(F, kPlacedLights) ? sampler.pair(bounce, BounceDimension::light) : vec2(0);
-    forLightsLookedAt(scene, sampler, bounce, [&](const FlatLight& light, float weight) {
-        offerSample(sampleLight<F>(light, place, onLight), weight);
-    });
-    // Sample the environment image.
+    const LightNumbers numbers = lightNumbers<F>(scene, sampler, bounce);
+    LightSearch<F, float> search(scene, event, numbers);
+    forLightsLookedAt(scene, sampler, bounce,
+                      [&](const FlatLight& light, float weight) { search.offerLight(light, weight); });
     if (has(F, kEnvironment) && scene.environment.texels != nullptr)
-        offerSample(sampleEnvironment(scene.environment, sampler.pair(bounce, BounceDimension::environment),
-                                      sampler.stream(bounce, BounceDimension::environment).pair()));
-    // Sample a scattered direction and offer the light that it meets.
-    if (bothWays && !continuationFindsLight(scene, bounce)) {
-        const Scattered along = scatterSample<F>(scene, event, sampler.triple(bounce, BounceDimension::direction));
-        const float density = scatterPdf<F>(scene, event, along.wi);
-        forLightsMet<F>(scene, place, along.wi, [&](const FlatLight& light, const LightHit& hit) {
-            offer(along.wi, hit.distance, along.weight * light.radiance * powerHeuristic(density, hit.pdf));
-        });
-        if constexpr (has(F, kEnvironment))
-            offer(along.wi, kFarAway,
-                  along.weight * environmentRadiance(scene.environment, along.wi) *
-                      powerHeuristic(density, environmentPdf(scene.environment, along.wi)));
-    }
-
-    // Take the chosen light path, and shorten it where clipped tissue casts no shadow.
-    LightPath path = choice.path();
-    if (scene.clip.count > 0 && !scene.clip.shadows)
-        path.ray.length = cutLength(scene.clip, path.ray.origin, path.ray.direction, path.ray.length);
-    if (scene.unshadowed)
-        path.ray.length = 0;
-    return path;
+        search.offer(sampleEnvironment(scene.environment, sampler.pair(bounce, BounceDimension::environment),
+                                       sampler.stream(bounce, BounceDimension::environment).pair()),
+                     1);
+    search.offerScattered();
+    return search.path();
 }
+
+#if !defined(__CUDACC__)
+
+/// Returns whether directLight() of lanes can be called: where all events look at the same lights.
+inline bool lanesCanSeekLight(const FlatScene& scene) {
+    return scene.lightSums == nullptr && scene.environment.texels == nullptr;
+}
+
+/// Returns for each lane what directLight() returns for one event, bit by bit.
+template <std::uint32_t F>
+LightPathOf<FloatLanes> directLight(const FlatScene& scene, const EventOf<FloatLanes>& event,
+                                    const LightNumbersOf<FloatLanes>& numbers) {
+    LightSearch<F, FloatLanes> search(scene, event, numbers);
+    for (int i = 0; i < scene.lightCount; ++i)
+        search.offerLight(scene.lights[i], 1);
+    search.offerScattered();
+    return search.path();
+}
+
+#endif
 
 /// Returns the light that a path meets on a segment that was sampled with `pdf` and ends at an event after `collision`
 /// mm (negative: it leaves the volume): the radiance of the lights before that event, and of the environment if the
@@ -129,7 +230,7 @@ template <std::uint32_t F>
 PDR_HD inline vec3 lightOnSegment(const FlatScene& scene, const PathSegment& segment, float pdf, float collision) {
     vec3 radiance(0);
     const vec3 place = has(F, kPlacedLights) ? localPosition(scene.volume, segment.ray.origin) : vec3(0);
-    forLightsMet<F>(scene, place, segment.direction, [&](const FlatLight& light, const LightHit& hit) {
+    forLightsMet<F, float>(scene, place, segment.direction, [&](const FlatLight& light, const LightHit& hit) {
         if (collision < 0 || hit.distance < collision)
             radiance += light.radiance * powerHeuristic(pdf, hit.pdf);
     });

@@ -21,17 +21,35 @@ PDR_HD inline int environmentTexel(const FlatEnvironment& environment, vec3 dire
     return row * size.x + column;
 }
 
+/// Returns the radiance of a gradient from `direction` (unit, local).
+template <class Real>
+PDR_HD inline Vec3<Real> gradientRadiance(const FlatEnvironment& environment, const Vec3<Real>& direction) {
+    return environment.nadir + (environment.zenith - environment.nadir) * (0.5f + 0.5f * direction.z);
+}
+
 /// Returns the radiance that arrives from `direction` (unit, local).
 PDR_HD inline vec3 environmentRadiance(const FlatEnvironment& environment, vec3 direction) {
     if (environment.texels != nullptr)
         return environment.texels[environmentTexel(environment, direction)] * environment.zenith;
-    return environment.nadir + (environment.zenith - environment.nadir) * (0.5f + 0.5f * direction.z);
+    return gradientRadiance(environment, direction);
 }
 
 /// Returns the pdf with which sampleEnvironment finds `direction` [1/sr]; 0 without an image.
 PDR_HD inline float environmentPdf(const FlatEnvironment& environment, vec3 direction) {
     return environment.texels != nullptr ? environment.pdf[environmentTexel(environment, direction)] : 0;
 }
+
+#if !defined(__CUDACC__)
+
+/// The same for lanes. There must be no image.
+inline Vec3<FloatLanes> environmentRadiance(const FlatEnvironment& environment, const Vec3<FloatLanes>& direction) {
+    return gradientRadiance(environment, direction);
+}
+inline FloatLanes environmentPdf(const FlatEnvironment&, const Vec3<FloatLanes>&) {
+    return FloatLanes{};
+}
+
+#endif
 
 /// Samples a direction in proportion to the light of the image's texels, uniformly within a texel's solid angle.
 PDR_HD inline LightSample sampleEnvironment(const FlatEnvironment& environment, vec2 choice, vec2 place) {
@@ -46,7 +64,7 @@ PDR_HD inline LightSample sampleEnvironment(const FlatEnvironment& environment, 
     const int texel = row * size.x + column;
     const float density = environment.pdf[texel];
     if (!(density > 0))
-        return dark();
+        return dark<float>();
     return {{sine * around.sine, sine * around.cosine, z},
             kFarAway,
             environment.texels[texel] * environment.zenith / density,

@@ -11,13 +11,15 @@
 
 namespace pdr {
 
-struct Event {
-    vec3 position;  ///< index space
-    vec3 wo;        ///< unit, local: direction back along the path
-    Material material;
+template <class Real>
+struct EventOf {
+    Vec3<Real> position;  ///< index space
+    Vec3<Real> wo;        ///< unit, local: direction back along the path
+    MaterialOf<Real> material;
     /// Normal of the surface: unit, local, on the side of wo; zero: the phase function scatters.
-    vec3 normal;
+    Vec3<Real> normal;
 };
+using Event = EventOf<float>;
 
 /// Returns the surfaceFactor of a curve [mm/HU] from its gradient factor: 25 gradientFactor^3 / range. The range is of
 /// 12-bit CT and not the volume's own, so that one metal clip does not change how the rest of the image looks.
@@ -102,42 +104,61 @@ PDR_HD_INLINE Event eventAt(const FlatScene& scene, vec3 position, vec3 wo, floa
     return event;
 }
 
-template <std::uint32_t F>
-PDR_HD inline bool isSurface(const Event& event) {
-    return has(F, kSurface) && event.normal != vec3(0);
+template <std::uint32_t F, class Real>
+PDR_HD inline auto isSurface(const EventOf<Real>& event) {
+    using Mask = typename SimdTraits<Real>::Mask;
+    if constexpr (has(F, kSurface))
+        return Mask((event.normal.x != 0.0f) | (event.normal.y != 0.0f) | (event.normal.z != 0.0f));
+    else
+        return Mask{};
 }
 
 /// Returns the light scattered back along the path per radiance from direction `wi` (unit, local) [1/sr].
-template <std::uint32_t F>
-PDR_HD inline vec3 scatterEval(const FlatScene& scene, const Event& event, vec3 wi) {
-    if (isSurface<F>(event))
-        return surfaceEval(event.material, event.normal, event.wo, wi);
-    return event.material.albedo * phaseEval(scene.phaseG, event.wo, wi);
+template <std::uint32_t F, class Real>
+PDR_HD inline Vec3<Real> scatterEval(const FlatScene& scene, const EventOf<Real>& event, const Vec3<Real>& wi) {
+    const auto surface = isSurface<F>(event);
+    Vec3<Real> scattered{};
+    if (any(surface))
+        scattered = surfaceEval(event.material, event.normal, event.wo, wi);
+    if (any(!surface))
+        scattered = chosen(surface, scattered, event.material.albedo * phaseEval(scene.phaseG, event.wo, wi));
+    return scattered;
 }
 
 /// Returns the pdf with which scatterSample finds `wi` [1/sr].
-template <std::uint32_t F>
-PDR_HD inline float scatterPdf(const FlatScene& scene, const Event& event, vec3 wi) {
-    if (isSurface<F>(event))
-        return surfacePdf(event.material, event.normal, event.wo, wi);
-    return phaseEval(scene.phaseG, event.wo, wi);
+template <std::uint32_t F, class Real>
+PDR_HD inline Real scatterPdf(const FlatScene& scene, const EventOf<Real>& event, const Vec3<Real>& wi) {
+    const auto surface = isSurface<F>(event);
+    Real pdf{};
+    if (any(surface))
+        pdf = surfacePdf(event.material, event.normal, event.wo, wi);
+    if (any(!surface))
+        pdf = surface ? pdf : phaseEval(scene.phaseG, event.wo, wi);
+    return pdf;
 }
 
 /// A sampled direction, and the light scattered back per radiance from there, already divided by the direction's pdf.
-struct Scattered {
-    vec3 wi;
-    vec3 weight;
+template <class Real>
+struct ScatteredOf {
+    Vec3<Real> wi;
+    Vec3<Real> weight;
 };
 
-template <std::uint32_t F>
-PDR_HD inline Scattered scatterSample(const FlatScene& scene, const Event& event, vec3 u) {
-    if (!isSurface<F>(event))
-        return {phaseSample(scene.phaseG, event.wo, vec2(u)), event.material.albedo};
-    const vec3 wi = surfaceSample(event.material, event.normal, event.wo, u.z, vec2(u));
-    const float pdf = surfacePdf(event.material, event.normal, event.wo, wi);
-    if (!(pdf > 0))
-        return {wi, vec3(0)};
-    return {wi, surfaceEval(event.material, event.normal, event.wo, wi) / pdf};
+template <std::uint32_t F, class Real>
+PDR_HD inline ScatteredOf<Real> scatterSample(const FlatScene& scene, const EventOf<Real>& event, const Vec3<Real>& u) {
+    const auto surface = isSurface<F>(event);
+    ScatteredOf<Real> scattered{};
+    if (any(surface)) {
+        const Vec3<Real> wi = surfaceSample(event.material, event.normal, event.wo, u.z, Vec2<Real>(u.x, u.y));
+        const Real pdf = surfacePdf(event.material, event.normal, event.wo, wi);
+        const Vec3<Real> weight = surfaceEval(event.material, event.normal, event.wo, wi) / pdf;
+        scattered = {wi, chosen(pdf > 0.0f, weight, Vec3<Real>{})};
+    }
+    if (any(!surface)) {
+        const Vec3<Real> wi = phaseSample(scene.phaseG, event.wo, Vec2<Real>(u.x, u.y));
+        scattered = {chosen(surface, scattered.wi, wi), chosen(surface, scattered.weight, event.material.albedo)};
+    }
+    return scattered;
 }
 
 }  // namespace pdr

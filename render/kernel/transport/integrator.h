@@ -7,13 +7,13 @@
 ///   T(t)      transmittance, exp(-int_0^t sigma_t ds)            track<RatioTracking>     Novak et al. 2014
 ///   sigma_t   extinction; T sigma_t is the pdf of the collision   track<DeltaTracking>     Woodcock et al. 1965
 ///             both up to the first event and its light            firstFlight              by inversion, or looks
-///   c_e       emission per optical depth: its weight is 1, since the collision's pdf is T sigma_t    shadeVertex
+///   c_e       emission per optical depth: its weight is 1, since the collision's pdf is T sigma_t    depart
 ///   a f       albedo and phase function, or a surface's BRDF with its cosine                  scatterEval, event.h
 ///   int_S2    next-event estimation of light from the lights, one light path by resampling (Talbot et al. 2005) with
 ///             multiple importance sampling (Veach & Guibas 1995)              directLight, lightOnSegment
 ///             and, with kBounces, one continuation of the path; Russian roulette keeps its mean    sampleContinuation
 ///
-///   startPath -> traceSegment (track, shadeVertex, track towards the light) -> traceSegment -> ...
+///   startPath -> traceSegment (track, endSegment, track towards the light) -> traceSegment -> ...
 /// A path is a value that goes through these steps; a GPU's thread takes one at a time (traceSegment), the CPU many in
 /// step (device/cpu/pixel_batch.h): both track rays in their own way and call endSegment and addLight in between. Light
 /// that a path can meet where it goes on is collected there, with its weight beside next-event estimation.
@@ -119,7 +119,7 @@ PDR_HD inline bool russianRoulette(vec3& throughput, float u) {
 /// The path's next segment, away from `event`; false where it ends.
 template <std::uint32_t F>
 PDR_HD inline bool sampleContinuation(const FlatScene& scene, Path& path, const Event& event, int bounce) {
-    const Scattered scattered =
+    const ScatteredOf<float> scattered =
         scatterSample<F>(scene, event, path.sampler.triple(bounce, BounceDimension::continuation));
     path.throughput *= scattered.weight * edgeTransmittance<F>(scene, event, scattered.wi);
     if (has(F, kPlacedLights | kEnvironment) && continuationFindsLight(scene, bounce))
@@ -140,25 +140,21 @@ struct PathVertex {
     vec3 collected{0.0f};  ///< radiance of the lights that the segment met
 };
 
-/// `collision` is the distance of the event [mm]. Its pdf is T sigma_t and emission is counted per optical depth, so
-/// emission has the weight 1.
+/// Returns the event at the distance `collision` [mm].
 template <std::uint32_t F>
-PDR_HD inline PathVertex shadeVertex(const FlatScene& scene, Path& path, float collision, int bounce) {
-    const Event event = eventAt<F>(scene, path.segment.ray.origin + path.segment.ray.direction * collision,
-                                   -path.segment.direction, path.sampler.number(bounce, BounceDimension::event));
-    PathVertex met{has(F, kEmission) ? event.material.emission : vec3(0)};
-    const int lightPaths = lightPathsFrom(bounce);
-    for (int i = 0; i < lightPaths; ++i) {
-        met.scattered[i] = directLight<F>(scene, event, path.sampler.branch(i, lightPaths), bounce);
-        met.scattered[i].radiance *= path.throughput / float(lightPaths);
-    }
-    if constexpr (has(F, kBounces)) {
-        met.emitted *= path.throughput;
-        const bool alive = scene.maxBounces > 1 && sampleContinuation<F>(scene, path, event, bounce);
-        met.cut = alive && bounce + 1 >= scene.maxBounces;
-        met.continues = alive && !met.cut;
-    }
-    return met;
+PDR_HD inline Event eventOf(const FlatScene& scene, const Path& path, float collision, int bounce) {
+    return eventAt<F>(scene, path.segment.ray.origin + path.segment.ray.direction * collision, -path.segment.direction,
+                      path.sampler.number(bounce, BounceDimension::event));
+}
+
+/// Returns the sampler of light path `i` from an event.
+PDR_HD inline Sampler lightSampler(const Path& path, int i, int bounce) {
+    return path.sampler.branch(i, lightPathsFrom(bounce));
+}
+/// Returns the light path `light` from an event as the camera sees it.
+PDR_HD inline LightPath seen(const Path& path, LightPath light, int bounce) {
+    light.radiance *= path.throughput / float(lightPathsFrom(bounce));
+    return light;
 }
 
 /// The result of a path.
@@ -179,26 +175,53 @@ PDR_HD inline void noteFaults(const PathSample& sample, Note&& note) {
 }
 
 /// The end of a segment whose ray was tracked to `collision` [mm; negative: it left the volume, NaN: see kMostSteps].
-/// The sample gets what is known without a further ray. The vertex, empty where nothing was met, holds the light path
-/// that is still to be traced (addLight) and whether the path goes on. `bounce`: segments before this one.
+/// The sample gets what the segment itself brings; `collected` is the light that it met. `bounce`: segments before this
+/// one. Returns whether there is an event.
 template <std::uint32_t F>
-PDR_HD inline PathVertex endSegment(const FlatScene& scene, Path& path, float collision, int bounce,
-                                    PathSample& sample) {
+PDR_HD inline bool arrive(const FlatScene& scene, const Path& path, float collision, int bounce, PathSample& sample,
+                          vec3& collected) {
     if (collision != collision || (bounce == 0 && collision < 0)) {
         sample.radiance = missed(scene, path.segment, collision);
-        return {};
+        return false;
     }
-    vec3 collected(0);
     if (has(F, kBounces) && bounce > 0 && scene.lightAlongPath)
         collected = path.throughput * lightOnSegment<F>(scene, path.segment, path.pdf, collision);
     sample.radiance += collected;
     if (collision < 0)
-        return {.collected = collected};
-    PathVertex vertex = shadeVertex<F>(scene, path, collision, bounce);
-    vertex.collected = collected;
+        return false;
     sample.tissue = true;
+    return true;
+}
+
+/// What follows an event whose light paths have been found: the sample gets what needs no further ray, and the path,
+/// where it goes on, its next segment. The event's pdf is T sigma_t and emission is counted per optical depth, so
+/// emission has the weight 1.
+template <std::uint32_t F>
+PDR_HD inline void depart(const FlatScene& scene, Path& path, const Event& event, int bounce, PathSample& sample,
+                          PathVertex& vertex) {
+    vertex.emitted = has(F, kEmission) ? event.material.emission : vec3(0);
+    if constexpr (has(F, kBounces)) {
+        vertex.emitted *= path.throughput;
+        const bool alive = scene.maxBounces > 1 && sampleContinuation<F>(scene, path, event, bounce);
+        vertex.cut = alive && bounce + 1 >= scene.maxBounces;
+        vertex.continues = alive && !vertex.cut;
+    }
     sample.cut = vertex.cut;
     sample.radiance += vertex.emitted;
+}
+
+/// Both, and the event in between. The vertex, empty where nothing was met, holds the light paths that are still to be
+/// traced (addLight) and whether the path goes on.
+template <std::uint32_t F>
+PDR_HD inline PathVertex endSegment(const FlatScene& scene, Path& path, float collision, int bounce,
+                                    PathSample& sample) {
+    PathVertex vertex;
+    if (!arrive<F>(scene, path, collision, bounce, sample, vertex.collected))
+        return vertex;
+    const Event event = eventOf<F>(scene, path, collision, bounce);
+    for (int i = 0; i < lightPathsFrom(bounce); ++i)
+        vertex.scattered[i] = seen(path, directLight<F>(scene, event, lightSampler(path, i, bounce), bounce), bounce);
+    depart<F>(scene, path, event, bounce, sample, vertex);
     return vertex;
 }
 

@@ -13,105 +13,134 @@ inline constexpr float kFarAway = 1e30f;
 
 /// A sampled direction to a light. `radiance` is already divided by the pdf of the sample; 0: the light does not shine
 /// there.
-struct LightSample {
-    vec3 wi;         ///< unit, local
-    float distance;  ///< mm
-    vec3 radiance;
-    float pdf;  ///< pdf of `wi`; 0: no other technique finds this light
+template <class Real>
+struct LightSampleOf {
+    Vec3<Real> wi;  ///< unit, local
+    Real distance;  ///< mm
+    Vec3<Real> radiance;
+    Real pdf;  ///< pdf of `wi`; 0: no other technique finds this light
 };
+using LightSample = LightSampleOf<float>;
 
 /// The point where a ray meets a light, and the pdf with which sampleLight would have chosen that direction.
-struct LightHit {
-    bool met;
-    float distance;  ///< mm; negative: behind the ray's origin
-    float pdf;
+template <class Real>
+struct LightHitOf {
+    typename SimdTraits<Real>::Mask met;
+    Real distance;  ///< mm; negative: behind the ray's origin
+    Real pdf;
 };
+using LightHit = LightHitOf<float>;
 
-inline constexpr LightHit kNoLight{false, 0, 0};
-PDR_HD inline LightSample dark() {
-    return {vec3(0, 0, 1), 0, vec3(0), 0};
+template <class Real>
+PDR_HD inline LightSampleOf<Real> dark() {
+    return {{Real{}, Real{}, Real{} + 1.0f}, Real{}, Vec3<Real>{}, Real{}};
+}
+/// Returns `light` where `lit` holds.
+template <class Real>
+PDR_HD_INLINE LightSampleOf<Real> where(typename SimdTraits<Real>::Mask lit, const LightSampleOf<Real>& light) {
+    const LightSampleOf<Real> none = dark<Real>();
+    return {chosen(lit, light.wi, none.wi), lit ? light.distance : none.distance,
+            chosen(lit, light.radiance, none.radiance), lit ? light.pdf : none.pdf};
 }
 
 // ---- rectangle
 
 /// Samples a point of the rectangle, uniformly over its area. `from`: the lit position, relative to the centre.
-PDR_HD inline LightSample sampleRectangle(const FlatLight& light, vec3 from, vec2 u) {
-    const vec3 path = light.halfU * (2 * u.x - 1) + light.halfV * (2 * u.y - 1) - from;
-    const float squared = glm::dot(path, path);
-    const float distance = std::sqrt(squared);
-    const float facing = -glm::dot(light.normal, path);
-    if (!(facing > 0))
-        return dark();
-    const float solidAngle = light.area * facing / (distance * squared);
-    return {path / distance, distance, light.radiance * solidAngle, 1 / solidAngle};
+template <class Real>
+PDR_HD inline LightSampleOf<Real> sampleRectangle(const FlatLight& light, const Vec3<Real>& from, const Vec2<Real>& u) {
+    using Mask = typename SimdTraits<Real>::Mask;
+    const Vec3<Real> path = light.halfU * (2.0f * u.x - 1.0f) + light.halfV * (2.0f * u.y - 1.0f) - from;
+    const Real squared = dot(path, path);
+    const Real distance = squareRoot(squared);
+    const Real facing = -dot(light.normal, path);
+    const Mask lit = facing > 0.0f;
+    if (!any(lit))
+        return dark<Real>();
+    const Real solidAngle = light.area * facing / (distance * squared);
+    return where<Real>(lit, {path / distance, distance, light.radiance * solidAngle, 1.0f / solidAngle});
 }
 
-PDR_HD inline LightHit intersectRectangle(const FlatLight& light, vec3 from, vec3 direction) {
-    const float facing = -glm::dot(light.normal, direction);
-    if (!(facing > 0))
-        return kNoLight;
-    const float distance = glm::dot(light.normal, from) / facing;
-    const vec3 place = from + direction * distance;
-    if (std::fabs(glm::dot(place, light.halfU)) > glm::dot(light.halfU, light.halfU) ||
-        std::fabs(glm::dot(place, light.halfV)) > glm::dot(light.halfV, light.halfV))
-        return kNoLight;
-    return {true, distance, distance * distance / (light.area * facing)};
+template <class Real>
+PDR_HD inline LightHitOf<Real> intersectRectangle(const FlatLight& light, const Vec3<Real>& from,
+                                                  const Vec3<Real>& direction) {
+    using Mask = typename SimdTraits<Real>::Mask;
+    const Real facing = -dot(light.normal, direction);
+    const Mask faced = facing > 0.0f;
+    if (!any(faced))
+        return LightHitOf<Real>{};
+    const Real distance = dot(light.normal, from) / facing;
+    const Vec3<Real> place = from + direction * distance;
+    const Mask beside = (magnitude(dot(place, light.halfU)) > glm::dot(light.halfU, light.halfU)) |
+                        (magnitude(dot(place, light.halfV)) > glm::dot(light.halfV, light.halfV));
+    return {Mask(faced & !beside), distance, distance * distance / (light.area * facing)};
 }
 
 // ---- sphere
 
 /// Returns 1 - cosine of the half angle that the sphere subtends; no cancellation for small or distant spheres.
-PDR_HD inline float sphereOneMinusCosine(float radius, float distanceSquared) {
-    const float sineSquared = radius * radius / distanceSquared;
-    return sineSquared / (1 + std::sqrt(1 - sineSquared));
+template <class Real>
+PDR_HD inline Real sphereOneMinusCosine(float radius, Real distanceSquared) {
+    const Real sineSquared = radius * radius / distanceSquared;
+    return sineSquared / (1.0f + squareRoot(1.0f - sineSquared));
 }
 
 /// Samples a direction in the cone that the sphere subtends, uniformly over its solid angle. A sphere does not light
 /// its inside.
-PDR_HD inline LightSample sampleSphere(const FlatLight& light, vec3 from, vec2 u) {
-    const float squared = glm::dot(from, from), radius = light.radius;
-    if (!(squared > radius * radius))
-        return dark();
-    const float cone = sphereOneMinusCosine(radius, squared);
-    const float oneMinusCosine = u.x * cone;
-    const float sineSquared = oneMinusCosine * (2 - oneMinusCosine), cosine = 1 - oneMinusCosine;
-    const float distance = std::sqrt(squared);
-    const vec3 axis = -from / distance;
-    vec3 s, t;
+template <class Real>
+PDR_HD inline LightSampleOf<Real> sampleSphere(const FlatLight& light, const Vec3<Real>& from, const Vec2<Real>& u) {
+    using Mask = typename SimdTraits<Real>::Mask;
+    const float radius = light.radius;
+    const Real squared = dot(from, from);
+    const Mask outside = squared > radius * radius;
+    if (!any(outside))
+        return dark<Real>();
+    const Real cone = sphereOneMinusCosine(radius, squared);
+    const Real oneMinusCosine = u.x * cone;
+    const Real sineSquared = oneMinusCosine * (2.0f - oneMinusCosine), cosine = 1.0f - oneMinusCosine;
+    const Real distance = squareRoot(squared);
+    const Vec3<Real> axis = -from / distance;
+    Vec3<Real> s, t;
     orthonormalBasis(axis, s, t);
-    const vec3 wi = axis * cosine + circlePoint(s, t, u.y) * std::sqrt(sineSquared);
-    const float inside = std::sqrt(glm::max(radius * radius - squared * sineSquared, 0.0f));
-    const float solidAngle = 2 * kPi * cone;
-    return {wi, distance * cosine - inside, light.radiance * solidAngle, 1 / solidAngle};
+    const Vec3<Real> wi = axis * cosine + circlePoint(s, t, u.y) * squareRoot(sineSquared);
+    const Real inside = squareRoot(max(Real{}, radius * radius - squared * sineSquared));
+    const Real solidAngle = 2 * kPi * cone;
+    return where<Real>(outside, {wi, distance * cosine - inside, light.radiance * solidAngle, 1.0f / solidAngle});
 }
 
-PDR_HD inline LightHit intersectSphere(const FlatLight& light, vec3 from, vec3 direction) {
-    const float squared = glm::dot(from, from), radius = light.radius;
-    const float closest = -glm::dot(from, direction);
-    const vec3 aside = from + direction * closest;
-    const float inside = radius * radius - glm::dot(aside, aside);
-    if (!(squared > radius * radius) || !(inside > 0))
-        return kNoLight;
-    return {true, closest - std::sqrt(inside), 1 / (2 * kPi * sphereOneMinusCosine(radius, squared))};
+template <class Real>
+PDR_HD inline LightHitOf<Real> intersectSphere(const FlatLight& light, const Vec3<Real>& from,
+                                               const Vec3<Real>& direction) {
+    using Mask = typename SimdTraits<Real>::Mask;
+    const float radius = light.radius;
+    const Real squared = dot(from, from);
+    const Real closest = -dot(from, direction);
+    const Vec3<Real> aside = from + direction * closest;
+    const Real inside = radius * radius - dot(aside, aside);
+    const Mask met = (squared > radius * radius) & (inside > 0.0f);
+    if (!any(met))
+        return LightHitOf<Real>{};
+    return {met, closest - squareRoot(inside), 1.0f / (2 * kPi * sphereOneMinusCosine(radius, squared))};
 }
 
 // ---- any light
 
 /// Samples any light. `place`: the lit position, local [mm].
-template <std::uint32_t F>
-PDR_HD inline LightSample sampleLight(const FlatLight& light, vec3 place, vec2 u) {
+template <std::uint32_t F, class Real>
+PDR_HD inline LightSampleOf<Real> sampleLight(const FlatLight& light, const Vec3<Real>& place, const Vec2<Real>& u) {
     if (has(F, kPlacedLights) && light.type == LightType::rectangle)
-        return sampleRectangle(light, place - light.position, u);
+        return sampleRectangle<Real>(light, place - light.position, u);
     if (has(F, kPlacedLights) && light.type == LightType::sphere)
-        return sampleSphere(light, place - light.position, u);
-    return {light.normal, kFarAway, light.radiance, 0};
+        return sampleSphere<Real>(light, place - light.position, u);
+    return {everywhere<Real>(light.normal), Real{} + kFarAway, everywhere<Real>(light.radiance), Real{}};
 }
 
 /// Intersects any light. `from`: the ray's origin, relative to the light's position; `direction`: unit; both local.
-PDR_HD inline LightHit intersectLight(const FlatLight& light, vec3 from, vec3 direction) {
+template <class Real>
+PDR_HD inline LightHitOf<Real> intersectLight(const FlatLight& light, const Vec3<Real>& from,
+                                              const Vec3<Real>& direction) {
     if (light.type == LightType::rectangle)
         return intersectRectangle(light, from, direction);
-    return light.type == LightType::sphere ? intersectSphere(light, from, direction) : kNoLight;
+    return light.type == LightType::sphere ? intersectSphere(light, from, direction) : LightHitOf<Real>{};
 }
 
 }  // namespace pdr

@@ -3,6 +3,8 @@
 /// all. Of more lights, an event samples some in proportion to what they bring to the volume, and those on a ray are
 /// found in a tree of bounding spheres (prepare/light_tables.h).
 
+#include <type_traits>
+
 #include "render/kernel/flat_scene.h"
 #include "render/kernel/intervals.h"
 #include "render/kernel/sampler.h"
@@ -40,15 +42,8 @@ PDR_HD inline bool passesThrough(const FlatLightNode& node, vec3 place, vec3 dir
     return along > -node.radius && glm::dot(aside, aside) < node.radius * node.radius;
 }
 
-/// Calls visit(light) for each light that a ray may meet. `place`: the ray's origin, in the volume; `direction`: unit;
-/// both local.
 template <class Visit>
-PDR_HD inline void forLightsOnRay(const FlatScene& scene, vec3 place, vec3 direction, Visit&& visit) {
-    if (scene.lightSums == nullptr) {
-        for (int i = 0; i < scene.lightCount; ++i)
-            visit(scene.lights[i]);
-        return;
-    }
+PDR_HD inline void forLightsInTree(const FlatScene& scene, vec3 place, vec3 direction, Visit&& visit) {
     for (int i = 0; i < scene.lightNodeCount;) {
         const FlatLightNode& node = scene.lightNodes[i];
         const bool passes = passesThrough(node, place, direction);
@@ -56,6 +51,18 @@ PDR_HD inline void forLightsOnRay(const FlatScene& scene, vec3 place, vec3 direc
             visit(scene.lights[node.light]);
         i = passes ? i + 1 : node.next;
     }
+}
+
+/// Calls visit(light) for each light that a ray may meet. `place`: the ray's origin, in the volume; `direction`: unit;
+/// both local. For lanes, there must be few lights.
+template <class Real, class Visit>
+PDR_HD inline void forLightsOnRay(const FlatScene& scene, const Vec3<Real>& place, const Vec3<Real>& direction,
+                                  Visit&& visit) {
+    if (!std::is_same_v<Real, float> || scene.lightSums == nullptr)
+        for (int i = 0; i < scene.lightCount; ++i)
+            visit(scene.lights[i]);
+    else if constexpr (std::is_same_v<Real, float>)
+        forLightsInTree(scene, place, direction, visit);
 }
 
 }  // namespace pdr

@@ -11,27 +11,32 @@ namespace pdr {
 
 /// Returns where the rays of an event start (index space): at the event, or, if it is on a surface and the scene says
 /// so, one voxel out along the normal, but never beyond a clip plane.
-template <std::uint32_t F>
-PDR_HD inline vec3 rayOrigin(const FlatScene& scene, const Event& event) {
-    if (!scene.raysStartOutside || !isSurface<F>(event))
+template <std::uint32_t F, class Real>
+PDR_HD inline Vec3<Real> rayOrigin(const FlatScene& scene, const EventOf<Real>& event) {
+    const auto surface = isSurface<F>(event);
+    if (!scene.raysStartOutside || !any(surface))
         return event.position;
-    const vec3 across = glm::normalize(scene.volume.indexFromLocal * event.normal);
-    return event.position + across * glm::max(cutLength(scene.clip, event.position, across, 1.0f), 0.0f);
+    const Vec3<Real> across = normalize(scene.volume.indexFromLocal * event.normal);
+    const Real outwards = max(Real{}, cutLength(scene.clip, event.position, across, Real{} + 1.0f));
+    return chosen(surface, event.position + across * outwards, event.position);
 }
 
 /// Returns the mean fraction of light that crosses a plane edge to the events in it. `view`, `light`: cosines of both
 /// directions with its normal; `view` is not negative. Events at the optical depth t below the edge are seen with the
 /// pdf exp(-t / view) / view, and exp(-t / light) of the light reaches them.
-PDR_HD inline float edgeTransmittance(float view, float light) {
-    return light > 0 ? light / (light + view) : 1.0f;
+template <class Real>
+PDR_HD inline Real edgeTransmittance(Real view, Real light) {
+    return light > 0.0f ? light / (light + view) : Real{} + 1.0f;
 }
 
 /// Returns the fraction of light from `wi` (unit, local) that reaches an event from rayOrigin().
-template <std::uint32_t F>
-PDR_HD inline float edgeTransmittance(const FlatScene& scene, const Event& event, vec3 wi) {
-    if (!scene.raysStartOutside || !isSurface<F>(event))
-        return 1;
-    return edgeTransmittance(glm::dot(event.normal, event.wo), glm::dot(event.normal, wi));
+template <std::uint32_t F, class Real>
+PDR_HD inline Real edgeTransmittance(const FlatScene& scene, const EventOf<Real>& event, const Vec3<Real>& wi) {
+    const auto surface = isSurface<F>(event);
+    if (!scene.raysStartOutside || !any(surface))
+        return Real{} + 1.0f;
+    const Real transmitted = edgeTransmittance(dot(event.normal, event.wo), dot(event.normal, wi));
+    return surface ? transmitted : Real{} + 1.0f;
 }
 
 }  // namespace pdr

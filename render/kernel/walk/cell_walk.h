@@ -37,7 +37,7 @@ struct PartedHuAlong : MaskedHuAlong<Real> {
 /// Assigns `other` where `mask` holds.
 template <class Number, class Mask>
 PDR_HD_INLINE void take(Vec3<Number>& mine, Mask mask, const Vec3<Number>& other) {
-    mine = {mask ? other.x : mine.x, mask ? other.y : mine.y, mask ? other.z : mine.z};
+    mine = chosen(mask, other, mine);
 }
 
 /// Reads the cell between voxels whose lowest corner is `voxel`, or the nearest one, and describes in `way` the segment

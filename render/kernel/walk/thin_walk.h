@@ -157,11 +157,6 @@ class ThinWalk {
   private:
     PDR_HD Mask looksAgain() const { return again_ > 0.0f; }
 
-    template <class Number>
-    PDR_HD_INLINE static Vec3<Number> chosen(Mask mask, const Vec3<Number>& yes, const Vec3<Number>& no) {
-        return {mask ? yes.x : no.x, mask ? yes.y : no.y, mask ? yes.z : no.z};
-    }
-
     /// Prefetches what the next step reads, unless it is a look.
     PDR_HD_INLINE void prefetchNext(const FlatScene& scene) const {
         const FlatMajorants& grid = scene.majorants;

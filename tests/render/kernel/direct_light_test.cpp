@@ -103,9 +103,9 @@ class DirectLightTest : public QObject {
         scene.environment = {vec3(3), false, vec3(1)};
         const auto prepared = test::prepared(scene);
         const FlatEnvironment& sky = prepared->flat.environment;
-        QCOMPARE(environmentRadiance(sky, {0, 0, 1}).x, 3.0f);
-        QCOMPARE(environmentRadiance(sky, {0, 1, 0}).x, 2.0f);
-        QCOMPARE(environmentRadiance(sky, {0, 0, -1}).x, 1.0f);
+        QCOMPARE(environmentRadiance(sky, vec3(0, 0, 1)).x, 3.0f);
+        QCOMPARE(environmentRadiance(sky, vec3(0, 1, 0)).x, 2.0f);
+        QCOMPARE(environmentRadiance(sky, vec3(0, 0, -1)).x, 1.0f);
     }
 
     /// A hidden environment lights the tissue all the same.

@@ -72,10 +72,10 @@ class SurfaceTest : public QObject {
 
     /// Schlick 1994: F0 + (1 - F0) (1 - cos)^5.
     void fresnelIsSchlicks() {
-        QVERIFY(close(fresnel(vec3(0.04f), 1).x, 0.04, 1e-6));
+        QVERIFY(close(fresnel(vec3(0.04f), 1.0f).x, 0.04, 1e-6));
         QVERIFY(close(fresnel(vec3(0.04f), 0.5f).x, 0.04 + 0.96 / 32, 1e-6));
         QVERIFY(close(fresnel(vec3(0.04f), 0.25f).x, 0.04 + 0.96 * std::pow(0.75, 5), 1e-6));
-        QVERIFY(close(fresnel(vec3(0.04f), 0).x, 1, 1e-6));
+        QVERIFY(close(fresnel(vec3(0.04f), 0.0f).x, 1, 1e-6));
     }
 
     /// Helmholtz: light goes either way alike.

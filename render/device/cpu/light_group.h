@@ -1,0 +1,78 @@
+#pragma once
+/// Light paths from the events of several paths, sought together: one in each lane.
+
+#include <array>
+#include <cstring>
+
+#include "render/kernel/transport/direct_light.h"
+
+namespace pdr {
+
+/// One structure of floats for each lane. Of<float> and Of<FloatLanes> have the same members in the same order.
+template <template <class> class Of>
+class LaneColumns {
+  public:
+    LaneColumns() = default;
+    explicit LaneColumns(const Of<FloatLanes>& all) { std::memcpy(&columns_, &all, sizeof all); }
+
+    Of<FloatLanes> all() const {
+        Of<FloatLanes> all;
+        std::memcpy(&all, &columns_, sizeof all);
+        return all;
+    }
+    void set(int lane, const Of<float>& one) {
+        Row row;
+        std::memcpy(&row, &one, sizeof one);
+        for (std::size_t i = 0; i < kNumbers; ++i)
+            columns_[i][std::size_t(lane)] = row[i];
+    }
+    Of<float> at(int lane) const {
+        Row row;
+        for (std::size_t i = 0; i < kNumbers; ++i)
+            row[i] = columns_[i][std::size_t(lane)];
+        Of<float> one;
+        std::memcpy(&one, &row, sizeof one);
+        return one;
+    }
+
+  private:
+    static constexpr std::size_t kNumbers = sizeof(Of<float>) / sizeof(float);
+    static_assert(sizeof(Of<FloatLanes>) == kNumbers * sizeof(FloatLanes));
+    using Row = std::array<float, kNumbers>;
+
+    alignas(64) std::array<std::array<float, kLanes>, kNumbers> columns_{};
+};
+
+/// Light paths that are sought together, and the events that they start at.
+class LightGroup {
+  public:
+    /// Number `path` of the light paths from the event of a row.
+    struct Start {
+        int row, path;
+    };
+
+    int size() const { return size_; }
+    bool hasRoom(int paths) const { return size_ + paths <= kLanes; }
+    void clear() { size_ = 0; }
+    void add(Start start, const Event& event, const LightNumbers& numbers) {
+        starts_[std::size_t(size_)] = start;
+        events_.set(size_, event);
+        numbers_.set(size_++, numbers);
+    }
+
+    Start start(int lane) const { return starts_[std::size_t(lane)]; }
+    Event event(int lane) const { return events_.at(lane); }
+    /// Returns what directLight() finds at each event. The scene must be one that lanesCanSeekLight() in.
+    template <std::uint32_t F>
+    LaneColumns<LightPathOf> lights(const FlatScene& scene) const {
+        return LaneColumns<LightPathOf>(directLight<F>(scene, events_.all(), numbers_.all()));
+    }
+
+  private:
+    int size_ = 0;
+    std::array<Start, kLanes> starts_;
+    LaneColumns<EventOf> events_;
+    LaneColumns<LightNumbersOf> numbers_;
+};
+
+}  // namespace pdr
