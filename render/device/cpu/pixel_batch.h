@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "render/device/cpu/event_group.h"
 #include "render/device/cpu/flight_batch.h"
 #include "render/device/cpu/lane_tracker.h"
-#include "render/device/cpu/light_group.h"
 #include "render/device/cpu/sample_origin.h"
 #include "render/kernel/transport/integrator.h"
 
@@ -86,41 +86,75 @@ class PixelBatch {
         scene.looksAtThin ? flights_.flyByLooks(scene, end) : flights_.fly(scene, end);
     }
 
-    /// Ends all segments as endSegment() does. Light is sought from as many events at a time as there are lanes.
+    /// Ends all segments as endSegment() does, with as many events at a time as there are lanes.
     template <std::uint32_t F>
     void endRowsInLanes(const FlatScene& scene) {
+        collectLight<F>(scene);
         for (int row = 0; row < active_; ++row) {
             const Path& path = paths_[row];
             const int bounce = bounces_[row], lightPaths = lightPathsFrom(bounce);
-            vec3 collected(0);
             continues_[row] = false;
-            if (!arrive<F>(scene, path, collision_[row], bounce, sampleOf(row), collected))
+            if (!arrive(scene, path, collision_[row], bounce, sampleOf(row), collected_[row]))
                 continue;
-            if (!lit_.hasRoom(lightPaths))
+            if (!events_.hasRoom(lightPaths))
                 departInLanes<F>(scene);
             const Event event = eventOf<F>(scene, path, collision_[row], bounce);
+            if constexpr (has(F, kBounces))
+                onwardNumbers_.set(events_.size(), path.sampler.triple(bounce, BounceDimension::continuation));
             for (int i = 0; i < lightPaths; ++i)
-                lit_.add({row, i}, event, lightNumbers<F>(scene, lightSampler(path, i, bounce), bounce));
+                events_.add({row, i}, event, lightNumbers<F>(scene, lightSampler(path, i, bounce), bounce));
         }
         departInLanes<F>(scene);
     }
 
+    /// Finds the light on all segments.
+    template <std::uint32_t F>
+    void collectLight(const FlatScene& scene) {
+        LaneColumns<LitSegmentOf> segments;
+        std::array<int, kLanes> rows;
+        int count = 0;
+        for (int row = 0; row < active_; ++row) {
+            collected_[row] = vec3(0);
+            if (collectsLight<F>(scene, bounces_[row], collision_[row])) {
+                segments.set(count, litSegment(paths_[row], collision_[row]));
+                rows[count++] = row;
+            }
+            if (count < kLanes && (count == 0 || row + 1 < active_))
+                continue;
+            const LaneColumns<Vec3> lights(lightOnSegment<F>(scene, segments.all()));
+            for (int lane = 0; lane < count; ++lane)
+                collected_[rows[lane]] = paths_[rows[lane]].throughput * lights.at(lane);
+            count = 0;
+        }
+    }
+
+    /// Finds the light paths from the events that have been gathered, and sends their paths on.
     template <std::uint32_t F>
     void departInLanes(const FlatScene& scene) {
-        const LaneColumns<LightPathOf> lights = lit_.lights<F>(scene);
-        for (int lane = 0; lane < lit_.size(); ++lane) {
-            const auto [row, i] = lit_.start(lane);
+        if (events_.size() == 0)
+            return;
+        const EventOf<FloatLanes> events = events_.all();
+        const LaneColumns<LightPathOf> lights(directLight<F>(scene, events, events_.numbers()));
+        for (int lane = 0; lane < events_.size(); ++lane) {
+            const auto [row, i] = events_.start(lane);
             addLightPath(row, i, seen(paths_[row], lights.at(lane), bounces_[row]));
         }
-        for (int lane = 0; lane < lit_.size(); ++lane) {
-            const auto [row, i] = lit_.start(lane);
+        LaneColumns<ContinuationOf> onward;
+        if (has(F, kBounces) && scene.maxBounces > 1)
+            onward = LaneColumns<ContinuationOf>(
+                continuationFrom<F>(scene, events, onwardNumbers_.all(), scene.lightAlongPath));
+        for (int lane = 0; lane < events_.size(); ++lane) {
+            const auto [row, i] = events_.start(lane);
             if (i > 0)
                 continue;
+            Path& path = paths_[row];
+            const int bounce = bounces_[row];
             PathVertex vertex;
-            depart<F>(scene, paths_[row], lit_.event(lane), bounces_[row], sampleOf(row), vertex);
+            depart<F>(scene, path, events_.emission(lane), bounce, sampleOf(row), vertex,
+                      [&, lane = lane] { return goOn(path, onward.at(lane), bounce); });
             continues_[row] = vertex.continues;
         }
-        lit_.clear();
+        events_.clear();
     }
 
     template <std::uint32_t F>
@@ -210,7 +244,9 @@ class PixelBatch {
     std::array<std::size_t, RayBatch::kCapacity> indices_;  ///< positions in samples_
     std::array<bool, RayBatch::kCapacity> continues_;
     std::array<float, RayBatch::kCapacity> collision_;  ///< distance of the collision; see endSegment()
-    LightGroup lit_;                                    ///< events whose light is sought next
+    std::array<vec3, RayBatch::kCapacity> collected_;   ///< light on the segment, as the camera sees it
+    EventGroup events_;                                 ///< events whose light is sought next
+    LaneColumns<Vec3> onwardNumbers_;                   ///< and the random numbers for their continuations
     // for each ray: first of segments, then of light paths
     FlightBatch flights_;
     RayBatch rays_;

@@ -223,20 +223,33 @@ LightPathOf<FloatLanes> directLight(const FlatScene& scene, const EventOf<FloatL
 
 #endif
 
-/// Returns the light that a path meets on a segment that was sampled with `pdf` and ends at an event after `collision`
-/// mm (negative: it leaves the volume): the radiance of the lights before that event, and of the environment if the
-/// segment leaves. It is weighted against directLight() at the event before, the other technique that finds it.
-template <std::uint32_t F>
-PDR_HD inline vec3 lightOnSegment(const FlatScene& scene, const PathSegment& segment, float pdf, float collision) {
-    vec3 radiance(0);
-    const vec3 place = has(F, kPlacedLights) ? localPosition(scene.volume, segment.ray.origin) : vec3(0);
-    forLightsMet<F, float>(scene, place, segment.direction, [&](const FlatLight& light, const LightHit& hit) {
-        if (collision < 0 || hit.distance < collision)
-            radiance += light.radiance * powerHeuristic(pdf, hit.pdf);
+/// A segment of a path on which light is met.
+template <class Real>
+struct LitSegmentOf {
+    Vec3<Real> origin;     ///< index space
+    Vec3<Real> direction;  ///< unit, local
+    Real pdf;              ///< with which the direction was sampled [1/sr]
+    Real collision;        ///< mm to the event at its end; negative: it leaves the volume
+};
+
+/// Returns the light that a path meets on a segment: the radiance of the lights before the event at its end, and of the
+/// environment if the segment leaves. It is weighted against directLight() at the event before, the other technique
+/// that finds it. For lanes, as directLight().
+template <std::uint32_t F, class Real>
+PDR_HD inline Vec3<Real> lightOnSegment(const FlatScene& scene, const LitSegmentOf<Real>& segment) {
+    using Mask = typename SimdTraits<Real>::Mask;
+    Vec3<Real> radiance{}, place{};
+    const auto add = [&](Mask mask, const Vec3<Real>& light) { radiance = chosen(mask, radiance + light, radiance); };
+    if constexpr (has(F, kPlacedLights))
+        place = localPosition(scene.volume, segment.origin);
+    const Mask leaves = segment.collision < 0.0f;
+    forLightsMet<F, Real>(scene, place, segment.direction, [&](const FlatLight& light, const LightHitOf<Real>& hit) {
+        add(hit.met & (leaves | (hit.distance < segment.collision)),
+            light.radiance * powerHeuristic(segment.pdf, hit.pdf));
     });
-    if (has(F, kEnvironment) && collision < 0)
-        radiance += environmentRadiance(scene.environment, segment.direction) *
-                    powerHeuristic(pdf, environmentPdf(scene.environment, segment.direction));
+    if (has(F, kEnvironment) && any(leaves))
+        add(leaves, environmentRadiance(scene.environment, segment.direction) *
+                        powerHeuristic(segment.pdf, environmentPdf(scene.environment, segment.direction)));
     return radiance;
 }
 

@@ -116,18 +116,44 @@ PDR_HD inline bool russianRoulette(vec3& throughput, float u) {
     return true;
 }
 
+/// How a path continues from an event, or several in lanes.
+template <class Real>
+struct ContinuationOf {
+    RayOf<Real> ray;
+    Vec3<Real> direction;  ///< unit, local
+    Vec3<Real> weight;     ///< fraction of the radiance from there that the event passes on, divided by the pdf
+    Real pdf;              ///< of the direction [1/sr]; 0 where no light is sought along it
+};
+
+/// Returns a continuation from `event`, sampled by three numbers. `findsLight`: the path collects the light on it.
+template <std::uint32_t F, class Real>
+PDR_HD inline ContinuationOf<Real> continuationFrom(const FlatScene& scene, const EventOf<Real>& event,
+                                                    const Vec3<Real>& u, bool findsLight) {
+    const ScatteredOf<Real> scattered = scatterSample<F>(scene, event, u);
+    ContinuationOf<Real> onward;
+    onward.weight = scattered.weight * edgeTransmittance<F>(scene, event, scattered.wi);
+    onward.pdf =
+        has(F, kPlacedLights | kEnvironment) && findsLight ? scatterPdf<F>(scene, event, scattered.wi) : Real{};
+    const Vec3<Real> direction = scene.volume.indexFromLocal * scattered.wi;
+    const Vec3<Real> origin = rayOrigin<F>(scene, event);
+    onward.ray = {origin, direction, cutLength(scene.clip, origin, direction, Real{} + kFarAway)};
+    onward.direction = scattered.wi;
+    return onward;
+}
+
+/// Sends the path on to its next segment; false where it ends.
+PDR_HD inline bool goOn(Path& path, const ContinuationOf<float>& onward, int bounce) {
+    path.throughput *= onward.weight;
+    path.pdf = onward.pdf;
+    path.segment = {onward.ray, onward.direction};
+    return russianRoulette(path.throughput, path.sampler.number(bounce, BounceDimension::roulette));
+}
+
 /// The path's next segment, away from `event`; false where it ends.
 template <std::uint32_t F>
 PDR_HD inline bool sampleContinuation(const FlatScene& scene, Path& path, const Event& event, int bounce) {
-    const ScatteredOf<float> scattered =
-        scatterSample<F>(scene, event, path.sampler.triple(bounce, BounceDimension::continuation));
-    path.throughput *= scattered.weight * edgeTransmittance<F>(scene, event, scattered.wi);
-    if (has(F, kPlacedLights | kEnvironment) && continuationFindsLight(scene, bounce))
-        path.pdf = scatterPdf<F>(scene, event, scattered.wi);
-    const vec3 direction = scene.volume.indexFromLocal * scattered.wi;
-    const vec3 origin = rayOrigin<F>(scene, event);
-    path.segment = {{origin, direction, cutLength(scene.clip, origin, direction, kFarAway)}, scattered.wi};
-    return russianRoulette(path.throughput, path.sampler.number(bounce, BounceDimension::roulette));
+    const vec3 u = path.sampler.triple(bounce, BounceDimension::continuation);
+    return goOn(path, continuationFrom<F>(scene, event, u, continuationFindsLight(scene, bounce)), bounce);
 }
 
 /// What happens at the end of a segment: light that starts there, light that is scattered there, and whether the path,
@@ -174,18 +200,24 @@ PDR_HD inline void noteFaults(const PathSample& sample, Note&& note) {
         note(Fault::cutPath);
 }
 
-/// The end of a segment whose ray was tracked to `collision` [mm; negative: it left the volume, NaN: see kMostSteps].
-/// The sample gets what the segment itself brings; `collected` is the light that it met. `bounce`: segments before this
-/// one. Returns whether there is an event.
+/// Returns whether a path collects the light that it meets on a segment.
 template <std::uint32_t F>
+PDR_HD inline bool collectsLight(const FlatScene& scene, int bounce, float collision) {
+    return has(F, kBounces) && bounce > 0 && scene.lightAlongPath && collision == collision;
+}
+PDR_HD inline LitSegmentOf<float> litSegment(const Path& path, float collision) {
+    return {path.segment.ray.origin, path.segment.direction, path.pdf, collision};
+}
+
+/// The end of a segment whose ray was tracked to `collision` [mm; negative: it left the volume, NaN: see kMostSteps].
+/// The sample gets what the segment itself brings; `collected` is the light on it, as the camera sees it. `bounce`:
+/// segments before this one. Returns whether there is an event.
 PDR_HD inline bool arrive(const FlatScene& scene, const Path& path, float collision, int bounce, PathSample& sample,
-                          vec3& collected) {
+                          vec3 collected) {
     if (collision != collision || (bounce == 0 && collision < 0)) {
         sample.radiance = missed(scene, path.segment, collision);
         return false;
     }
-    if (has(F, kBounces) && bounce > 0 && scene.lightAlongPath)
-        collected = path.throughput * lightOnSegment<F>(scene, path.segment, path.pdf, collision);
     sample.radiance += collected;
     if (collision < 0)
         return false;
@@ -194,15 +226,15 @@ PDR_HD inline bool arrive(const FlatScene& scene, const Path& path, float collis
 }
 
 /// What follows an event whose light paths have been found: the sample gets what needs no further ray, and the path,
-/// where it goes on, its next segment. The event's pdf is T sigma_t and emission is counted per optical depth, so
-/// emission has the weight 1.
-template <std::uint32_t F>
-PDR_HD inline void depart(const FlatScene& scene, Path& path, const Event& event, int bounce, PathSample& sample,
-                          PathVertex& vertex) {
-    vertex.emitted = has(F, kEmission) ? event.material.emission : vec3(0);
+/// where it goes on, its next segment: goesOn() sends it there, or returns false where it ends. The event's pdf is T
+/// sigma_t and emission is counted per optical depth, so emission has the weight 1.
+template <std::uint32_t F, class GoesOn>
+PDR_HD inline void depart(const FlatScene& scene, const Path& path, vec3 emission, int bounce, PathSample& sample,
+                          PathVertex& vertex, GoesOn&& goesOn) {
+    vertex.emitted = has(F, kEmission) ? emission : vec3(0);
     if constexpr (has(F, kBounces)) {
         vertex.emitted *= path.throughput;
-        const bool alive = scene.maxBounces > 1 && sampleContinuation<F>(scene, path, event, bounce);
+        const bool alive = scene.maxBounces > 1 && goesOn();
         vertex.cut = alive && bounce + 1 >= scene.maxBounces;
         vertex.continues = alive && !vertex.cut;
     }
@@ -216,12 +248,15 @@ template <std::uint32_t F>
 PDR_HD inline PathVertex endSegment(const FlatScene& scene, Path& path, float collision, int bounce,
                                     PathSample& sample) {
     PathVertex vertex;
-    if (!arrive<F>(scene, path, collision, bounce, sample, vertex.collected))
+    if (collectsLight<F>(scene, bounce, collision))
+        vertex.collected = path.throughput * lightOnSegment<F>(scene, litSegment(path, collision));
+    if (!arrive(scene, path, collision, bounce, sample, vertex.collected))
         return vertex;
     const Event event = eventOf<F>(scene, path, collision, bounce);
     for (int i = 0; i < lightPathsFrom(bounce); ++i)
         vertex.scattered[i] = seen(path, directLight<F>(scene, event, lightSampler(path, i, bounce), bounce), bounce);
-    depart<F>(scene, path, event, bounce, sample, vertex);
+    depart<F>(scene, path, event.material.emission, bounce, sample, vertex,
+              [&] { return sampleContinuation<F>(scene, path, event, bounce); });
     return vertex;
 }
 

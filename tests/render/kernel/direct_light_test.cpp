@@ -2,9 +2,11 @@
 /// tests check directions, distances and sums that are known without an image.
 
 #include <QTest>
+#include <cstring>
 #include <random>
 
-#include "render/kernel/transport/direct_light.h"
+#include "render/device/cpu/event_group.h"
+#include "render/kernel/transport/integrator.h"
 #include "tests/support/scenes/scenes.h"
 #include "tests/support/statistics.h"
 
@@ -32,6 +34,36 @@ FlatLight ball() {
 double firstMeeting(dvec3 from, dvec3 direction, double radius) {
     const double along = glm::dot(from, direction);
     return -along - std::sqrt(along * along - glm::dot(from, from) + radius * radius);
+}
+
+constexpr std::uint32_t kAll = kFeatureMasks - 1;
+
+/// Panels, a ball and a parallel light under a gradient, sought both ways.
+Scene litFromAllSides() {
+    Scene scene = cube();
+    scene.lights = {RectangleLight{{40, -60, 20}, {-0.5, 0.8, -0.1}, {0, 0, 1}, 50, 30, vec3(2)},
+                    RectangleLight{{-70, 10, 40}, {0.8, -0.1, -0.4}, {0, 0, 1}, 90, 60, vec3(1, 2, 3)},
+                    SphereLight{{30, 60, -20}, 15, vec3(4, 1, 2)}, DirectionalLight{{0, 0, -1}, vec3(0.5f)}};
+    scene.environment = {vec3(0.3f), false, vec3(0.1f, 0.2f, 0.3f)};
+    scene.clip.planes = {{{0, 0, 2}, {0.1, 0.2, 1}}};
+    return scene;
+}
+
+/// Events of all kinds: in fog, on matt and on glossy surfaces, seen from anywhere.
+Event anyEvent(std::mt19937& random) {
+    std::uniform_real_distribution<float> u(0.001f, 0.999f);
+    const auto direction = [&] { return glm::normalize(vec3(u(random), u(random), u(random)) - 0.5f); };
+    Event event{vec3(7 * u(random), 5 * u(random), 3 * u(random)), direction(), {}, vec3(0)};
+    event.material = {vec3(u(random), u(random), u(random)), vec3(0), vec3(u(random) < 0.5f ? 0 : u(random)),
+                      u(random)};
+    if (u(random) < 0.7f)
+        event.normal = facing(event.wo, direction());
+    return event;
+}
+
+template <class T>
+bool sameBits(const T& a, const T& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
 }  // namespace
@@ -184,6 +216,42 @@ class DirectLightTest : public QObject {
             QVERIFY(glm::length(dvec3(localPosition(prepared->flat.volume, vec3(index))) - truth) < 1e-5);
         }
         QVERIFY(glm::length(scene.volume->geometry().centreMm() - dvec3(map * dvec4(3.5, 2.5, 1.5, 1))) < 1e-12);
+    }
+
+    /// A lane finds bit by bit what its event finds alone, whatever is in the other lanes: the light path, the
+    /// continuation and the light on a segment.
+    void lanesFindWhatEachEventFinds() {
+        Scene scene = litFromAllSides();
+        scene.maxBounces = 3;
+        const auto prepared = test::prepared(scene);
+        FlatScene flat = prepared->flat;
+        flat.sampleDirections = flat.lightAlongPath = true;
+        std::mt19937 random(7);
+        for (int round = 0; round < 400; ++round) {
+            flat.raysStartOutside = round % 2 == 0;
+            LaneColumns<EventOf> events;
+            LaneColumns<LightNumbersOf> numbers;
+            LaneColumns<LitSegmentOf> segments;
+            LaneColumns<Vec3> onward;
+            for (int lane = 0; lane < kLanes; ++lane) {
+                const Sampler sampler(kSobolTable, 1, std::uint32_t(lane), std::uint64_t(round));
+                const Event event = anyEvent(random);
+                events.set(lane, event);
+                numbers.set(lane, lightNumbers<kAll>(flat, sampler, lane % 3));
+                onward.set(lane, sampler.triple(lane % 3, BounceDimension::continuation));
+                segments.set(lane, {event.position, event.wo, lane % 3 + 0.5f, lane % 4 < 2 ? -1.0f : 60.0f});
+            }
+            const LaneColumns<LightPathOf> paths(directLight<kAll>(flat, events.all(), numbers.all()));
+            const LaneColumns<ContinuationOf> ways(continuationFrom<kAll>(flat, events.all(), onward.all(), true));
+            const LaneColumns<Vec3> collected(lightOnSegment<kAll>(flat, segments.all()));
+            for (int lane = 0; lane < kLanes; ++lane) {
+                const Sampler sampler(kSobolTable, 1, std::uint32_t(lane), std::uint64_t(round));
+                const Event event = events.at(lane);
+                QVERIFY(sameBits(paths.at(lane), directLight<kAll>(flat, event, sampler, lane % 3)));
+                QVERIFY(sameBits(ways.at(lane), continuationFrom<kAll>(flat, event, onward.at(lane), true)));
+                QVERIFY(sameBits(collected.at(lane), lightOnSegment<kAll>(flat, segments.at(lane))));
+            }
+        }
     }
 };
 

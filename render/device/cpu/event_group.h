@@ -1,5 +1,5 @@
 #pragma once
-/// Light paths from the events of several paths, sought together: one in each lane.
+/// Events of several paths, gathered so that their light is sought in lanes.
 
 #include <array>
 #include <cstring>
@@ -43,8 +43,8 @@ class LaneColumns {
     alignas(64) std::array<std::array<float, kLanes>, kNumbers> columns_{};
 };
 
-/// Light paths that are sought together, and the events that they start at.
-class LightGroup {
+/// The starts of as many light paths as there are lanes, with the events that they start at.
+class EventGroup {
   public:
     /// Number `path` of the light paths from the event of a row.
     struct Start {
@@ -61,12 +61,9 @@ class LightGroup {
     }
 
     Start start(int lane) const { return starts_[std::size_t(lane)]; }
-    Event event(int lane) const { return events_.at(lane); }
-    /// Returns what directLight() finds at each event. The scene must be one that lanesCanSeekLight() in.
-    template <std::uint32_t F>
-    LaneColumns<LightPathOf> lights(const FlatScene& scene) const {
-        return LaneColumns<LightPathOf>(directLight<F>(scene, events_.all(), numbers_.all()));
-    }
+    vec3 emission(int lane) const { return events_.at(lane).material.emission; }
+    EventOf<FloatLanes> all() const { return events_.all(); }
+    LightNumbersOf<FloatLanes> numbers() const { return numbers_.all(); }
 
   private:
     int size_ = 0;
