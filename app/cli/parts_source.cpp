@@ -2,8 +2,6 @@
 
 #include "app/command_line/option_reader.h"
 #include "app/scan/scan_labels.h"
-#include "render/segment/shells.h"
-#include "render/segment/vessels.h"
 
 namespace pdr::app {
 
@@ -14,9 +12,9 @@ void describePartsSource(QCommandLineParser& parser) {
          "folder with a mask of each part.",
          "FILE|FOLDER"},
         {"find",
-         "Find parts in the scan itself, by rules that may err: vessels, on a scan with contrast medium, or skin and "
-         "muscle (shells).",
-         "vessels|shells"},
+         "Find parts in the scan itself, by rules that may err: vessels, on a scan with contrast medium, skin and "
+         "muscle (shells), or both: vessels,shells.",
+         "RULES"},
         {"resample",
          "If the label map has other voxels than the scan, give each voxel of the scan the label of the nearest one."},
     });
@@ -27,13 +25,12 @@ PartsSource readPartsSource(const QCommandLineParser& parser) {
     PartsSource source;
     source.labels = reader.text("labels").value_or("").toStdString();
     source.resampling = parser.isSet("resample") ? Resampling::nearest : Resampling::refused;
-    const std::string wanted = reader.text("find").value_or("").toStdString();
-    if (wanted == "vessels")
-        source.found = FoundParts::vessels;
-    else if (wanted == "shells")
-        source.found = FoundParts::shells;
-    if (!wanted.empty() && !source.finds())
-        usageError("--find", "must be vessels or shells, not \"" + wanted + "\"");
+    if (parser.isSet("find")) {
+        Result<segment::PartRules> rules = segment::partRulesFrom(reader.text("find").value_or("").toStdString());
+        if (!rules)
+            usageError("--find", rules.error().what);
+        source.rules = *std::move(rules);
+    }
     if (!source.labels.empty() && source.finds())
         usageError("--find", "and --labels both say where the parts come from", "Give one of them.");
     return source;
@@ -41,10 +38,8 @@ PartsSource readPartsSource(const QCommandLineParser& parser) {
 
 Result<LabelMap> partsFrom(const PartsSource& source, const Volume& scan, const dicom::Series* series,
                            const Progress& progress) {
-    if (source.found == FoundParts::vessels)
-        return segment::findVessels(scan, progress);
-    if (source.found == FoundParts::shells)
-        return segment::findShells(scan, nullptr, progress);
+    if (source.finds())
+        return segment::findParts(source.rules, scan, progress);
     return readScanLabels(source.labels, scan.geometry(), series, source.resampling, progress);
 }
 

@@ -17,7 +17,7 @@ void describePartsSource(QCommandLineParser& parser);
 PartsSource readPartsSource(const QCommandLineParser& parser);
 
 /// Reads or finds the parts of a scan. `source`: there must be one; `series`: what the scan was read from, or null.
-/// Errors: those of readScanLabels(), findVessels() and findShells().
+/// Errors: those of readScanLabels() and segment::findParts().
 Result<LabelMap> partsFrom(const PartsSource& source, const Volume& scan, const dicom::Series* series,
                            const Progress& progress);
 

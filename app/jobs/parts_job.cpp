@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "app/scan/scan_labels.h"
-#include "render/segment/shells.h"
-#include "render/segment/vessels.h"
+#include "render/segment/part_rules.h"
 #include "render/volume/joined_labels.h"
 #include "ui/text/to_qt.h"
 
@@ -25,8 +24,7 @@ namespace {
 Result<void> find(SharedMap& found, PartRule rule, const Volume& volume, const Progress& progress) {
     if (found)
         return {};
-    Result<LabelMap> map = rule == PartRule::vessels ? segment::findVessels(volume, progress)
-                                                     : segment::findShells(volume, nullptr, progress);
+    Result<LabelMap> map = segment::findParts(rule, volume, progress);
     if (!map)
         return map.error();
     found = std::make_shared<const LabelMap>(*std::move(map));

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "render/segment/part_rules.h"
 #include "render/volume/label_map.h"
 
 namespace pdr::app {
@@ -10,8 +11,7 @@ namespace pdr::app {
 /// Versions of the rules that find parts in a scan; a rule that finds other voxels gets another one.
 inline constexpr int kVesselsRule = 1, kShellsRule = 1;
 
-/// A rule of this program that finds parts.
-enum class PartRule { vessels, shells };
+using segment::PartRule;
 
 struct PartSources {
     std::string labels;  ///< labelsHash() of a label map from outside; empty: none

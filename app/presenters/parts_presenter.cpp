@@ -48,6 +48,7 @@ void PartsPresenter::connectJob() {
     connect(&document(), &Document::partsWanted, this,
             [this](const PartSources& sources) { afterImage_.call([this, sources] { make(sources); }); });
     connect(&job_, &PartsJob::added, &document(), &Document::setParts);
+    connect(&job_, &PartsJob::added, this, &PartsPresenter::offerMissing);
     connect(&job_, &PartsJob::made, &document(), &Document::takeParts);
     connect(&job_, &PartsJob::resamplingWanted, this, &PartsPresenter::offerResampling);
     connect(&job_, &PartsJob::labelsMissing, this, &PartsPresenter::sayLabelsMissing);

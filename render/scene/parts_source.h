@@ -3,21 +3,19 @@
 
 #include <filesystem>
 
+#include "render/segment/part_rules.h"
 #include "render/volume/label_fit.h"
 
 namespace pdr {
 
-/// Parts that the program finds in a scan itself, by rules that may err (segment/vessels.h, segment/shells.h).
-enum class FoundParts { none, vessels, shells };
-
-/// One of `labels` and `found` at most is given.
+/// One of `labels` and `rules` at most is given.
 struct PartsSource {
     std::filesystem::path labels;  ///< a label map, or a folder with a mask of each part; empty: there is none
-    FoundParts found = FoundParts::none;
+    segment::PartRules rules;      ///< those that find parts in the scan itself
     Resampling resampling = Resampling::refused;
 
     /// Returns whether the program finds the parts in the scan itself.
-    bool finds() const { return found != FoundParts::none; }
+    bool finds() const { return !rules.empty(); }
     bool isGiven() const { return !labels.empty() || finds(); }
     bool operator==(const PartsSource&) const = default;
 };

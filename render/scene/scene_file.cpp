@@ -70,13 +70,17 @@ VolumeFields fieldsOf(const VolumeSource& source) {
 
 /// Stores where the parts come from and their materials.
 void takeParts(const PartsFields& fields, const std::filesystem::path& folder, SceneFile& file) {
-    const bool finds = fields.found != FoundParts::none;
-    if (fields.labels.has_value() == finds)
+    if (fields.labels.has_value() == fields.find.has_value())
         fail("parts.labels", phrase("needs either a label map (labels) or a rule that finds parts (find)"));
     orFail(FieldCheck::check(fields, "parts"));
     if (fields.labels)
         file.parts.labels = folder / *fields.labels;
-    file.parts.found = fields.found;
+    if (fields.find) {
+        Result<segment::PartRules> rules = segment::partRulesFrom(*fields.find);
+        if (!rules)
+            fail("parts.find", rules.error().what);
+        file.parts.rules = *std::move(rules);
+    }
     file.parts.resampling = fields.resample ? Resampling::nearest : Resampling::refused;
     for (const PartMaterialFields& one : fields.materials)
         file.scene.parts.curves.push_back({std::uint8_t(one.label), one.transferFunction, one.gradientFactor});
@@ -88,7 +92,8 @@ std::optional<PartsFields> fieldsOf(const PartsSource& source, const std::vector
     PartsFields fields;
     if (!source.labels.empty())
         fields.labels = source.labels.string();
-    fields.found = source.found;
+    if (source.finds())
+        fields.find = segment::partRulesText(source.rules);
     fields.resample = source.resampling == Resampling::nearest;
     for (const PartCurve& curve : curves)
         fields.materials.push_back({curve.label, curve.transferFunction, curve.gradientFactor});

@@ -1238,6 +1238,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Knochen sind nicht zu sehen, auch nichts im Umkreis von 2 mm; dichte Gefäße fehlen vielleicht mit ihnen.</translation>
     </message>
     <message>
+        <source>Bones, vessels and muscle</source>
+        <translation>Knochen, Gefäße und Muskeln</translation>
+    </message>
+    <message>
         <source>Both programs should be of the same release.</source>
         <translation>Beide Programme sollten dieselbe Version haben.</translation>
     </message>
@@ -3876,6 +3880,10 @@ Das braucht noch einmal so viel Speicher wie die Voxel der Aufnahme.</translatio
         <translation>Haut (macht erkennbar)</translation>
     </message>
     <message>
+        <source>Skin and fat are not shown. Vessels and muscle are found by rule or by another program: organs may be among the muscle, and vessels beside bone may be missing.</source>
+        <translation>Haut und Fett sind nicht zu sehen. Gefäße und Muskeln findet eine Regel oder ein anderes Programm: unter den Muskeln können Organe sein, und Gefäße neben Knochen können fehlen.</translation>
+    </message>
+    <message>
         <source>Skin over bone</source>
         <translation>Haut über Knochen</translation>
     </message>
@@ -6060,6 +6068,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>must be an object { ... }</source>
         <translation>muss ein Objekt { ... } sein</translation>
+    </message>
+    <message>
+        <source>must be of %1, with commas between, not "%2"</source>
+        <translation>muss aus %1 bestehen, mit Kommas dazwischen, nicht „%2“</translation>
     </message>
     <message>
         <source>must be one of: %1</source>

@@ -1238,6 +1238,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>No se muestran los huesos ni lo que está a menos de 2 mm de ellos; con ellos pueden faltar vasos densos.</translation>
     </message>
     <message>
+        <source>Bones, vessels and muscle</source>
+        <translation>Huesos, vasos y músculos</translation>
+    </message>
+    <message>
         <source>Both programs should be of the same release.</source>
         <translation>Ambos programas deben ser de la misma versión.</translation>
     </message>
@@ -3876,6 +3880,10 @@ Requiere otra vez tanta memoria como los vóxeles del estudio.</translation>
         <translation>Piel (identifica al paciente)</translation>
     </message>
     <message>
+        <source>Skin and fat are not shown. Vessels and muscle are found by rule or by another program: organs may be among the muscle, and vessels beside bone may be missing.</source>
+        <translation>La piel y la grasa no se muestran. Los vasos y los músculos los encuentra una regla u otro programa: entre los músculos puede haber órganos, y pueden faltar vasos junto al hueso.</translation>
+    </message>
+    <message>
         <source>Skin over bone</source>
         <translation>Piel sobre hueso</translation>
     </message>
@@ -6060,6 +6068,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>must be an object { ... }</source>
         <translation>debe ser un objeto { ... }</translation>
+    </message>
+    <message>
+        <source>must be of %1, with commas between, not "%2"</source>
+        <translation>debe constar de %1, con comas entre ellos, no «%2»</translation>
     </message>
     <message>
         <source>must be one of: %1</source>

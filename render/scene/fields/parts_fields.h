@@ -10,9 +10,6 @@
 
 namespace pdr {
 
-inline constexpr Words<FoundParts, 3> kFoundPartsWords{
-    {{"nothing", FoundParts::none}, {"vessels", FoundParts::vessels}, {"shells", FoundParts::shells}}};
-
 /// The material of a part, as files write it.
 struct PartMaterialFields {
     int label = 0;
@@ -36,7 +33,7 @@ void describe(Visit& visit, PartMaterialFields& material) {
 /// The parts of a patient, as files write them, where a label map is a path.
 struct PartsFields {
     std::optional<std::string> labels;
-    FoundParts found = FoundParts::none;
+    std::optional<std::string> find;
     bool resample = false;
     std::vector<PartMaterialFields> materials;
 };
@@ -44,7 +41,7 @@ struct PartsFields {
 template <class Visit>
 void describe(Visit& visit, PartsFields& parts) {
     visit({"labels", "the label map: a file, or a folder with a mask of each part"}, parts.labels);
-    visit.word({"find", "or what the program finds in the scan itself, as `--find`"}, parts.found, kFoundPartsWords);
+    visit({"find", "or what the program finds in the scan itself, as `--find`: `vessels,shells`"}, parts.find);
     visit({"resample", "whether a label map with other voxels than the scan is taken, each voxel the nearest label"},
           parts.resample);
     visit.list({"materials", "the parts that are not as all other tissue, by ascending `label`"}, parts.materials);

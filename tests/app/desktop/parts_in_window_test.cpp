@@ -96,11 +96,7 @@ class PartsInWindowTest : public QObject {
     }
 
     void aLookOffersToFindItsParts() {
-        std::vector<NamedLook> looks = fewLooks();
-        const std::vector<NamedLook> all = *bundledLooks();
-        for (const NamedLook& look : all)
-            if (look.name == "Bones and vessels")
-                looks.push_back(look);
+        const std::vector<NamedLook> looks = fewLooksAnd("Bones and vessels");
         const int last = int(looks.size()) - 1;
         PartsTrial trial(makeCpuDevice(1), looks);
         trial.openAndWait(series_);
@@ -108,14 +104,28 @@ class PartsInWindowTest : public QObject {
         ui::MessageBar& message = trial.desktop.window().message();
         QVERIFY2(message.text().contains("shows vessels"), qPrintable(message.text()));
         QVERIFY(!trial.document.scene().parts.map);
-        for (auto* button : message.findChildren<QPushButton*>())
-            if (button->text() == "Find vessels")
-                button->click();
+        click(message, "Find vessels");
         trial.wait();
         QVERIFY(trial.document.scene().parts.map && trial.document.look() == last);
         QCOMPARE(trial.document.scene().parts.curves.size(), std::size_t(1));
         trial.document.setModel(Model::absorption);
         QVERIFY(!trial.document.scene().parts.map && trial.notes().contains("shows no parts"));
+    }
+
+    /// One rule after the other, until the scan has all parts of the look.
+    void aLookOffersWhatIsStillMissing() {
+        const std::vector<NamedLook> looks = fewLooksAnd("Bones, vessels and muscle");
+        PartsTrial trial(makeCpuDevice(1), looks);
+        trial.openAndWait(series_);
+        trial.document.chooseLook(int(looks.size()) - 1);
+        ui::MessageBar& message = trial.desktop.window().message();
+        click(message, "Find vessels");
+        trial.wait();
+        QVERIFY2(message.text().contains("shows skin or muscle"), qPrintable(message.text()));
+        click(message, "Find skin and muscle");
+        trial.wait();
+        QCOMPARE(trial.document.scene().parts.curves.size(), std::size_t(2));
+        QVERIFY2(message.isHidden(), qPrintable(message.text()));
     }
 
     /// What was refused is said, and changes nothing.
@@ -148,9 +158,7 @@ class PartsInWindowTest : public QObject {
         ui::MessageBar& message = trial.desktop.window().message();
         QVERIFY2(message.text().contains("3.4 x 3.4 x 5.6 mm"), qPrintable(message.text()));
         QVERIFY(!trial.document.scanParts());
-        for (auto* button : message.findChildren<QPushButton*>())
-            if (button->text() == "Resample")
-                button->click();
+        click(message, "Resample");
         trial.wait();
         QVERIFY(trial.document.scanParts() && trial.list.topLevelItem(1)->text(0) == "liver");
     }
@@ -200,6 +208,19 @@ class PartsInWindowTest : public QObject {
     }
 
   private:
+    /// Few looks, and the bundled one of that name last.
+    static std::vector<NamedLook> fewLooksAnd(const std::string& name) {
+        std::vector<NamedLook> looks = fewLooks();
+        const std::vector<NamedLook> all = *bundledLooks();
+        looks.push_back(*std::ranges::find(all, name, &NamedLook::name));
+        return looks;
+    }
+    static void click(const ui::MessageBar& message, const QString& offer) {
+        for (auto* button : message.findChildren<QPushButton*>())
+            if (button->text() == offer)
+                button->click();
+    }
+
     QString file(const char* name) const { return folder_.filePath(name); }
 
     QTemporaryDir folder_;

@@ -65,7 +65,8 @@ SceneFile anySceneFile(unsigned seed) {
             if (seed % 4 < 2)
                 file.parts.labels = "somebody's labels.nrrd";
             else
-                file.parts.found = seed % 5 ? FoundParts::vessels : FoundParts::shells;
+                file.parts.rules = seed % 5 ? segment::PartRules{segment::PartRule::vessels}
+                                            : segment::PartRules{segment::PartRule::vessels, segment::PartRule::shells};
         }
         if (scene.check() && FieldCheck::check(scene))
             return file;
