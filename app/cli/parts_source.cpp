@@ -13,7 +13,7 @@ void describePartsSource(QCommandLineParser& parser) {
          "FILE|FOLDER"},
         {"find",
          "Find parts in the scan itself, by rules that may err: vessels, on a scan with contrast medium, skin and "
-         "muscle (shells), or both: vessels,shells.",
+         "muscle (shells), bone that the other side has (mirror), implants (metal), or several: vessels,shells.",
          "RULES"},
         {"resample",
          "If the label map has other voxels than the scan, give each voxel of the scan the label of the nearest one."},

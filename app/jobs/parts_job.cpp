@@ -1,5 +1,6 @@
 #include "app/jobs/parts_job.h"
 
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -14,7 +15,8 @@ using SharedMap = std::shared_ptr<const LabelMap>;
 
 /// The parts of a scan, each source by itself.
 struct PartsJob::Maps {
-    SharedMap labels, vessels, shells;
+    SharedMap labels;
+    std::map<PartRule, SharedMap> found;
     std::string hash;  ///< labelsHash() of `labels`
 };
 
@@ -44,18 +46,12 @@ Result<std::vector<Layer>> layersOf(Maps& maps, const PartSources& sources, cons
     std::vector<Layer> layers;
     if (!sources.labels.empty())
         layers.push_back({maps.labels, false});
-    const auto add = [&](int version, SharedMap& map, PartRule rule) -> Result<void> {
-        if (version == 0)
-            return {};
-        Result<void> ok = find(map, rule, volume, progress);
-        if (ok)
-            layers.push_back({map, true});
-        return ok;
-    };
-    if (auto ok = add(sources.vessels, maps.vessels, PartRule::vessels); !ok)
-        return ok.error();
-    if (auto ok = add(sources.shells, maps.shells, PartRule::shells); !ok)
-        return ok.error();
+    for (const PartRule rule : rulesOf(sources)) {
+        SharedMap& map = maps.found[rule];
+        if (auto ok = find(map, rule, volume, progress); !ok)
+            return ok.error();
+        layers.push_back({map, true});
+    }
     return layers;
 }
 

@@ -7,11 +7,32 @@
 
 namespace pdr::app {
 
+namespace {
+
+struct RuleOf {
+    PartRule rule;
+    int PartSources::*version;  ///< the one that is wanted
+    int present;                ///< the newest one
+};
+constexpr RuleOf kRules[] = {{PartRule::vessels, &PartSources::vessels, kVesselsRule},
+                             {PartRule::shells, &PartSources::shells, kShellsRule},
+                             {PartRule::mirror, &PartSources::mirror, kMirrorRule},
+                             {PartRule::metal, &PartSources::metal, kMetalRule}};
+
+}  // namespace
+
+segment::PartRules rulesOf(const PartSources& sources) {
+    segment::PartRules rules;
+    for (const RuleOf& one : kRules)
+        if (sources.*one.version != 0)
+            rules.insert(one.rule);
+    return rules;
+}
+
 PartSources withRule(PartSources sources, PartRule rule) {
-    if (rule == PartRule::vessels)
-        sources.vessels = kVesselsRule;
-    else
-        sources.shells = kShellsRule;
+    for (const RuleOf& one : kRules)
+        if (one.rule == rule)
+            sources.*one.version = one.present;
     return sources;
 }
 

@@ -132,6 +132,10 @@ void describe(Visit& visit, PartSources& sources) {
           sources.vessels);
     visit({"shells", "version of the rule that finds skin and muscle; 0: none are wanted", {0, kShellsRule}},
           sources.shells);
+    visit(
+        {"mirror", "version of the rule that finds bone that the other side has; 0: none is wanted", {0, kMirrorRule}},
+        sources.mirror);
+    visit({"metal", "version of the rule that finds implants; 0: none are wanted", {0, kMetalRule}}, sources.metal);
 }
 
 template <class Visit>

@@ -23,6 +23,10 @@ QString nameText(const std::string& part) {
         return Texts::tr("skin");
     if (part == "muscle")
         return Texts::tr("muscle");
+    if (part == "mirrored bone")
+        return Texts::tr("mirrored bone");
+    if (part == "implant")
+        return Texts::tr("implant");
     return QString::fromStdString(part);
 }
 
@@ -82,6 +86,17 @@ SliceTint partTint(const Document& document) {
     return tint;
 }
 
+/// Returns what lacks a part of that name.
+static MissingParts missingOf(const std::string& part) {
+    if (part == "vessels")
+        return MissingParts::vessels;
+    if (part == "skin" || part == "muscle")
+        return MissingParts::shells;
+    if (part == "mirrored bone")
+        return MissingParts::mirror;
+    return part == "implant" ? MissingParts::metal : MissingParts::labels;
+}
+
 MissingParts missingParts(const Document& document) {
     const std::shared_ptr<const ScanParts>& parts = document.scanParts();
     const PartStyles& styles = document.setup().look.parts;
@@ -90,9 +105,7 @@ MissingParts missingParts(const Document& document) {
         return MissingParts::none;
     for (const PartStyle& style : styles.styles)
         if (!parts || std::ranges::find(parts->map->parts, style.part, &MappedPart::name) == parts->map->parts.end())
-            return style.part == "vessels"                          ? MissingParts::vessels
-                   : style.part == "skin" || style.part == "muscle" ? MissingParts::shells
-                                                                    : MissingParts::labels;
+            return missingOf(style.part);
     return parts || !styles.inColour ? MissingParts::none : MissingParts::labels;
 }
 

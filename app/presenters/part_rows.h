@@ -16,8 +16,10 @@ SliceTint partTint(const Document& document);
 /// What a look shows that the scan has not.
 enum class MissingParts {
     none,
-    vessels,  ///< rules can find them
+    vessels,  ///< rules can find these
     shells,
+    mirror,
+    metal,
     labels  ///< only a label map has them
 };
 MissingParts missingParts(const Document& document);

@@ -28,6 +28,8 @@ void PartsPresenter::connectPanel() {
     });
     connect(panel_, &ui::PartsPanel::vesselsWanted, this, [this] { find(PartRule::vessels); });
     connect(panel_, &ui::PartsPanel::shellsWanted, this, [this] { find(PartRule::shells); });
+    connect(panel_, &ui::PartsPanel::mirrorWanted, this, [this] { find(PartRule::mirror); });
+    connect(panel_, &ui::PartsPanel::implantsWanted, this, [this] { find(PartRule::metal); });
     connect(panel_, &ui::PartsPanel::removeWanted, &document(), [this] { document().setParts({}, nullptr); });
     connect(panel_, &ui::PartsPanel::tintChosen, this, &PartsPresenter::showTint);
 }
@@ -117,6 +119,13 @@ void PartsPresenter::offerMissing() {
             return offer(
                 ui::MainWindow::tr("This look shows skin or muscle, which has not been found in this scan yet."),
                 ui::MainWindow::tr("Find skin and muscle"), [this] { find(PartRule::shells); });
+        case MissingParts::mirror:
+            return offer(ui::MainWindow::tr("This look shows bone that one side has and the other lacks, which has not "
+                                            "been looked for in this scan yet."),
+                         ui::MainWindow::tr("Find mirrored bone"), [this] { find(PartRule::mirror); });
+        case MissingParts::metal:
+            return offer(ui::MainWindow::tr("This look shows implants, which have not been found in this scan yet."),
+                         ui::MainWindow::tr("Find implants"), [this] { find(PartRule::metal); });
         case MissingParts::labels:
             return offer(ui::MainWindow::tr("This look shows parts of a label map, and none with them is open."),
                          ui::MainWindow::tr("Open label map..."), [this] { askForLabels(); });

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "render/segment/implants.h"
+#include "render/segment/mirrored_bone.h"
 #include "render/segment/shells.h"
 #include "render/segment/vessels.h"
 #include "render/volume/joined_labels.h"
@@ -11,9 +13,10 @@
 namespace pdr::segment {
 namespace {
 
-constexpr std::array kNames{std::pair{PartRule::vessels, std::string_view("vessels")},
-                            std::pair{PartRule::shells, std::string_view("shells")}};
-constexpr std::string_view kAllNames = "vessels, shells";
+constexpr std::array kNames{
+    std::pair{PartRule::vessels, std::string_view("vessels")}, std::pair{PartRule::shells, std::string_view("shells")},
+    std::pair{PartRule::mirror, std::string_view("mirror")}, std::pair{PartRule::metal, std::string_view("metal")}};
+constexpr std::string_view kAllNames = "vessels, shells, mirror, metal";
 
 }  // namespace
 
@@ -24,7 +27,8 @@ Result<PartRules> partRulesFrom(std::string_view names) {
         const std::string_view name = names.substr(0, comma);
         const auto* rule = std::ranges::find(kNames, name, [](const auto& one) { return one.second; });
         if (rule == kNames.end())
-            return Error{phrase("must be of %1, with commas between, not \"%2\"", std::string(kAllNames), std::string(name))};
+            return Error{
+                phrase("must be of %1, with commas between, not \"%2\"", std::string(kAllNames), std::string(name))};
         rules.insert(rule->first);
         more = comma != std::string_view::npos;
         names.remove_prefix(more ? comma + 1 : names.size());
@@ -44,6 +48,10 @@ Result<LabelMap> findParts(PartRule rule, const Volume& volume, const Progress& 
     switch (rule) {
         case PartRule::shells:
             return findShells(volume, nullptr, progress);
+        case PartRule::mirror:
+            return findMirroredBone(volume, progress);
+        case PartRule::metal:
+            return findImplants(volume, progress);
         case PartRule::vessels:
             break;
     }

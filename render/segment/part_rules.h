@@ -14,7 +14,9 @@ namespace pdr::segment {
 
 enum class PartRule {
     vessels,  ///< vessels.h
-    shells    ///< skin and muscle (shells.h)
+    shells,   ///< skin and muscle (shells.h)
+    mirror,   ///< bone that the other side has (mirrored_bone.h)
+    metal     ///< implants (implants.h)
 };
 
 using PartRules = std::set<PartRule>;

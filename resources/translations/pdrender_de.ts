@@ -1206,6 +1206,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Knochen neben Kontrastmittel</translation>
     </message>
     <message>
+        <source>Bone is a ghost only, and soft tissue is not shown. Implants are found by the density of metal or by another program; what metal blurs may be among them.</source>
+        <translation>Knochen ist nur ein Geist, Weichgewebe nicht zu sehen. Implantate findet eine Regel nach der Dichte von Metall oder ein anderes Programm; was Metall verwischt, kann darunter sein.</translation>
+    </message>
+    <message>
         <source>Bone is a shadow only, and soft tissue is not shown. What metal blurs looks like metal.</source>
         <translation>Knochen ist nur ein Schatten, Weichgewebe nicht zu sehen. Was Metall verwischt, sieht aus wie Metall.</translation>
     </message>
@@ -1998,8 +2002,20 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Füllt den Bildschirm mit dem Bild, dem Namen des Patienten und der Genauigkeit.</translation>
     </message>
     <message>
+        <source>Find &amp;implants</source>
+        <translation>&amp;Implantate finden</translation>
+    </message>
+    <message>
         <source>Find &amp;vessels</source>
         <translation>&amp;Gefäße finden</translation>
+    </message>
+    <message>
+        <source>Find implants</source>
+        <translation>Implantate finden</translation>
+    </message>
+    <message>
+        <source>Find mirrored bone</source>
+        <translation>Knochen spiegeln</translation>
     </message>
     <message>
         <source>Find skin and muscle</source>
@@ -2016,6 +2032,14 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Finding what is here...</source>
         <translation>Es wird gesucht, was hier liegt...</translation>
+    </message>
+    <message>
+        <source>Finds bone that one side has and the other lacks, such as what closes a defect of the skull.</source>
+        <translation>Sucht Knochen, den eine Seite hat und der anderen fehlt, etwa was eine Lücke im Schädel schließt.</translation>
+    </message>
+    <message>
+        <source>Finds implants by the density of metal: a guess, to be checked.</source>
+        <translation>Sucht Implantate nach der Dichte von Metall: geraten, zu prüfen.</translation>
     </message>
     <message>
         <source>Finds skin and muscle by density and geometry: a guess, to be checked.</source>
@@ -2312,6 +2336,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Image error ±%1 of 255 grey levels before denoising (95 % of the tissue)</source>
         <translation>Bildfehler ±%1 von 255 Graustufen vor dem Entrauschen (95 % des Gewebes)</translation>
+    </message>
+    <message>
+        <source>Implant over ghost bone</source>
+        <translation>Implantat über Geisterknochen</translation>
     </message>
     <message>
         <source>Implants</source>
@@ -2708,6 +2736,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Minimum frames per second, where the device can reach it.</source>
         <translation>Wie viele Bilder je Sekunde mindestens gezeigt werden, soweit das Gerät es kann.</translation>
+    </message>
+    <message>
+        <source>Mirrored &amp;bone</source>
+        <translation>&amp;Knochen spiegeln</translation>
     </message>
     <message>
         <source>More about the image</source>
@@ -3892,6 +3924,10 @@ Das braucht noch einmal so viel Speicher wie die Voxel der Aufnahme.</translatio
         <translation>Nur die Hautoberfläche. Der Patient ist erkennbar.</translation>
     </message>
     <message>
+        <source>Skull with a defect and its mirror</source>
+        <translation>Schädel mit Lücke und Spiegelbild</translation>
+    </message>
+    <message>
         <source>Sky</source>
         <translation>Himmel</translation>
     </message>
@@ -4096,6 +4132,10 @@ Das braucht noch einmal so viel Speicher wie die Voxel der Aufnahme.</translatio
         <translation>Die Lungen werden nicht gezeigt; %1 mm an der Pleura bleiben stehen.</translation>
     </message>
     <message>
+        <source>The mirrored bone is the healthy side's and no plan of an implant. A defect in the middle, or on both sides, is not closed by it.</source>
+        <translation>Der gespiegelte Knochen ist der der gesunden Seite und kein Plan eines Implantats. Eine Lücke in der Mitte oder auf beiden Seiten schließt er nicht.</translation>
+    </message>
+    <message>
         <source>The next click on the image moves the slices to what is seen there.</source>
         <translation>Der nächste Klick ins Bild führt die Schichten zu dem, was dort zu sehen ist.</translation>
     </message>
@@ -4200,6 +4240,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>This image shows skin: share it like a photograph of the patient.</source>
         <translation>Dieses Bild zeigt Haut: Geben Sie es nur weiter wie ein Foto des Patienten.</translation>
+    </message>
+    <message>
+        <source>This look shows bone that one side has and the other lacks, which has not been looked for in this scan yet.</source>
+        <translation>Dieser Look zeigt Knochen, den eine Seite hat und der anderen fehlt; danach ist in dieser Aufnahme noch nicht gesucht worden.</translation>
+    </message>
+    <message>
+        <source>This look shows implants, which have not been found in this scan yet.</source>
+        <translation>Dieser Look zeigt Implantate, die in dieser Aufnahme noch nicht gefunden sind.</translation>
     </message>
     <message>
         <source>This look shows parts of a label map, and none with them is open.</source>
@@ -5282,6 +5330,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Gitter ±%1</translation>
     </message>
     <message>
+        <source>half of the bones lie more than %1 mm from their mirror image: this body is not symmetric</source>
+        <translation>die Hälfte der Knochen mehr als %1 mm neben ihrem Spiegelbild liegt: dieser Körper ist nicht symmetrisch</translation>
+    </message>
+    <message>
         <source>hand ±%1</source>
         <translation>Hand ±%1</translation>
     </message>
@@ -5372,6 +5424,18 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>how much is not known yet</source>
         <translation>wie viel, ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>implant</source>
+        <translation>Implantat</translation>
+    </message>
+    <message>
+        <source>implants are guessed by the density of metal: check them; fillings of teeth and undiluted medium may be among them</source>
+        <translation>Implantate sind nach der Dichte von Metall geraten: prüfen Sie sie; Zahnfüllungen und unverdünntes Kontrastmittel können darunter sein</translation>
+    </message>
+    <message>
+        <source>implants cannot be found, because %1</source>
+        <translation>Implantate lassen sich nicht finden, weil %1</translation>
     </message>
     <message>
         <source>in at most %1 % of the tissue</source>
@@ -5934,6 +5998,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Dateien werden gesucht</translation>
     </message>
     <message>
+        <source>looking for metal</source>
+        <translation>Metall wird gesucht</translation>
+    </message>
+    <message>
         <source>looking for the table</source>
         <translation>der Tisch wird gesucht</translation>
     </message>
@@ -5992,6 +6060,22 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>metal is in this body</source>
         <translation>in diesem Körper ist Metall</translation>
+    </message>
+    <message>
+        <source>mirrored bone</source>
+        <translation>gespiegelter Knochen</translation>
+    </message>
+    <message>
+        <source>mirrored bone cannot be found, because %1</source>
+        <translation>gespiegelter Knochen lässt sich nicht finden, weil %1</translation>
+    </message>
+    <message>
+        <source>mirrored bone is the other side's: half of the bones lie within %1 mm of their mirror image, nine tenths within %2 mm</source>
+        <translation>gespiegelter Knochen ist der der anderen Seite: die Hälfte der Knochen liegt höchstens %1 mm neben ihrem Spiegelbild, neun Zehntel höchstens %2 mm</translation>
+    </message>
+    <message>
+        <source>mirroring the bones</source>
+        <translation>Knochen werden gespiegelt</translation>
     </message>
     <message>
         <source>missing position data</source>
@@ -6152,6 +6236,14 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>no answer</source>
         <translation>keine Antwort</translation>
+    </message>
+    <message>
+        <source>no bone of 1 ml that one side has is lacking on the other</source>
+        <translation>kein Knochen von 1 ml, den eine Seite hat, auf der anderen fehlt</translation>
+    </message>
+    <message>
+        <source>no bones are in this scan</source>
+        <translation>in dieser Aufnahme keine Knochen sind</translation>
     </message>
     <message>
         <source>no contrast medium is found in the blood</source>

@@ -1206,6 +1206,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Hueso junto a contraste</translation>
     </message>
     <message>
+        <source>Bone is a ghost only, and soft tissue is not shown. Implants are found by the density of metal or by another program; what metal blurs may be among them.</source>
+        <translation>El hueso es solo un fantasma y el tejido blando no se muestra. Los implantes se encuentran por la densidad del metal o con otro programa; entre ellos puede estar lo que el metal difumina.</translation>
+    </message>
+    <message>
         <source>Bone is a shadow only, and soft tissue is not shown. What metal blurs looks like metal.</source>
         <translation>El hueso es solo una sombra y no se ven los tejidos blandos. Lo que el metal emborrona parece metal.</translation>
     </message>
@@ -1998,8 +2002,20 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Llena la pantalla con la imagen, el nombre del paciente y su exactitud.</translation>
     </message>
     <message>
+        <source>Find &amp;implants</source>
+        <translation>Buscar &amp;implantes</translation>
+    </message>
+    <message>
         <source>Find &amp;vessels</source>
         <translation>Buscar &amp;vasos</translation>
+    </message>
+    <message>
+        <source>Find implants</source>
+        <translation>Buscar implantes</translation>
+    </message>
+    <message>
+        <source>Find mirrored bone</source>
+        <translation>Buscar hueso reflejado</translation>
     </message>
     <message>
         <source>Find skin and muscle</source>
@@ -2016,6 +2032,14 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Finding what is here...</source>
         <translation>Buscando qué hay aquí...</translation>
+    </message>
+    <message>
+        <source>Finds bone that one side has and the other lacks, such as what closes a defect of the skull.</source>
+        <translation>Busca hueso que un lado tiene y al otro le falta, como el que cierra un defecto del cráneo.</translation>
+    </message>
+    <message>
+        <source>Finds implants by the density of metal: a guess, to be checked.</source>
+        <translation>Busca implantes por la densidad del metal: una suposición, que hay que comprobar.</translation>
     </message>
     <message>
         <source>Finds skin and muscle by density and geometry: a guess, to be checked.</source>
@@ -2312,6 +2336,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Image error ±%1 of 255 grey levels before denoising (95 % of the tissue)</source>
         <translation>Error de la imagen ±%1 de 255 niveles de gris antes de la reducción de ruido (95 % del tejido)</translation>
+    </message>
+    <message>
+        <source>Implant over ghost bone</source>
+        <translation>Implante sobre hueso fantasma</translation>
     </message>
     <message>
         <source>Implants</source>
@@ -2708,6 +2736,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Minimum frames per second, where the device can reach it.</source>
         <translation>Cuántas imágenes por segundo se muestran como mínimo, si el dispositivo puede.</translation>
+    </message>
+    <message>
+        <source>Mirrored &amp;bone</source>
+        <translation>H&amp;ueso reflejado</translation>
     </message>
     <message>
         <source>More about the image</source>
@@ -3892,6 +3924,10 @@ Requiere otra vez tanta memoria como los vóxeles del estudio.</translation>
         <translation>Solo la superficie de la piel. El paciente es reconocible.</translation>
     </message>
     <message>
+        <source>Skull with a defect and its mirror</source>
+        <translation>Cráneo con un defecto y su reflejo</translation>
+    </message>
+    <message>
         <source>Sky</source>
         <translation>Cielo</translation>
     </message>
@@ -4096,6 +4132,10 @@ Requiere otra vez tanta memoria como los vóxeles del estudio.</translation>
         <translation>No se muestran los pulmones; quedan %1 mm junto a la pleura.</translation>
     </message>
     <message>
+        <source>The mirrored bone is the healthy side's and no plan of an implant. A defect in the middle, or on both sides, is not closed by it.</source>
+        <translation>El hueso reflejado es el del lado sano y no un plan de implante. No cierra un defecto en el medio o en ambos lados.</translation>
+    </message>
+    <message>
         <source>The next click on the image moves the slices to what is seen there.</source>
         <translation>El próximo clic en la imagen lleva los cortes a lo que se ve allí.</translation>
     </message>
@@ -4200,6 +4240,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>This image shows skin: share it like a photograph of the patient.</source>
         <translation>Esta imagen muestra piel: compártala como una fotografía del paciente.</translation>
+    </message>
+    <message>
+        <source>This look shows bone that one side has and the other lacks, which has not been looked for in this scan yet.</source>
+        <translation>Este aspecto muestra hueso que un lado tiene y al otro le falta, que aún no se ha buscado en este estudio.</translation>
+    </message>
+    <message>
+        <source>This look shows implants, which have not been found in this scan yet.</source>
+        <translation>Este aspecto muestra implantes, que aún no se han encontrado en este estudio.</translation>
     </message>
     <message>
         <source>This look shows parts of a label map, and none with them is open.</source>
@@ -5282,6 +5330,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>rejilla ±%1</translation>
     </message>
     <message>
+        <source>half of the bones lie more than %1 mm from their mirror image: this body is not symmetric</source>
+        <translation>la mitad de los huesos está a más de %1 mm de su imagen reflejada: este cuerpo no es simétrico</translation>
+    </message>
+    <message>
         <source>hand ±%1</source>
         <translation>mano ±%1</translation>
     </message>
@@ -5372,6 +5424,18 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>how much is not known yet</source>
         <translation>aún no se sabe cuánto</translation>
+    </message>
+    <message>
+        <source>implant</source>
+        <translation>implante</translation>
+    </message>
+    <message>
+        <source>implants are guessed by the density of metal: check them; fillings of teeth and undiluted medium may be among them</source>
+        <translation>los implantes se suponen por la densidad del metal: compruébelos; entre ellos puede haber empastes y medio de contraste sin diluir</translation>
+    </message>
+    <message>
+        <source>implants cannot be found, because %1</source>
+        <translation>no se pueden encontrar implantes, porque %1</translation>
     </message>
     <message>
         <source>in at most %1 % of the tissue</source>
@@ -5934,6 +5998,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>se buscan archivos</translation>
     </message>
     <message>
+        <source>looking for metal</source>
+        <translation>buscando metal</translation>
+    </message>
+    <message>
         <source>looking for the table</source>
         <translation>se busca la mesa</translation>
     </message>
@@ -5992,6 +6060,22 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>metal is in this body</source>
         <translation>hay metal en este cuerpo</translation>
+    </message>
+    <message>
+        <source>mirrored bone</source>
+        <translation>hueso reflejado</translation>
+    </message>
+    <message>
+        <source>mirrored bone cannot be found, because %1</source>
+        <translation>no se puede encontrar hueso reflejado, porque %1</translation>
+    </message>
+    <message>
+        <source>mirrored bone is the other side's: half of the bones lie within %1 mm of their mirror image, nine tenths within %2 mm</source>
+        <translation>el hueso reflejado es el del otro lado: la mitad de los huesos está a %1 mm como máximo de su imagen reflejada, nueve décimos a %2 mm</translation>
+    </message>
+    <message>
+        <source>mirroring the bones</source>
+        <translation>reflejando los huesos</translation>
     </message>
     <message>
         <source>missing position data</source>
@@ -6152,6 +6236,14 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>no answer</source>
         <translation>sin respuesta</translation>
+    </message>
+    <message>
+        <source>no bone of 1 ml that one side has is lacking on the other</source>
+        <translation>a ningún lado le falta 1 ml de hueso que el otro tenga</translation>
+    </message>
+    <message>
+        <source>no bones are in this scan</source>
+        <translation>no hay huesos en este estudio</translation>
     </message>
     <message>
         <source>no contrast medium is found in the blood</source>

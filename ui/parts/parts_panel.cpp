@@ -75,8 +75,12 @@ QLayout* PartsPanel::sourceButtons() {
                tr("Finds vessels on a scan with contrast medium by density and geometry: a guess, to be checked."),
                &PartsPanel::vesselsWanted},
         Source{shells_, tr("Find skin, m&uscle"),
-               tr("Finds skin and muscle by density and geometry: a guess, to be checked."),
-               &PartsPanel::shellsWanted}};
+               tr("Finds skin and muscle by density and geometry: a guess, to be checked."), &PartsPanel::shellsWanted},
+        Source{mirror_, tr("Mirrored &bone"),
+               tr("Finds bone that one side has and the other lacks, such as what closes a defect of the skull."),
+               &PartsPanel::mirrorWanted},
+        Source{implants_, tr("Find &implants"), tr("Finds implants by the density of metal: a guess, to be checked."),
+               &PartsPanel::implantsWanted}};
     auto* grid = new QGridLayout;
     for (int i = 0; i < int(sources.size()); ++i) {
         const Source& source = sources[std::size_t(i)];
@@ -163,7 +167,7 @@ void PartsPanel::setLooks(const QStringList& names) {
 }
 
 void PartsPanel::setBusy(bool busy) {
-    for (QPushButton* button : {&file_, &folder_, &vessels_, &shells_})
+    for (QPushButton* button : {&file_, &folder_, &vessels_, &shells_, &mirror_, &implants_})
         button->setEnabled(!busy);
 }
 

@@ -41,6 +41,8 @@ class PartsPanel : public QWidget {
     void labelFolderWanted();
     void vesselsWanted();
     void shellsWanted();
+    void mirrorWanted();
+    void implantsWanted();
     void removeWanted();
     void tintChosen(bool tinted);
     /// `rows`: the numbers of rows in the list.
@@ -55,7 +57,7 @@ class PartsPanel : public QWidget {
     void chooseColour();
     void showSelection();
 
-    QPushButton file_, folder_, vessels_, shells_, remove_;
+    QPushButton file_, folder_, vessels_, shells_, mirror_, implants_, remove_;
     QTreeWidget list_;
     QPushButton shown_, ghost_, hidden_, colour_;
     QToolButton look_;

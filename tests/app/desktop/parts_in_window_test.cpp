@@ -128,6 +128,20 @@ class PartsInWindowTest : public QObject {
         QVERIFY2(message.isHidden(), qPrintable(message.text()));
     }
 
+    /// Each button asks for its own rule, which says why it finds nothing.
+    void whatIsNotThereIsSaid() {
+        PartsTrial trial;
+        trial.openAndWait(series_);
+        const auto said = [&](const char* name) {
+            trial.button(name).click();
+            trial.wait();
+            return trial.desktop.window().message().text();
+        };
+        QVERIFY2(said("Find implants").contains("no metal is in this body"), qPrintable(said("Find implants")));
+        QVERIFY2(said("Mirrored bone").contains("mirrored bone cannot be found"), qPrintable(said("Mirrored bone")));
+        QVERIFY(!trial.document.scanParts());
+    }
+
     /// What was refused is said, and changes nothing.
     void aMapOfAnotherScanIsRefused() {
         PartsTrial trial;
