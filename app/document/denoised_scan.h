@@ -19,8 +19,6 @@ class DenoisedScan {
     std::shared_ptr<const Volume> of(const std::shared_ptr<const Volume>& scan) const {
         return scan == scan_ ? denoised_ : nullptr;
     }
-    /// Releases both.
-    void clear() { *this = {}; }
 
   private:
     std::shared_ptr<const Volume> scan_, denoised_;

@@ -4,7 +4,6 @@
 
 #include "render/base/image_size.h"
 #include "render/scene/edit/camera_edits.h"
-#include "render/volume/value_unit.h"
 
 namespace pdr::app {
 
@@ -38,10 +37,7 @@ void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenT
     const Plan before = plan_;
     const bool wasSeen = std::exchange(arriving_, nullptr) && wasSeen_;
     closeVolume();
-    volume_ = std::move(volume);
-    table_ = table;
-    hidden_ = std::move(hidden);
-    parts_ = std::make_shared<const segment::BodyParts>(volume_);
+    scan_ = OpenScan(std::move(volume), table, std::move(hidden));
     plan_.image.table = Table::hidden;
     plan_.image.clip = {};  // its coordinates belong to another patient
     fitLooksTo(findings);
@@ -49,57 +45,9 @@ void Document::open(std::shared_ptr<const Volume> volume, const segment::HiddenT
     plan_.measurements.clear();
     firstWindow_ = window;
     if (!wasSeen)
-        plan_.navigation = firstNavigation(table_.bodyBox);
+        plan_.navigation = firstNavigation(bodyBox());
     show(false);
     report(before, Changes::series | Changes::looks);
-}
-
-void Document::setLooks(std::vector<NamedLook> looks) {
-    looks_.replace(std::move(looks));
-    report(plan_, Changes::looks);
-}
-
-/// Fits the looks to the volume. A look that the user has changed stays as it is, from one scan in HU to another:
-/// values that are no HU mean something else in each scan.
-void Document::fitLooksTo(const std::optional<segment::Findings>& findings) {
-    const int shown = look();
-    const bool wereInHu = looks_.areInHu();
-    if (unitOf(*volume_).isHu)
-        looks_.fitTo(findings);
-    else
-        looks_.fitToValues(spreadOf(*volume_));
-    const bool stayInHu = wereInHu && looks_.areInHu();
-    if (stayInHu && shown < 0)
-        return;
-    plan_.image = withNamedLook(setup(), looks_[looks_.suitedOr(stayInHu ? shown : 0)], table_.bodyBox);
-    plan_.image.stops = 0;
-}
-
-void Document::suggestBrightness(int look, double stops) {
-    if (!hasVolume() || !looks_.holds(look) || !looks_.suggestStops(look, stops))
-        return;
-    if (look != this->look() || setup().stops != 0)
-        return;
-    const Plan before = plan_;
-    history_.brighten(setup().lookName, stops);  // so that undo does not lead back to a brightness that nobody chose
-    plan_.image.stops = stops;
-    report(before);
-}
-
-/// Returns the setup without the cut of `look`; -1: no look, nothing is removed.
-ImageSetup Document::withoutCutOf(int look) const {
-    ImageSetup setup = this->setup();
-    if (look >= 0 && looks_[look].cut && hasVolume())
-        std::erase(setup.clip.planes, planeOf(*looks_[look].cut, table_.bodyBox));
-    return setup;
-}
-
-ImageSetup Document::setupWith(int look) const {
-    ImageSetup setup = withNamedLook(withoutCutOf(this->look()), looks_[look], table_.bodyBox);
-    setup.stops = looks_.stops(look);
-    if (!hasVolume())
-        setup.clip = {};  // open() applies the look's cut
-    return setup;
 }
 
 void Document::open(std::shared_ptr<const Volume> volume) {
@@ -116,18 +64,13 @@ void Document::close() {
 
 void Document::closeVolume() {
     // From here on there is no volume, so that a job that is cancelled by closing() makes no scene of it
-    const std::shared_ptr<const Volume> volume = std::exchange(volume_, nullptr);
+    const std::shared_ptr<const Volume> volume = scan_.takeVolume();
     const std::shared_ptr<const ArrivingVolume> arriving = std::exchange(arriving_, nullptr);
     if (volume || arriving)
         emit closing();
     plan_.image = withoutCutOf(look());
     history_.forget();
-    table_ = {};
-    hidden_.reset();
-    parts_.reset();
-    masks_.clear();
-    denoisedScan_.clear();
-    knownParts_.clear();
+    scan_ = {};
     plan_.partSources = {};
     scene_.volume.reset();
     scene_.mask.reset();
@@ -175,18 +118,6 @@ void Document::setTable(Table table) {
         setField(&ImageSetup::table, table);
 }
 
-void Document::chooseLook(int index) {
-    if (!looks_.holds(index))
-        return;
-    edit(setupWith(index));
-}
-
-void Document::setLook(const Look& look, bool moving) {
-    ImageSetup setup = plan_.image;
-    setup.look = look;
-    edit(looks_.named(std::move(setup), plan_.image.lookName), Changes::look, moving);
-}
-
 void Document::setClip(const Clip& clip, bool moving) {
     if (hasVolume())
         setField(&ImageSetup::clip, clip, Changes::clip, moving);
@@ -199,104 +130,18 @@ void Document::giveUpGesture() {
         comeBackTo(std::move(*begun));
 }
 
-void Document::setVisible(const Visible& visible, bool moving) {
-    Look look = setup().look;
-    look.visible = visible;
-    setLook(look, moving);
-}
-
-void Document::setMask(const Visible& visible, const std::shared_ptr<const Mask>& mask) {
-    if (!mask)
-        return visible == setup().look.visible ? fallBackTo(Visible{}) : void();
-    masks_.add(visible, mask);
-    if (!hasVolume() || visible != setup().look.visible)
-        return;
-    show(false);
-    report(plan_, Changes::mask);
-}
-
-void Document::keepVisible() {
-    fallBackTo(masks_.shown());
-}
-
-void Document::setCtDenoised(bool denoised) {
-    Look look = setup().look;
-    look.ctDenoised = denoised;
-    setLook(look);
-}
-
-void Document::takeDenoisedCt(const std::shared_ptr<const Volume>& scan,
-                              const std::shared_ptr<const Volume>& denoised) {
-    if (!hasVolume() || scan != seen())
-        return;
-    denoisedScan_.take(scan, denoised);
-    if (!setup().look.ctDenoised)
-        return;
-    show(false);
-    report(plan_, Changes::mask);
-}
-
-void Document::keepNoise() {
-    Look look = setup().look;
-    look.ctDenoised = false;
-    fallBackTo(look);
-}
-
-void Document::setParts(const PartSources& sources, const std::shared_ptr<const ScanParts>& parts) {
-    if (!hasVolume())
-        return;
-    if (parts)
-        knownParts_.add(sources, parts);
-    Plan plan = plan_;
-    plan.partSources = sources;
-    edit(std::move(plan));
-}
-
 void Document::takeParts(const PartSources& sources, const std::shared_ptr<const ScanParts>& parts) {
     if (!hasVolume())
         return;
-    knownParts_.add(sources, parts);
-    if (sources != plan_.partSources)
-        return;
-    show(false);
-    report(plan_, Changes::mask);
-}
-
-void Document::keepParts() {
-    fallBackTo(knownParts_.shown());
-}
-
-void Document::dropLabels() {
-    PartSources sources = plan_.partSources;
-    sources.labels.clear();
-    fallBackTo(sources);
-}
-
-/// As fallBackTo() of a look.
-void Document::fallBackTo(const PartSources& sources) {
+    scan_.parts().add(sources, parts);
     if (sources == plan_.partSources)
-        return;
-    const Plan before = plan_;
-    plan_.partSources = sources;
-    history_.forgetStepTo(plan_);
-    show(false);
-    report(before, Changes::mask);
+        showArrived();
 }
 
-void Document::fallBackTo(const Visible& visible) {
-    Look look = setup().look;
-    look.visible = visible;
-    fallBackTo(look);
-}
-
-/// Replaces a choice that cannot be shown by `look`. If the choice was all that its undo step changed, the step is
-/// removed.
-void Document::fallBackTo(const Look& look) {
-    if (look == setup().look)
+void Document::fallBackTo(Plan plan) {
+    if (plan == plan_)
         return;
-    const Plan before = plan_;
-    plan_.image.look = look;
-    plan_.image = looks_.named(setup(), setup().lookName);
+    const Plan before = std::exchange(plan_, std::move(plan));
     history_.forgetStepTo(plan_);
     show(false);
     report(before, Changes::mask);
@@ -431,7 +276,7 @@ void Document::report(const Plan& before, Changes also) {
 
 /// Shows the scene of the plan unless it is the one that is shown.
 void Document::showIfOther() {
-    Scene scene = made();
+    Scene scene = scan_.sceneOf(plan_, film_);
     scene.revision = scene_.revision;
     if (scene != scene_)
         show(std::move(scene), false);
@@ -440,7 +285,13 @@ void Document::showIfOther() {
 /// Shows the scene of the plan. Without a volume, the plan waits for one.
 void Document::show(bool moving) {
     if (hasVolume())
-        show(made(), moving);
+        show(scan_.sceneOf(plan_, film_), moving);
+}
+
+/// Shows the scene of the plan with what it has been waiting for.
+void Document::showArrived() {
+    showIfOther();
+    report(plan_, Changes::mask);
 }
 
 void Document::show(Scene scene, bool moving) {
@@ -449,48 +300,12 @@ void Document::show(Scene scene, bool moving) {
     scene_.revision = revision;
     scene_.film = film_ = nextFilm_;
     emit sceneChanged(scene_, moving);
-    if (masks_.shown() != setup().look.visible)
-        emit maskWanted(parts_, setup().look.visible);
-    if (setup().look.ctDenoised && !denoisedScan_.of(seen()))
+    if (scan_.masks().shown() != setup().look.visible)
+        emit maskWanted(parts(), setup().look.visible);
+    if (setup().look.ctDenoised && !scan_.denoised().of(seen()))
         emit denoisedCtWanted(scene_.volume);
-    if (knownParts_.shown() != plan_.partSources)
+    if (scan_.parts().shown() != plan_.partSources)
         emit partsWanted(plan_.partSources);
-}
-
-/// Builds the scene of the plan. Its mask and its parts are those of the choice if they are known, else those shown so
-/// far.
-Scene Document::made() {
-    masks_.show(setup().look.visible);
-    knownParts_.show(plan_.partSources);
-    Scene scene = sceneOf(setup(), shownVolume(), film_, scanParts() ? scanParts()->map : nullptr);
-    scene.mask = masks_.mask();
-    scene.maskAwaited = masks_.shown() != setup().look.visible;
-    if (knownParts_.shown() != plan_.partSources)
-        scene.maskAwaited = true;
-    return scene;
-}
-
-/// Returns the volume of the plan's scene: what is seen, with less noise if that is wanted and known.
-std::shared_ptr<const Volume> Document::shownVolume() const {
-    std::shared_ptr<const Volume> scan = seen();
-    std::shared_ptr<const Volume> denoised = setup().look.ctDenoised ? denoisedScan_.of(scan) : nullptr;
-    return denoised ? denoised : scan;
-}
-
-std::shared_ptr<const Volume> Document::seen() const {
-    if (setup().table == Table::hidden || !hasTable())
-        return volume_;
-    std::shared_ptr<const Volume> scan = withTable_.lock();
-    if (!scan)
-        withTable_ = scan = std::make_shared<const Volume>(hidden_->scanOf(*volume_));
-    return scan;
-}
-
-/// Returns what a view is fitted to: the body, or the whole grid if the table is shown.
-Framed Document::framed() const {
-    if (setup().table == Table::hidden)
-        return {table_.bodyBox, table_.outlineMm};
-    return {volume_->geometry(), nullptr};
 }
 
 std::optional<ClipBox> Document::uncut() const {

@@ -7,15 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/document/denoised_scan.h"
-#include "app/document/known_parts.h"
-#include "app/document/part_masks.h"
+#include "app/document/open_scan.h"
 #include "app/looks/fitted_looks.h"
 #include "app/plan/history.h"
-#include "app/scan/hidden_voxels.h"
-#include "render/scene/fit_view.h"
-#include "render/segment/body_parts.h"
-#include "render/segment/hidden_table.h"
 #include "render/volume/arriving_volume.h"
 
 namespace pdr::app {
@@ -33,18 +27,20 @@ class Document : public QObject {
     ImageSetup setupWith(int look) const;
     /// The volume that is rendered, with or without the table as set up; null without a volume. With the table it is
     /// built anew once nobody holds it any longer.
-    std::shared_ptr<const Volume> seen() const;
+    std::shared_ptr<const Volume> seen() const { return scan_.seen(setup().table); }
     /// The scan without its table, whatever is shown; null without a volume.
-    const std::shared_ptr<const Volume>& scan() const { return volume_; }
+    const std::shared_ptr<const Volume>& scan() const { return scan_.volume(); }
     /// The parts of the body that can be shown or hidden; null without a volume.
-    const std::shared_ptr<const segment::BodyParts>& parts() const { return parts_; }
+    const std::shared_ptr<const segment::BodyParts>& parts() const { return scan_.bodyParts(); }
     /// The parts that a label map or a rule names, as they are shown; null: there are none.
-    const std::shared_ptr<const ScanParts>& scanParts() const { return knownParts_.parts(); }
+    const std::shared_ptr<const ScanParts>& scanParts() const { return scan_.parts().parts(); }
+    /// Where the parts come from that the scene shows.
+    const PartSources& shownSources() const { return scan_.parts().shown(); }
     /// The part of the scan's grid that the body fills.
-    const VolumeGeometry& bodyBox() const { return table_.bodyBox; }
+    const VolumeGeometry& bodyBox() const { return scan_.bodyBox(); }
     const Plan& plan() const { return plan_; }
     const ImageSetup& setup() const { return plan_.image; }
-    bool hasVolume() const { return volume_ != nullptr; }
+    bool hasVolume() const { return scan() != nullptr; }
     /// The volume that is being read, of which slices can be seen already; null: none is.
     const std::shared_ptr<const ArrivingVolume>& arriving() const { return arriving_; }
     /// The grey window that the slices began with.
@@ -52,7 +48,7 @@ class Document : public QObject {
     /// The scene that is rendered. Without a volume its content is meaningless.
     const Scene& scene() const { return scene_; }
     /// Whether there is a table, or anything else hidden with it, that can be shown or hidden.
-    bool hasTable() const { return hidden_ != nullptr; }
+    bool hasTable() const { return scan_.hasTable(); }
     /// The index of the look that is shown; -1 if the user has changed it.
     int look() const { return looks_.indexOf(setup()); }
     Display display() const;
@@ -71,6 +67,9 @@ class Document : public QObject {
     /// one step to undo. Changes::none: the edit is a step of its own. A gesture that ends where it began makes no new
     /// scene.
     void edit(Plan plan, Changes gesture = Changes::none, bool moving = false);
+    /// Replaces the plan by `plan`, without a choice that cannot be shown. If that choice was all that its undo step
+    /// changed, the step is removed; no other step to undo.
+    void fallBackTo(Plan plan);
 
   public slots:
     /// Shows the slices of a volume while it is read, through `window` at first. There is no volume yet: nothing can be
@@ -131,15 +130,8 @@ class Document : public QObject {
                         const std::shared_ptr<const pdr::Volume>& denoised);
     /// Reports that the requested volume will not come: the image shows the CT as it is. No step to undo.
     void keepNoise();
-    /// Takes parts of the scan, from `sources`, which take the place of all others. Without `parts` there are none, and
-    /// `sources` are empty. One step to undo.
-    void setParts(const pdr::app::PartSources& sources, const std::shared_ptr<const pdr::app::ScanParts>& parts);
-    /// Takes the parts that partsWanted() has requested.
+    /// Takes the parts from `sources`, which partsWanted() has requested or a plan will have.
     void takeParts(const pdr::app::PartSources& sources, const std::shared_ptr<const pdr::app::ScanParts>& parts);
-    /// Reports that the requested parts will not come: there are those that the scene shows. No step to undo.
-    void keepParts();
-    /// Reports that no label map is open with the requested hash: the others of the parts are shown. No step to undo.
-    void dropLabels();
     /// Replaces the setup of the image. One step to undo.
     void setSetup(const pdr::ImageSetup& setup);
     void setEstimator(pdr::Estimator estimator);
@@ -191,32 +183,22 @@ class Document : public QObject {
     void report(const Plan& before, Changes also = Changes::none);
     void showIfOther();
     void show(bool moving);
+    void showArrived();
     void fallBackTo(const Visible& visible);
     void fallBackTo(const Look& look);
-    void fallBackTo(const PartSources& sources);
-    std::shared_ptr<const Volume> shownVolume() const;
-    Scene made();
     void show(Scene scene, bool moving);
-    Framed framed() const;
+    Framed framed() const { return scan_.framed(setup().table); }
     Camera cameraOf(StandardView view, const Camera& lens) const;
     ImageSetup withoutCutOf(int look) const;
     void fitLooksTo(const std::optional<segment::Findings>& findings);
 
     FittedLooks looks_;
-    std::shared_ptr<const Volume> volume_;            ///< the scan without its table
+    OpenScan scan_;
     std::shared_ptr<const ArrivingVolume> arriving_;  ///< null once it is open
     bool wasSeen_ = false;                            ///< whether slices of it were on the screen
     GreyWindow firstWindow_;
-    segment::HiddenTable table_;                     ///< the table that was detected in the scan, and the body's box
-    std::shared_ptr<const HiddenVoxels> hidden_;     ///< voxels of the table; null if there is none
-    mutable std::weak_ptr<const Volume> withTable_;  ///< the scan with its table, as long as someone holds it
-    /// The parts of the body in volume_, whether the table is shown or not.
-    std::shared_ptr<const segment::BodyParts> parts_;
     Plan plan_;  ///< everything that undo restores
     History history_;
-    PartMasks masks_;
-    DenoisedScan denoisedScan_;
-    KnownParts knownParts_;
     bool denoised_ = true;
     ivec2 film_ = Scene{}.film;      ///< size of the scene's film [pixels]
     ivec2 nextFilm_ = Scene{}.film;  ///< size of the next film [pixels]

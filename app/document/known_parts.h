@@ -33,8 +33,6 @@ class KnownParts {
     const PartSources& shown() const { return shown_.sources; }
     /// The parts that are shown; null: none.
     const std::shared_ptr<const ScanParts>& parts() const { return shown_.parts; }
-    /// Releases all of them.
-    void clear() { *this = {}; }
 
   private:
     struct Known {

@@ -27,6 +27,32 @@ void PartEdits::set(PartStyles styles) {
     document_.setLook(look);
 }
 
+void PartEdits::setParts(const PartSources& sources, const std::shared_ptr<const ScanParts>& parts) {
+    if (!document_.hasVolume())
+        return;
+    if (parts)
+        document_.takeParts(sources, parts);
+    Plan plan = document_.plan();
+    plan.partSources = sources;
+    document_.edit(std::move(plan));
+}
+
+void PartEdits::keepParts() {
+    fallBackTo(document_.shownSources());
+}
+
+void PartEdits::dropLabels() {
+    PartSources sources = document_.plan().partSources;
+    sources.labels.clear();
+    fallBackTo(sources);
+}
+
+void PartEdits::fallBackTo(const PartSources& sources) {
+    Plan plan = document_.plan();
+    plan.partSources = sources;
+    document_.fallBackTo(std::move(plan));
+}
+
 void PartEdits::setState(const PartNumbers& parts, PartState state) {
     PartStyles styles = changed(parts, [state](PartStyle& style) { style.state = state; });
     if (document_.scanParts() && std::ranges::find(parts, 0) != parts.end())

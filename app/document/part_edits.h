@@ -1,5 +1,6 @@
 #pragma once
-/// Edits of how the parts of the scan are shown, as edits of the document. Parts of one name change together.
+/// Edits of the parts of the scan, where they come from and how they are shown, as edits of the document. Parts of one
+/// name change together.
 
 #include <QObject>
 #include <optional>
@@ -21,6 +22,13 @@ class PartEdits : public QObject {
     explicit PartEdits(Document& document) : document_(document) {}
 
   public slots:
+    /// Takes parts of the scan, from `sources`, which take the place of all others. Without `parts` there are none, and
+    /// `sources` are empty. One step to undo.
+    void setParts(const pdr::app::PartSources& sources, const std::shared_ptr<const pdr::app::ScanParts>& parts);
+    /// Reports that the requested parts will not come: there are those that the scene shows. No step to undo.
+    void keepParts();
+    /// Reports that no label map is open with the requested hash: the others of the parts are shown. No step to undo.
+    void dropLabels();
     /// Each is one step to undo.
     void setState(const std::vector<int>& parts, pdr::PartState state);
     /// None: the colours of the curve. The rest of the body has no colour of its own.
@@ -32,6 +40,7 @@ class PartEdits : public QObject {
     template <class Change>
     PartStyles changed(const PartNumbers& parts, const Change& change) const;
     void set(PartStyles styles);
+    void fallBackTo(const PartSources& sources);
 
     Document& document_;
 };

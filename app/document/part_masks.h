@@ -19,8 +19,6 @@ class PartMasks {
     const Visible& shown() const { return shown_.visible; }
     /// The mask that is shown; null if all of the patient is.
     const std::shared_ptr<const Mask>& mask() const { return shown_.mask; }
-    /// Releases all masks.
-    void clear() { *this = {}; }
 
   private:
     struct PartMask {

@@ -30,7 +30,7 @@ void PartsPresenter::connectPanel() {
     connect(panel_, &ui::PartsPanel::shellsWanted, this, [this] { find(PartRule::shells); });
     connect(panel_, &ui::PartsPanel::mirrorWanted, this, [this] { find(PartRule::mirror); });
     connect(panel_, &ui::PartsPanel::implantsWanted, this, [this] { find(PartRule::metal); });
-    connect(panel_, &ui::PartsPanel::removeWanted, &document(), [this] { document().setParts({}, nullptr); });
+    connect(panel_, &ui::PartsPanel::removeWanted, &edits_, [this] { edits_.setParts({}, nullptr); });
     connect(panel_, &ui::PartsPanel::tintChosen, this, &PartsPresenter::showTint);
 }
 
@@ -49,14 +49,14 @@ void PartsPresenter::connectJob() {
     showProgressOf(job_);
     connect(&document(), &Document::partsWanted, this,
             [this](const PartSources& sources) { afterImage_.call([this, sources] { make(sources); }); });
-    connect(&job_, &PartsJob::added, &document(), &Document::setParts);
+    connect(&job_, &PartsJob::added, &edits_, &PartEdits::setParts);
     connect(&job_, &PartsJob::added, this, &PartsPresenter::offerMissing);
     connect(&job_, &PartsJob::made, &document(), &Document::takeParts);
     connect(&job_, &PartsJob::resamplingWanted, this, &PartsPresenter::offerResampling);
     connect(&job_, &PartsJob::labelsMissing, this, &PartsPresenter::sayLabelsMissing);
-    connect(&job_, &PartsJob::cancelled, &document(), &Document::keepParts);
+    connect(&job_, &PartsJob::cancelled, &edits_, &PartEdits::keepParts);
     connect(&job_, &PartsJob::failed, this, [this](const Error& error) {
-        document().keepParts();
+        edits_.keepParts();
         showError(error);
     });
     connect(&job_, &PartsJob::progressed, panel_, [this] { panel_->setBusy(true); });
@@ -96,7 +96,7 @@ void PartsPresenter::offerResampling(const QString& file, const Error& error) {
 }
 
 void PartsPresenter::sayLabelsMissing() {
-    document().dropLabels();
+    edits_.dropLabels();
     window().message().showNotice(ui::MainWindow::tr(
         "This plan shows parts of a label map, of which it holds neither the voxels nor the place. Open that label map "
         "again, and its parts look as they did."));

@@ -44,7 +44,7 @@ class DocumentPartsTest : public QObject {
         Parted told;
         Document& document = told.document;
         const std::size_t scenes = told.scenes.size();
-        document.setParts(kVessels, told.parts);
+        told.edits.setParts(kVessels, told.parts);
         QVERIFY(document.scanParts() == told.parts && document.plan().partSources == kVessels);
         QCOMPARE(told.scenes.size(), scenes);
         QVERIFY(has(told.reports.back(), Changes::partSources) && told.wanted.empty());
@@ -53,15 +53,30 @@ class DocumentPartsTest : public QObject {
         QVERIFY(!document.scanParts() && !document.canUndo());
         document.redo();
         QVERIFY(document.scanParts() == told.parts && told.wanted.empty());
-        document.setParts({}, nullptr);
+        told.edits.setParts({}, nullptr);
         QCOMPARE(document.undoText(), Text(phrase("Undo removing parts")));
         QVERIFY(!document.scanParts());
+    }
+
+    /// Who looks for vessels again finds the same ones.
+    void theSamePartsAgainKeepTheImage() {
+        Parted told;
+        told.edits.setParts(kVessels, told.parts);
+        told.edits.setState({2}, PartState::hidden);
+        const std::size_t scenes = told.scenes.size();
+        const Text undo = told.document.undoText();
+        told.edits.setParts(kVessels, told.parts);
+        QCOMPARE(told.scenes.size(), scenes);
+        QCOMPARE(told.document.undoText(), undo);
+        const auto others = someParts(*told.document.scan());
+        told.edits.setParts(kVessels, others);
+        QVERIFY(told.document.scene().parts.map == others->map && told.scenes.size() == scenes + 1);
     }
 
     void eachEditOfAPartIsOneStep() {
         Parted told;
         Document& document = told.document;
-        document.setParts(kVessels, told.parts);
+        told.edits.setParts(kVessels, told.parts);
         told.edits.setState({0, 2}, PartState::hidden);
         QVERIFY(document.scene().parts.map == told.parts->map && bool(document.scene().check()));
         QCOMPARE(document.scene().parts.curves.size(), std::size_t(1));  // the liver is as empty as the rest
@@ -86,7 +101,7 @@ class DocumentPartsTest : public QObject {
         Parted told;
         told.edits.setState({0, 1}, PartState::hidden);
         QVERIFY(!told.document.canUndo());
-        told.document.setParts(kVessels, told.parts);
+        told.edits.setParts(kVessels, told.parts);
         told.edits.setState({3, -1}, PartState::hidden);
         QVERIFY(told.document.setup().look.parts.empty());
     }
@@ -117,9 +132,9 @@ class DocumentPartsTest : public QObject {
         plan.partSources = {.labels = "0123", .vessels = 1};
         plan.image.look.parts.rest = PartState::ghost;
         document.edit(plan);
-        document.dropLabels();
+        told.edits.dropLabels();
         QVERIFY(document.plan().partSources == kVessels && told.wanted.back() == kVessels);
-        document.keepParts();
+        told.edits.keepParts();
         QVERIFY(document.plan().partSources.empty() && !document.scene().maskAwaited);
         QVERIFY(document.setup().look.parts.rest == PartState::ghost);
         document.undo();
@@ -128,7 +143,7 @@ class DocumentPartsTest : public QObject {
 
     void theyGoWithTheirScan() {
         Parted told;
-        told.document.setParts(kVessels, told.parts);
+        told.edits.setParts(kVessels, told.parts);
         told.edits.setState({2}, PartState::hidden);
         told.document.open(cube());
         QVERIFY(!told.document.scanParts() && told.document.plan().partSources.empty());
@@ -137,7 +152,7 @@ class DocumentPartsTest : public QObject {
         QCOMPARE(told.parts.use_count(), 1L);
         QCOMPARE(told.parts->map.use_count(), 1L);
         told.document.close();
-        told.document.setParts(kVessels, told.parts);
+        told.edits.setParts(kVessels, told.parts);
         told.document.takeParts(kVessels, told.parts);
         QVERIFY(!told.document.scanParts());
     }
