@@ -7,6 +7,7 @@
 #include "app/remote/listener.h"
 #include "tests/support/network/acted_node.h"
 #include "tests/support/network/shared_image.h"
+#include "tests/support/scenes/part_scenes.h"
 
 using namespace pdr;
 using namespace pdr::test;
@@ -104,6 +105,27 @@ class NodesTest : public QObject {
                 edited.volume = bumpyVolume({30, 31, 37}, {0.9, 1.1, 1.3}, 5);
             QVERIFY(sameBits(trial.image(edited, {3, 70}, edit % 2 == 0 ? 2 : 0), imageAlone(edited, {3, 70})));
         }
+    }
+
+    /// Parts of the patient are found where the window is; nodes get their labels.
+    void partsAreShownByNodesToo() {
+        NodeTrial trial;
+        const NodeProcesses processes = startNodes(2);
+        for (const auto& one : processes)
+            trial.add(*one);
+        Scene parted = scene();
+        parted.parts.map = anyParts(*parted.volume, 3, 7);
+        giveCurves(parted, 7);
+        for (parted.revision = 1; parted.revision <= 3; ++parted.revision) {
+            QVERIFY(bool(parted.check()));
+            const FilmContent alone = imageAlone(parted, kOrders);
+            QVERIFY(!sameBits(alone, alone_));
+            QVERIFY(sameBits(trial.image(parted, kOrders, 2), alone));
+            parted.parts.curves.front().transferFunction.nodes = {{.opacity = 0}};  // then it is hidden
+            if (parted.revision == 2)
+                parted.parts.map = anyParts(*parted.volume, 3, 8);  // and then these are other parts
+        }
+        QVERIFY(trial.workOfNodes() > 0);
     }
 
     void pausedNodeTakesNothing() {
