@@ -35,7 +35,8 @@ void ProgressLine::show(double fraction, std::string_view step) {
 }
 
 void ProgressLine::show(const BatchState& state) {
-    std::string text = "rendering: " + samplesText(state.film.samplesPerPixel) + ", " + errorText(state.film);
+    std::string text = "rendering: " + samplesText(std::uint64_t(std::llround(state.film.meanSamplesPerPixel))) + ", " +
+                       errorText(state.film);
     if (state.secondsLeft)
         text += ", " + clockText(*state.secondsLeft) + " left";
     draw(state.fraction, text);

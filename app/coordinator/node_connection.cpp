@@ -17,7 +17,8 @@ constexpr std::chrono::milliseconds kPace{4};
 static_assert(2 * std::chrono::seconds(1) / kPace <= remote::ChannelLimits{}.messages.perSecond);
 
 // Each lease must fit into a message.
-static_assert(pdr::kMostLeasePixels == wire::kMostLeasePixels);
+static_assert(pdr::kMostLeasePixels == wire::kMostLeasePixels && pdr::kMostDeepPixels == wire::kMostDeepPixels);
+static_assert(pdr::kMostDeepSamples == wire::kMostDeepSamples);
 
 /// Returns what a node is known by: the name of its certificate, which it cannot choose, if no other node has it; else
 /// the number of its run.
@@ -80,7 +81,7 @@ void NodeConnection::take(const wire::Hello& hello) {
     if (otherBits_)
         return refuse(wire::Refused::Why::bits,
                       phrase("its images differ from this machine's in the last bits: it runs a different build"));
-    worker_ = coordinator_.leases->join(keyOf(*channel_, hello.boot), hello.name);
+    worker_ = coordinator_.leases->join(keyOf(*channel_, hello.boot), hello.name, *version >= wire::kDeepVersion);
     coordinator_.leases->setPaused(*worker_, paused_);
     channel_->send(wire::Welcome{*version, kHeartbeatMs, coordinator_.key});
     channel_->setAdmitted();
@@ -177,8 +178,8 @@ void NodeConnection::sendLeases() {
         if (!lease)
             return;
         const wire::Nonce nonce = nonces_[lease->number] = newNonce(random_);
-        channel_->send(
-            wire::Lease{lease->number, nonce, lease->scene, lease->tile, lease->samples, std::move(lease->before)});
+        channel_->send(wire::Lease{lease->number, nonce, lease->scene, lease->tile, lease->samples,
+                                   std::move(lease->before), std::move(lease->moments)});
     }
 }
 
@@ -203,8 +204,8 @@ void NodeConnection::take(wire::Result& result) {
         coordinator_.leases->quarantine(*worker_, phrase("it answered a lease that it was not given"));
         return;
     }
-    coordinator_.leases->deliver(
-        *worker_, {result.number, result.tile, result.samples, std::move(result.sums), result.health, result.seconds});
+    coordinator_.leases->deliver(*worker_, {result.number, result.tile, result.samples, std::move(result.sums),
+                                            result.health, result.seconds, std::move(result.moments)});
     sendLeases();
 }
 

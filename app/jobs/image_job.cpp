@@ -27,7 +27,7 @@ Stops stopsOf(const StopRule& rule) {
 /// Returns the progress as far as it is known: "rendering the image: 80 samples in 25 s, within ±12 levels, 40 s left".
 std::string progressText(const BatchState& state) {
     QString text = ImageJob::tr("rendering the image: %1 samples in %2")
-                       .arg(state.film.samplesPerPixel)
+                       .arg(std::llround(state.film.meanSamplesPerPixel))
                        .arg(ui::durationText(state.seconds));
     if (std::isfinite(state.film.displayError))
         text += ImageJob::tr(", within ±%1 levels").arg(ui::localNumber(levelsText(state.film.displayError)));

@@ -115,7 +115,8 @@ void NodeSession::take(wire::Lease& lease) {
     if (leases_.size() >= kMostLeases || leases_.contains(lease.number))
         return channel_->close(phrase("the coordinator gives out leases twice, or more than a node can have"));
     leases_[lease.number] = {lease.nonce, lease.revision};
-    renderer_.add({lease.number, lease.revision, lease.tile, lease.samples, std::move(lease.before)});
+    renderer_.add(
+        {lease.number, lease.revision, lease.tile, lease.samples, std::move(lease.before), std::move(lease.moments)});
     emit worked();
 }
 
@@ -161,7 +162,7 @@ void NodeSession::say(LeaseResult result) {
     const Taken taken = lease->second;
     leases_.erase(lease);
     channel_->send(wire::Result{result.number, taken.nonce, taken.revision, result.tile, result.samples,
-                                std::move(result.sums), result.health, result.seconds});
+                                std::move(result.sums), result.health, result.seconds, std::move(result.moments)});
     lookWhetherDrained();
 }
 

@@ -9,9 +9,10 @@ namespace pdr::wire {
 
 namespace {
 
-// PixelSums consists of nine words of 8 bytes without padding.
+// Both consist of nine words of 8 bytes without padding.
 constexpr std::size_t kWords = 9;
 static_assert(sizeof(PixelSums) == kWords * 8 && std::is_trivially_copyable_v<PixelSums>);
+static_assert(sizeof(Moments) == kWords * 8 && std::is_trivially_copyable_v<Moments>);
 static_assert(std::endian::native == std::endian::little);
 
 /// Swaps the bytes of `high` that `mask` selects with the bytes of `low` that lie `bits` bits above the mask.
@@ -45,16 +46,19 @@ constexpr std::size_t planeOf(std::size_t word, std::size_t b) {
     return kWords * b + word;
 }
 
-std::byte* at(PixelSums& sums, std::size_t word) {
-    return reinterpret_cast<std::byte*>(&sums) + 8 * word;
+template <class Pixel>
+std::byte* at(Pixel& pixel, std::size_t word) {
+    return reinterpret_cast<std::byte*>(&pixel) + 8 * word;
 }
-const std::byte* at(const PixelSums& sums, std::size_t word) {
-    return reinterpret_cast<const std::byte*>(&sums) + 8 * word;
+template <class Pixel>
+const std::byte* at(const Pixel& pixel, std::size_t word) {
+    return reinterpret_cast<const std::byte*>(&pixel) + 8 * word;
 }
 
 }  // namespace
 
-void splitPlanes(std::span<const PixelSums> pixels, std::span<const std::uint32_t> indices, std::byte* planes) {
+template <class Pixel>
+void splitPlanes(std::span<const Pixel> pixels, std::span<const std::uint32_t> indices, std::byte* planes) {
     const std::size_t stride = planeBytes(indices.size());
     eachWord(indices.size(), [&](std::size_t word, std::size_t first, std::size_t count) {
         std::uint64_t words[8]{};
@@ -66,7 +70,8 @@ void splitPlanes(std::span<const PixelSums> pixels, std::span<const std::uint32_
     });
 }
 
-void joinPlanes(const std::byte* planes, std::span<const std::uint32_t> indices, std::span<PixelSums> pixels) {
+template <class Pixel>
+void joinPlanes(const std::byte* planes, std::span<const std::uint32_t> indices, std::span<Pixel> pixels) {
     const std::size_t stride = planeBytes(indices.size());
     eachWord(indices.size(), [&](std::size_t word, std::size_t first, std::size_t count) {
         std::uint64_t words[8];
@@ -77,5 +82,10 @@ void joinPlanes(const std::byte* planes, std::span<const std::uint32_t> indices,
             std::memcpy(at(pixels[indices[first + i]], word), &words[i], 8);
     });
 }
+
+template void splitPlanes(std::span<const PixelSums>, std::span<const std::uint32_t>, std::byte*);
+template void splitPlanes(std::span<const Moments>, std::span<const std::uint32_t>, std::byte*);
+template void joinPlanes(const std::byte*, std::span<const std::uint32_t>, std::span<PixelSums>);
+template void joinPlanes(const std::byte*, std::span<const std::uint32_t>, std::span<Moments>);
 
 }  // namespace pdr::wire

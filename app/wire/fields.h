@@ -114,10 +114,14 @@ void workFields(Fields& map, Work& work) {
     map.numbers(4, std::array{&tile.x, &tile.y}, 0, kLongestSide - 1);
     map.numbers(5, std::array{&tile.width, &tile.height}, 1, kLongestSide);
     map.must(isInside(tile, {0, 0, kLongestSide, kLongestSide}), "its tile lies outside of all images");
-    map.must(std::uint64_t(tile.width) * tile.height <= kMostLeasePixels, "its tile is too large");
     map.number(6, work.samples.first, 0, kLastSample);
-    map.number(7, work.samples.count, 1, kSamplesPerBlock);
-    map.must(work.samples == samplesInBlock(work.samples.first, work.samples.count), "its samples are of two blocks");
+    map.number(7, work.samples.count, 1, kMostDeepSamples);
+    const bool deep = isOfSeveralBlocks(work.samples);
+    map.must(std::uint64_t(tile.width) * tile.height <= (deep ? kMostDeepPixels : kMostLeasePixels),
+             "its tile is too large");
+    map.must(deep ? work.samples.first % kSamplesPerBlock == 0 && work.samples.count % kSamplesPerBlock == 0
+                  : work.samples == samplesInBlock(work.samples.first, work.samples.count),
+             "its samples are of parts of blocks");
 }
 
 template <class Fields>

@@ -13,7 +13,8 @@ static_assert(std::endian::native == std::endian::little);
 
 constexpr std::array<char, 4> kMagic{'P', 'D', 'R', '1'};
 constexpr std::uint64_t kMostPackedChunk = kChunkBytes + (kChunkBytes >> 8) + 64;  // zstd's upper bound
-constexpr std::uint64_t kMostPackedSums = packedSumsBound(kMostLeasePixels);
+constexpr std::uint64_t kMostPackedSums = 2 * packedSumsBound(kMostDeepPixels);    // sums and moments
+static_assert(packedSumsBound(kMostLeasePixels) <= kMostPackedSums);
 static_assert(kMostPackedSums <= kMostPayloadBytes && kMostTextBytes <= kMostPayloadBytes);
 
 // Message types in the order of the variant Message.

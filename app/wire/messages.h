@@ -19,6 +19,7 @@
 #include "render/base/portable.h"
 #include "render/base/text.h"
 #include "render/base/tile.h"
+#include "render/film/moments.h"
 
 namespace pdr::wire {
 
@@ -31,8 +32,10 @@ using Nonce = std::array<std::byte, 16>;
 inline constexpr std::size_t kMostNameBytes = 64, kMostWordBytes = 1024;
 
 /// The range of supported versions of the protocol.
+///   1   leases of samples of one block
+///   2   also leases of several whole blocks, of which one set of moments comes back
 struct Versions {
-    std::uint16_t lowest = 1, highest = 1;
+    std::uint16_t lowest = 1, highest = 2;
     bool operator==(const Versions&) const = default;
 };
 /// Returns the highest version that both sides support; nothing: there is none.
@@ -147,8 +150,17 @@ struct SceneRefused {
     bool operator==(const SceneRefused&) const = default;
 };
 
-/// Limit on the pixels of a lease's tile.
-inline constexpr std::size_t kMostLeasePixels = 1 << 18;
+/// First version with leases of several blocks.
+inline constexpr std::uint16_t kDeepVersion = 2;
+
+/// Limits on the pixels of a lease's tile, of one block and of several, and on the samples of the latter.
+inline constexpr std::size_t kMostLeasePixels = 1 << 18, kMostDeepPixels = kMostLeasePixels / 2;
+inline constexpr std::uint32_t kMostDeepSamples = 1 << 16;
+
+/// Returns whether a lease of these samples is of several blocks.
+inline bool isOfSeveralBlocks(SampleRange samples) {
+    return samples.count > kSamplesPerBlock;
+}
 
 /// Requests samples. The node answers by a Result or an Abandoned with the same number and nonce.
 struct Lease {
@@ -159,6 +171,7 @@ struct Lease {
     SampleRange samples;
     std::vector<PixelSums> before;  ///< sums of the block's earlier samples, row by row; empty where there are none;
                                     ///< sent compressed, as payload
+    std::vector<Moments> moments;   ///< if deep, instead: moments of all earlier samples; likewise
 };
 
 /// Returns the samples of a lease.
@@ -167,10 +180,12 @@ struct Result {
     Nonce nonce{};
     std::uint64_t revision = 0;
     Tile tile;
-    SampleRange samples;          ///< samples of the lease
-    std::vector<PixelSums> sums;  ///< sums of the block up to samples.end(), row by row; sent compressed, as payload
-    Health health;                ///< faults of the lease's samples
-    double seconds = 0;           ///< time spent on the lease's samples
+    SampleRange samples;           ///< samples of the lease
+    std::vector<PixelSums> sums;   ///< sums of the block up to samples.end(), row by row; sent compressed, as payload
+    Health health;                 ///< faults of the lease's samples
+    double seconds = 0;            ///< time spent on the lease's samples
+    std::vector<Moments> moments;  ///< if deep: moments of all samples up to samples.end(), row by row; sent behind the
+                                   ///< sums, which have only their `seen` bits then
 };
 
 /// Returns a lease that the node does not finish.

@@ -38,8 +38,9 @@ struct Layout {
 };
 
 /// Whether any byte differs. Has no branches, which noise would make unpredictable.
-bool differ(const PixelSums& a, const PixelSums& b) {
-    using Words = std::array<std::uint64_t, sizeof(PixelSums) / 8>;
+template <class Pixel>
+bool differ(const Pixel& a, const Pixel& b) {
+    using Words = std::array<std::uint64_t, sizeof(Pixel) / 8>;
     const auto ofA = std::bit_cast<Words>(a), ofB = std::bit_cast<Words>(b);
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < ofA.size(); ++i)
@@ -47,11 +48,12 @@ bool differ(const PixelSums& a, const PixelSums& b) {
     return bits != 0;
 }
 
-/// Returns the first sums that two neighbours share; zeros if there are none. Only a uniform background, lit or not,
+/// Returns the first pixel that is like its neighbour; zeros if there is none. Only a uniform background, lit or not,
 /// makes neighbours the same to the last bit.
-PixelSums groundOf(std::span<const PixelSums> sums) {
-    const auto same = std::ranges::adjacent_find(sums, std::not_fn(differ));
-    return same == sums.end() ? PixelSums{} : *same;
+template <class Pixel>
+Pixel groundOf(std::span<const Pixel> pixels) {
+    const auto same = std::ranges::adjacent_find(pixels, std::not_fn(differ<Pixel>));
+    return same == pixels.end() ? Pixel{} : *same;
 }
 
 constexpr std::size_t kRawBytes = Layout{kSlicePixels, kSlicePixels}.bytes();
@@ -62,8 +64,9 @@ class SlicePacker {
     SlicePacker() : own_(kSlicePixels), raw_(std::make_unique_for_overwrite<std::byte[]>(kRawBytes)) {}
 
     /// Appends the packed slice to `packed`.
-    void pack(std::span<const PixelSums> slice, Bytes& packed) {
-        const PixelSums ground = groundOf(slice);
+    template <class Pixel>
+    void pack(std::span<const Pixel> slice, Bytes& packed) {
+        const Pixel ground = groundOf(slice);
         const std::span<const std::uint32_t> own = thoseUnlike(ground, slice);
         const Layout layout{slice.size(), own.size()};
         std::memcpy(raw_.get(), &ground, sizeof ground);
@@ -78,7 +81,8 @@ class SlicePacker {
     }
 
   private:
-    std::span<const std::uint32_t> thoseUnlike(const PixelSums& ground, std::span<const PixelSums> slice) {
+    template <class Pixel>
+    std::span<const std::uint32_t> thoseUnlike(const Pixel& ground, std::span<const Pixel> slice) {
         std::size_t count = 0;
         for (std::size_t pixel = 0; pixel < slice.size(); ++pixel) {
             own_[count] = std::uint32_t(pixel);
@@ -102,7 +106,8 @@ class SliceUnpacker {
 
     /// Unpacks the slice at the front of `packed` and removes it from there. False: `packed` does not begin with a
     /// slice of that many pixels.
-    bool unpack(std::span<const std::byte>& packed, std::span<PixelSums> slice) {
+    template <class Pixel>
+    bool unpack(std::span<const std::byte>& packed, std::span<Pixel> slice) {
         Head head;
         if (packed.size() < sizeof head)
             return false;
@@ -115,7 +120,7 @@ class SliceUnpacker {
         const Layout layout{slice.size(), head.own};
         if (!frames_.unpack(frame, {raw_.get(), layout.bytes()}) || !findPlaces(layout))
             return false;
-        PixelSums ground;
+        Pixel ground;
         std::memcpy(&ground, raw_.get(), sizeof ground);
         std::ranges::fill(slice, ground);
         joinPlanes(raw_.get() + layout.planes(), own_, slice);
@@ -138,33 +143,53 @@ class SliceUnpacker {
     FrameUnpacker frames_;
 };
 
+template <class Pixel>
+void packAll(std::span<const Pixel> pixels, Bytes& packed) {
+    if (pixels.empty())
+        return;
+    packed.reserve(packed.size() + packedSumsBound(pixels.size()));
+    SlicePacker packer;
+    for (std::size_t first = 0; first < pixels.size(); first += kSlicePixels)
+        packer.pack(pixels.subspan(first, std::min(kSlicePixels, pixels.size() - first)), packed);
+}
+
 }  // namespace
+
+void pack(std::span<const PixelSums> pixels, Bytes& packed) {
+    packAll(pixels, packed);
+}
+
+void pack(std::span<const Moments> pixels, Bytes& packed) {
+    packAll(pixels, packed);
+}
+
+template <class Pixel>
+pdr::Result<std::vector<Pixel>> unpack(std::span<const std::byte>& packed, std::size_t count) {
+    std::vector<Pixel> pixels;
+    if (count == 0)
+        return pixels;
+    pixels.reserve(count);
+    SliceUnpacker unpacker;
+    for (std::size_t first = 0; first < count; first += kSlicePixels) {
+        pixels.resize(std::min(first + kSlicePixels, count));
+        if (!unpacker.unpack(packed, std::span(pixels).subspan(first)))
+            return malformed(phrase("sums of pixels that cannot be unpacked"));
+    }
+    return pixels;
+}
+template pdr::Result<std::vector<PixelSums>> unpack(std::span<const std::byte>&, std::size_t);
+template pdr::Result<std::vector<Moments>> unpack(std::span<const std::byte>&, std::size_t);
 
 Bytes packSums(std::span<const PixelSums> sums) {
     Bytes packed;
-    if (sums.empty())
-        return packed;
-    packed.reserve(packedSumsBound(sums.size()));
-    SlicePacker packer;
-    for (std::size_t first = 0; first < sums.size(); first += kSlicePixels)
-        packer.pack(sums.subspan(first, std::min(kSlicePixels, sums.size() - first)), packed);
+    pack(sums, packed);
     return packed;
 }
 
 pdr::Result<std::vector<PixelSums>> unpackSums(std::span<const std::byte> packed, std::size_t pixels) {
-    const Error noPack = malformed(phrase("sums of pixels that cannot be unpacked"));
-    std::vector<PixelSums> sums;
-    if (pixels == 0 && packed.empty())
-        return sums;
-    sums.reserve(pixels);
-    SliceUnpacker unpacker;
-    for (std::size_t first = 0; first < pixels; first += kSlicePixels) {
-        sums.resize(std::min(first + kSlicePixels, pixels));
-        if (!unpacker.unpack(packed, std::span(sums).subspan(first)))
-            return noPack;
-    }
-    if (!packed.empty())
-        return noPack;
+    auto sums = unpack<PixelSums>(packed, pixels);
+    if (sums && !packed.empty())
+        return malformed(phrase("sums of pixels that cannot be unpacked"));
     return sums;
 }
 

@@ -11,12 +11,18 @@ namespace pdr::wire {
 
 namespace {
 
-const char* unpack(std::vector<PixelSums>& sums, const Tile& tile, const Bytes& packed) {
-    auto unpacked = unpackSums(packed, std::size_t(tile.width) * std::size_t(tile.height));
+/// Takes the pixels of `tile` from the front of `packed`. Returns what is wrong; null: nothing.
+template <class Pixel>
+const char* take(std::vector<Pixel>& pixels, const Tile& tile, std::span<const std::byte>& packed) {
+    auto unpacked = unpack<Pixel>(packed, std::size_t(tile.width) * std::size_t(tile.height));
     if (!unpacked)
         return "sums of pixels that cannot be unpacked";
-    sums = *std::move(unpacked);
+    pixels = *std::move(unpacked);
     return nullptr;
+}
+
+const char* lookForMore(std::span<const std::byte> packed) {
+    return packed.empty() ? nullptr : "sums of pixels that cannot be unpacked";
 }
 
 }  // namespace
@@ -31,11 +37,17 @@ Bytes takePayload(Chunk& chunk) {
 }
 
 Bytes takePayload(Lease& lease) {
-    return packSums(lease.before);
+    Bytes packed;
+    pack(lease.before, packed);
+    pack(lease.moments, packed);
+    return packed;
 }
 
 Bytes takePayload(Result& result) {
-    return packSums(result.sums);
+    Bytes packed;
+    pack(result.sums, packed);
+    pack(result.moments, packed);
+    return packed;
 }
 
 const char* givePayload(SceneOrder& order, const Bytes& payload) {
@@ -53,13 +65,20 @@ const char* givePayload(Chunk& chunk, Bytes payload) {
 const char* givePayload(Lease& lease, const Bytes& payload) {
     if (payload.empty())
         return nullptr;
-    if (lease.samples.first % kSamplesPerBlock == 0)
+    if (lease.samples.first == 0 || (!isOfSeveralBlocks(lease.samples) && lease.samples.first % kSamplesPerBlock == 0))
         return "sums of samples before the first one of a block";
-    return unpack(lease.before, lease.tile, payload);
+    std::span<const std::byte> packed(payload);
+    const char* wrong = isOfSeveralBlocks(lease.samples) ? take(lease.moments, lease.tile, packed)
+                                                         : take(lease.before, lease.tile, packed);
+    return wrong != nullptr ? wrong : lookForMore(packed);
 }
 
 const char* givePayload(Result& result, const Bytes& payload) {
-    return unpack(result.sums, result.tile, payload);
+    std::span<const std::byte> packed(payload);
+    const char* wrong = take(result.sums, result.tile, packed);
+    if (wrong == nullptr && isOfSeveralBlocks(result.samples))
+        wrong = take(result.moments, result.tile, packed);
+    return wrong != nullptr ? wrong : lookForMore(packed);
 }
 
 }  // namespace pdr::wire

@@ -21,7 +21,13 @@ namespace pdr {
 struct OrderSize {
     double seconds = 0.25;  ///< short, so that Ctrl-C and time limits take effect soon
     std::uint32_t samples = kSamplesPerBlock;
+    /// Samples that one call may request however long they take, since a stop request ends extend() soon and leaves a
+    /// valid film; 0: there is no such number.
+    std::uint32_t whole = 0;
 };
+
+/// Receives the samples of a film while it is extended: on the thread that extends it, several times a second.
+using Extended = std::function<void(const SampleCounts&)>;
 
 /// Keys of the machines whose samples a film holds although this machine has not taken all of them again: if one of
 /// them turns out to lie, the film is worthless.
@@ -43,9 +49,12 @@ class Accumulator {
     virtual Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) = 0;
     /// Takes n more samples of every pixel of the whole area.
     Result<void> accumulate(std::uint32_t n, std::stop_token stop) { return accumulate(area(), n, std::move(stop)); }
-    /// Takes n more samples of the whole area, which has `had`, and returns the new number: had + n, or 0 if earlier
-    /// samples were found wrong and all were discarded. accumulate() takes discarded samples again before it returns.
-    virtual Result<std::uint64_t> extend(std::uint64_t had, std::uint32_t n, std::stop_token stop) {
+    /// Takes n more samples of the whole area, which has `had`, and returns how many samples each pixel has then: had +
+    /// n; 0 if earlier samples were found wrong and all were discarded (accumulate() takes discarded samples again
+    /// before it returns); fewer after a stop request if orderSize().whole is not 0: then the film is valid, and cells
+    /// that were finished have more. `told` is called meanwhile where that may take long.
+    virtual Result<std::uint64_t> extend(std::uint64_t had, std::uint32_t n, std::stop_token stop,
+                                         const Extended& /*told*/ = {}) {
         if (Result<void> done = accumulate(n, std::move(stop)); !done)
             return done.error();
         return had + n;

@@ -64,10 +64,11 @@ class SpareFilm final : public Accumulator {
         hasSamples_ = hasSamples_ || done;
         return done;
     }
-    Result<std::uint64_t> extend(std::uint64_t had, std::uint32_t n, std::stop_token stop) override {
-        Result<std::uint64_t> there = film_->extend(had, n, stop);
+    Result<std::uint64_t> extend(std::uint64_t had, std::uint32_t n, std::stop_token stop,
+                                 const Extended& told) override {
+        Result<std::uint64_t> there = film_->extend(had, n, stop, told);
         if (!there && beginAnew(there.error(), area()))
-            there = had > 0 ? Result<std::uint64_t>(0) : film_->extend(0, n, std::move(stop));
+            there = had > 0 ? Result<std::uint64_t>(0) : film_->extend(0, n, std::move(stop), told);
         hasSamples_ = there && *there > 0;
         return there;
     }

@@ -51,6 +51,15 @@ bool areSums(const PixelSums& sums, std::uint32_t count) {
            are(sums.evenSum);
 }
 
+/// Returns whether these are moments of at most `count` samples that are radiances.
+bool areMoments(const Moments& moments, std::uint64_t count) {
+    const auto are = [](const auto& of) {
+        return of.x >= 0 && of.y >= 0 && of.z >= 0 && std::isfinite(double(of.x) + double(of.y) + double(of.z));
+    };
+    return moments.count <= count && moments.evenCount <= moments.count && are(moments.mean) && are(moments.m2) &&
+           are(moments.evenMean);
+}
+
 std::size_t pixelsOf(const Tile& tile) {
     return std::size_t(tile.width) * std::size_t(tile.height);
 }
@@ -71,6 +80,10 @@ bool sameBits(const FilmContent& a, const FilmContent& b) {
 }
 
 bool sameBits(std::span<const PixelSums> a, std::span<const PixelSums> b) {
+    return allSameBits(a, b);
+}
+
+bool sameBits(std::span<const Moments> a, std::span<const Moments> b) {
     return allSameBits(a, b);
 }
 
@@ -141,17 +154,49 @@ Result<void> Film::check(const TileResult& result) const {
     const SampleRange& samples = result.samples;
     if (here.size() == 1 && samples.end() <= next)
         return refused(phrase("its samples are there already"));
-    if (here.size() != 1 || samples.first != std::max(block, progress_.first()) ||
-        samples != samplesInBlock(samples.first, samples.count))
+    const bool isWhole = !result.moments.empty();
+    const bool ends =
+        isWhole ? samples.end() % kSamplesPerBlock == 0 : samples == samplesInBlock(samples.first, samples.count);
+    if (here.size() != 1 || samples.first != std::max(block, progress_.first()) || !ends)
         return refused(phrase("its samples are not the next ones"));
-    if (!std::ranges::all_of(result.sums, [&](const PixelSums& sums) { return areSums(sums, samples.count); }))
+    // Check the numbers
+    const std::uint64_t all = samples.end() - progress_.first();
+    const auto isEstimate = [&](const Moments& moments) { return areMoments(moments, all); };
+    const auto isSum = [&](const PixelSums& sums) { return areSums(sums, isWhole ? 0 : samples.count); };
+    if ((isWhole && result.moments.size() != pixels) || !std::ranges::all_of(result.sums, isSum) ||
+        !std::ranges::all_of(result.moments, isEstimate))
         return refused(phrase("its sums are none"));
     return {};
+}
+
+std::vector<Moments> Film::fullBlocks(const Tile& tile) const {
+    std::vector<Moments> moments;
+    const std::uint64_t next = progress_.evenTiles(tile).front().next;
+    if (next / kSamplesPerBlock == progress_.first() / kSamplesPerBlock)
+        return moments;
+    moments.reserve(pixelsOf(tile));
+    for (std::size_t i = 0; i < pixelsOf(tile); ++i)
+        moments.push_back(moments_[indexIn(tile, i)]);
+    return moments;
+}
+
+void Film::replaceBlocks(const TileResult& result) {
+    for (std::size_t i = 0; i < result.moments.size(); ++i) {
+        const std::size_t pixel = indexIn(result.tile, i);
+        moments_[pixel] = result.moments[i];
+        block_[pixel] = {.seen = block_[pixel].seen | result.sums[i].seen};
+    }
+    progress_.advance(result.tile, result.samples.end());
 }
 
 Result<void> Film::merge(const TileResult& result) {
     if (Result<void> fits = check(result); !fits)
         return fits;
+    health_.add(result.health);
+    if (!result.moments.empty()) {
+        replaceBlocks(result);
+        return {};
+    }
     const Tile& tile = result.tile;
     const TileSums here = sums(tile);
     for (int y = 0; y < tile.height; ++y)
@@ -161,7 +206,6 @@ Result<void> Film::merge(const TileResult& result) {
             pixel = result.sums[std::size_t(y) * std::size_t(tile.width) + std::size_t(x)];
             pixel.seen |= seen;
         }
-    health_.add(result.health);
     commit(tile, result.samples);
     return {};
 }

@@ -44,14 +44,16 @@ struct FilmContent {
 /// out.
 bool sameBits(const FilmContent& a, const FilmContent& b);
 bool sameBits(std::span<const PixelSums> a, std::span<const PixelSums> b);
+bool sameBits(std::span<const Moments> a, std::span<const Moments> b);
 
-/// Sums of a tile that were computed elsewhere.
+/// Samples of a tile that were taken elsewhere, in one block or in whole blocks.
 struct TileResult {
     std::uint64_t revision = 0;  ///< revision of the scene
     Tile tile;
-    SampleRange samples;          ///< samples that the sums hold, all of them; in one block
-    std::vector<PixelSums> sums;  ///< row by row
-    Health health;                ///< health of the samples that were never sent before
+    SampleRange samples;           ///< samples of one block that the sums hold, or those of several whole blocks
+    std::vector<PixelSums> sums;   ///< row by row; of whole blocks: empty, with their `seen` bits
+    Health health;                 ///< health of the samples that were never sent before
+    std::vector<Moments> moments;  ///< moments of whole blocks and of all samples of the film before them
 };
 
 using PixelLook = std::function<void(std::size_t index, const Moments& known)>;
@@ -89,7 +91,10 @@ class Film {
     /// further than the film's own sums, which they replace. So the order of the additions, and with it every bit, does
     /// not depend on where the sums were computed. Errors: the sums are of another scene (stale), of no whole cells of
     /// this film (foreign), here already (twice), behind a gap (early), or no sums; the film is then as before.
+    /// The moments of whole blocks replace the film's in the same way.
     Result<void> merge(const TileResult& result);
+    /// Returns the moments of all full blocks of the pixels in `tile`, row by row; nothing: there is no full block.
+    std::vector<Moments> fullBlocks(const Tile& tile) const;
 
     PixelEstimate pixel(int x, int y) const;
     /// Returns the status without a display: displayError is not known.
@@ -126,6 +131,7 @@ class Film {
         return indexOf(tile) + (width == stride ? i : i / width * stride + i % width);
     }
     Result<void> check(const TileResult& result) const;
+    void replaceBlocks(const TileResult& result);
 
     TileProgress progress_;
     std::uint64_t revision_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "render/accuracy/stop_rule.h"
 
@@ -10,6 +11,7 @@ namespace pdr {
 namespace {
 
 constexpr double kReportSeconds = 0.5;
+constexpr std::uint64_t kMostWholeOrder = 1 << 20;
 constexpr std::uint64_t kErrorEvery = 16;  ///< samples between two readings of the error, which take time
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
@@ -24,7 +26,14 @@ Result<BatchResult> BatchRender::run(std::stop_token stop, const Report& report)
     double reported = -kReportSeconds;
     std::optional<StopReason> reason;
     while (!reason) {
-        if (auto ok = takeSamples(elapsed, stop); !ok)
+        const auto told = [&](const SampleCounts& counts) {
+            elapsed = secondsSince(start);
+            if (elapsed - reported < kReportSeconds)
+                return;
+            report(state(elapsed, counts));
+            reported = elapsed;
+        };
+        if (auto ok = takeSamples(elapsed, stop, told); !ok)
             return ok.error();
         elapsed = secondsSince(start);
         const bool reports = elapsed - reported >= kReportSeconds;
@@ -36,7 +45,7 @@ Result<BatchResult> BatchRender::run(std::stop_token stop, const Report& report)
             if (auto ok = look(); !ok)
                 return ok.error();
         if (reason || reports) {
-            report(state(elapsed));
+            report(state(elapsed, {done_, done_, double(done_)}));
             reported = elapsed;
         }
     }
@@ -51,15 +60,32 @@ bool BatchRender::errorIsDue() const {
     return stopsByError() && done_ > 0 && done_ % kErrorEvery == 0;
 }
 
-Result<void> BatchRender::takeSamples(double elapsed, std::stop_token stop) {
-    const std::uint32_t samples = wantedSamples(elapsed);
-    // An interrupted launch leaves worthless sums. The first one has nothing to lose.
-    const bool canBreakOff = done_ == 0 || whenStopped_ == WhenStopped::discard;
-    const auto there = film_.extend(done_, samples, canBreakOff ? stop : std::stop_token());
+/// Keeps what a stop request has left of a film that was extended tile by tile; a tile without samples gets one.
+Result<void> BatchRender::keepFinished(std::uint64_t there) {
+    double mean = 0;
+    if (auto ok = film_.look([&](const Film& film) { mean = film.samples().mean; }); !ok)
+        return ok;
+    done_ = there;
+    if (done_ > 0 || mean == 0)
+        return {};
+    const auto first = film_.extend(0, 1, {});
+    if (!first)
+        return first.error();
+    done_ = *first;
+    return {};
+}
+
+Result<void> BatchRender::takeSamples(double elapsed, std::stop_token stop, const Extended& told) {
+    const OrderSize order = film_.orderSize();
+    const std::uint32_t samples = wantedSamples(order, elapsed);
+    // An interrupted launch leaves worthless sums, unless the film says otherwise. The first one has nothing to lose.
+    const bool leavesFilm = order.whole > 0;
+    const bool canBreakOff = leavesFilm || done_ == 0 || whenStopped_ == WhenStopped::discard;
+    const auto there = film_.extend(done_, samples, canBreakOff ? stop : std::stop_token(), told);
     if (!there)
         return there.error();
     if (canBreakOff && stop.stop_requested())
-        return {};
+        return leavesFilm && whenStopped_ == WhenStopped::keep ? keepFinished(*there) : Result<void>();
     done_ = *there;
     if (done_ == 0) {
         begunAt_ = elapsed;
@@ -81,10 +107,11 @@ Result<void> BatchRender::look() {
     return {};
 }
 
-std::uint32_t BatchRender::wantedSamples(double elapsed) const {
+std::uint32_t BatchRender::wantedSamples(const OrderSize& order, double elapsed) const {
+    if (order.whole > 0 && stops_.samples && !stops_.seconds && !stopsByError())
+        return wholeOrder(order.whole);
     if (done_ == 0)
         return 1;
-    const OrderSize order = film_.orderSize();
     double time = order.seconds;
     if (stops_.seconds)
         time = std::min(time, *stops_.seconds - elapsed);
@@ -94,6 +121,12 @@ std::uint32_t BatchRender::wantedSamples(double elapsed) const {
     if (stopsByError())
         wanted = std::min(wanted, double(kErrorEvery - done_ % kErrorEvery));
     return toBlockEnd(std::uint32_t(std::clamp(wanted, 1.0, double(order.samples))));
+}
+
+/// Returns the samples up to the end if these are few, else ever more.
+std::uint32_t BatchRender::wholeOrder(std::uint32_t whole) const {
+    const std::uint64_t wanted = std::min(*stops_.samples - done_, std::max<std::uint64_t>(whole, 3 * done_));
+    return toBlockEnd(std::uint32_t(std::min<std::uint64_t>(wanted, kMostWholeOrder)));
 }
 
 /// Reduces `wanted` so that the samples end with a whole block, if one ends on the way: the rest of a block would be a
@@ -117,10 +150,13 @@ std::optional<StopReason> BatchRender::reached(double elapsed) const {
     return std::nullopt;
 }
 
-BatchState BatchRender::state(double elapsed) const {
+BatchState BatchRender::state(double elapsed, const SampleCounts& samples) const {
     BatchState state{status_, elapsed, 0, std::nullopt};
+    state.film.meanSamplesPerPixel = samples.mean;
+    if (status_.samplesPerPixel == 0)
+        state.film.relativeError = std::numeric_limits<double>::infinity();
     if (stops_.samples)
-        state.fraction = std::max(state.fraction, double(done_) / double(*stops_.samples));
+        state.fraction = std::max(state.fraction, samples.mean / double(*stops_.samples));
     if (stops_.seconds)
         state.fraction = std::max(state.fraction, elapsed / *stops_.seconds);
     const auto nearer = [&](const std::optional<double>& target, double error) {

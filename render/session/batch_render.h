@@ -25,7 +25,7 @@ enum class StopReason { samples, seconds, error, levels, interrupted };
 
 /// Progress of a rendering. `fraction` is a guess if only an error limit is set.
 struct BatchState {
-    FilmStatus film;
+    FilmStatus film;  ///< as last read; its mean samples per pixel are those of now
     double seconds = 0;
     double fraction = 0;                ///< [0, 1]
     std::optional<double> secondsLeft;  ///< none while it cannot be estimated
@@ -39,7 +39,9 @@ struct BatchResult {
 
 /// What happens to the samples so far when a stop is requested.
 enum class WhenStopped {
-    keep,    ///< finish the sample in progress, so that the film stays valid; the very first one is abandoned
+    /// Finish the sample in progress, so that the film stays valid; the very first one is abandoned. A film that is
+    /// extended tile by tile keeps the finished tiles, and the others get a sample.
+    keep,
     discard  ///< end at once; the film is worthless
 };
 
@@ -58,11 +60,13 @@ class BatchRender {
     Result<BatchResult> run(std::stop_token stop, const Report& report);
 
   private:
-    std::uint32_t wantedSamples(double elapsed) const;
+    std::uint32_t wantedSamples(const OrderSize& order, double elapsed) const;
     std::uint32_t toBlockEnd(std::uint32_t wanted) const;
     std::optional<StopReason> reached(double elapsed) const;
-    BatchState state(double elapsed) const;
-    Result<void> takeSamples(double elapsed, std::stop_token stop);
+    std::uint32_t wholeOrder(std::uint32_t whole) const;
+    BatchState state(double elapsed, const SampleCounts& samples) const;
+    Result<void> takeSamples(double elapsed, std::stop_token stop, const Extended& told);
+    Result<void> keepFinished(std::uint64_t there);
     Result<void> look();
     bool stopsByError() const { return stops_.relativeError || stops_.levels; }
     bool errorIsDue() const;

@@ -16,16 +16,23 @@ inline constexpr WorkerId kOwnDevice = 0;
 struct Portion {
     std::uint64_t number = 0;
     Tile tile;
-    SampleRange samples;  ///< samples of one block
+    SampleRange samples;  ///< samples of one block, or of several whole ones
 };
 
-/// A portion as it is given to a renderer, with the sums that it continues.
+/// Returns whether these samples are those of several whole blocks: then moments are continued and returned, once for
+/// all blocks, instead of the sums of one block.
+inline bool isDeep(SampleRange samples) {
+    return samples.count > kSamplesPerBlock;
+}
+
+/// A portion as it is given to a renderer, with what it continues.
 struct Lease {
     std::uint64_t number = 0;  ///< unique
     std::uint64_t scene = 0;   ///< number of the published scene
     Tile tile;
-    SampleRange samples;            ///< samples of one block
+    SampleRange samples;            ///< samples of one block, or of several whole ones
     std::vector<PixelSums> before;  ///< sums of the block's earlier samples, row by row; empty: there are none
+    std::vector<Moments> moments;   ///< if deep: moments of the film's earlier samples; empty: there are none
 };
 
 /// The rendered samples of a lease.
@@ -33,9 +40,11 @@ struct LeaseResult {
     std::uint64_t number = 0;
     Tile tile;
     SampleRange samples;
-    std::vector<PixelSums> sums;  ///< sums of the block, from its start to samples.end(), row by row
+    std::vector<PixelSums> sums;  ///< sums of the block, from its start to samples.end(), row by row; if deep: only the
+                                  ///< `seen` bits
     Health health;                ///< faults of the lease's samples
     double seconds = 0;           ///< time spent on the lease's samples
+    std::vector<Moments> moments;  ///< if deep: moments of the film's samples before samples.end()
 };
 
 /// Returns the range from the start of the block to the end of `samples`, as Film::merge() takes it.
@@ -44,8 +53,10 @@ inline SampleRange fromBlockStart(SampleRange samples) {
     return {start, std::uint32_t(samples.end() - start)};
 }
 
-/// Limit on the pixels of a lease, which bounds the memory and the message of its result.
-inline constexpr int kMostLeasePixels = 512 * 512;
+/// Limits on the pixels of a lease, which bound the memory and the message of its result: of one block, and of several.
+inline constexpr int kMostLeasePixels = 512 * 512, kMostDeepPixels = kMostLeasePixels / 2;
+/// Limit on the samples of a deep lease.
+inline constexpr std::uint32_t kMostDeepSamples = 1 << 16;
 
 /// Returns the work: samples times pixels.
 inline double workOf(const Tile& tile, SampleRange samples) {

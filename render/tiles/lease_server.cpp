@@ -15,9 +15,11 @@ void LeaseServer::setNotice(std::function<void()> notice) {
     state_->setNotice(std::move(notice));
 }
 
-WorkerId LeaseServer::join(const std::string& key, const std::string& name) {
+WorkerId LeaseServer::join(const std::string& key, const std::string& name, bool isDeep) {
     const std::lock_guard lock(state_->mutex);
-    return state_->registry.join(key, name);
+    const WorkerId id = state_->registry.join(key, name);
+    state_->registry.find(id)->status.isDeep = isDeep;
+    return id;
 }
 
 void LeaseServer::leave(WorkerId id) {
@@ -111,7 +113,7 @@ std::optional<Lease> LeaseServer::take(WorkerId id) {
     if (worker->inFlight >= (probation ? 1 : kInFlight))
         return std::nullopt;
     const double now = state_->clock();
-    const Ability ability = state_->abilityOf(worker->speed, probation);
+    const Ability ability = state_->abilityOf(worker->speed, probation, worker->status.isDeep);
     const std::optional<Portion> portion = state_->request->scheduler().take(id, ability, now);
     if (!portion)
         return std::nullopt;

@@ -26,7 +26,8 @@ class LeaseServer {
     void setNotice(std::function<void()> notice);
 
     /// Adds a worker. `key` identifies it, also when it reconnects; its trust or quarantine is stored under this key.
-    WorkerId join(const std::string& key, const std::string& name);
+    /// `isDeep`: whether it takes leases of several blocks.
+    WorkerId join(const std::string& key, const std::string& name, bool isDeep = true);
     void leave(WorkerId worker);
     /// Returns the status of a worker; none: it has left.
     std::optional<WorkerStatus> status(WorkerId worker) const;

@@ -16,16 +16,16 @@ constexpr double kShortestSeconds = 0.004, kLongestSeconds = 0.3, kUnknownSecond
 
 }  // namespace
 
-Ability PoolState::abilityOf(const WorkerSpeed& speed, bool isOnProbation) const {
+Ability PoolState::abilityOf(const WorkerSpeed& speed, bool isOnProbation, bool isDeep) const {
     const double mine = speed.perSecond();
     if (mine <= 0)  // unknown: expect the own device's speed
-        return {kFirstCost, std::max(own.speed.perSecond(), kFirstCost)};
+        return {kFirstCost, std::max(own.speed.perSecond(), kFirstCost), 0};
     double all = registry.perSecond(scenes.current().number);
     if (own.helps || !isAnyTaking())
         all += own.speed.perSecond();
     const double fair = request->scheduler().openCost() * mine / std::max(all, mine) * kShare;
     const double longest = isOnProbation ? kProbationSeconds : costs.isKnown() ? kLongestSeconds : kUnknownSeconds;
-    return {std::clamp(fair, mine * kShortestSeconds, mine * longest), mine};
+    return {std::clamp(fair, mine * kShortestSeconds, mine * longest), mine, isDeep ? mine * longest : 0};
 }
 
 void PoolState::addTime(WorkerId worker, WorkerSpeed& speed, const Portion& portion, double seconds,

@@ -59,7 +59,7 @@ class PoolState {
     /// Whether a worker takes leases of the request.
     bool isAnyTaking() const { return isRequestCurrent() && registry.countTaking(request->scene()) > 0; }
     /// Returns what to ask the scheduler of the request for.
-    Ability abilityOf(const WorkerSpeed& speed, bool isOnProbation) const;
+    Ability abilityOf(const WorkerSpeed& speed, bool isOnProbation, bool isDeep) const;
     /// Records the time of a portion of the request; `busySeconds`: the part of it that the worker reports as spent on
     /// samples.
     void addTime(WorkerId worker, WorkerSpeed& speed, const Portion& portion, double seconds, double busySeconds);

@@ -46,7 +46,7 @@ bool sameHealth(const Health& a, const Health& b) {
 bool confirms(const LeaseResult& truth, const Audit& audit) {
     const bool sameFaults = audit.isWithheld ? sameHealth(truth.health, audit.claimed.health)
                                              : contains(audit.claimed.health, truth.health);
-    return sameFaults && sameBits(audit.claimed.sums, truth.sums);
+    return sameFaults && sameBits(audit.claimed.sums, truth.sums) && sameBits(audit.claimed.moments, truth.moments);
 }
 
 }  // namespace pdr

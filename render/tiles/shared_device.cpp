@@ -1,5 +1,6 @@
 #include "render/tiles/shared_device.h"
 
+#include <limits>
 #include <utility>
 
 #include "render/scene/scene.h"
@@ -53,6 +54,10 @@ class SharedDevice final : public Device {
     bool isShared_ = false;
 };
 
+/// Samples of an image for a file that are taken tile by tile: each tile comes back once. With more, an image that is
+/// stopped would be too uneven, and fewer messages would not matter any more.
+constexpr std::uint32_t kWholeSamples = 1024;
+
 /// Returns all samples of a film, to be rendered again because they can no longer be trusted.
 std::vector<TileGoal> allOf(const TileProgress& progress) {
     std::vector<TileGoal> goals;
@@ -71,7 +76,7 @@ OrderSize SharedAccumulator::orderSize() const {
     const std::size_t workers = work_.countWorkers();
     if (workers == 0)
         return {};
-    return {1, std::uint32_t(kSamplesPerBlock * (workers + 1))};
+    return {1, std::uint32_t(kSamplesPerBlock * (workers + 1)), kWholeSamples};
 }
 
 std::vector<TileGoal> SharedAccumulator::goalsOf(const Tile& region, std::uint32_t n) const {
@@ -81,8 +86,9 @@ std::vector<TileGoal> SharedAccumulator::goalsOf(const Tile& region, std::uint32
     return goals;
 }
 
-Result<void> SharedAccumulator::take(const std::vector<TileGoal>& goals, const std::stop_token& stop) {
-    return work_.hasWorkers() ? together(goals, stop) : alone(goals, stop);
+Result<void> SharedAccumulator::take(const std::vector<TileGoal>& goals, const std::stop_token& stop,
+                                     const Extended& told) {
+    return work_.hasWorkers() ? together(goals, stop, told) : alone(goals, stop, told);
 }
 
 bool SharedAccumulator::discardUntrusted() {
@@ -104,38 +110,50 @@ Result<void> SharedAccumulator::accumulate(const Tile& region, std::uint32_t n, 
     }
 }
 
-Result<std::uint64_t> SharedAccumulator::extend(std::uint64_t had, std::uint32_t n, std::stop_token stop) {
-    if (Result<void> done = take(goalsOf(film_.area(), n), stop); !done)
+Result<std::uint64_t> SharedAccumulator::extend(std::uint64_t had, std::uint32_t n, std::stop_token stop,
+                                                const Extended& told) {
+    if (Result<void> done = take(goalsOf(film_.area(), n), stop, told); !done)
         return done.error();
-    return discardUntrusted() ? 0 : had + n;
+    if (discardUntrusted())
+        return 0;
+    return stop.stop_requested() ? film_.samplesPerPixel() : had + n;
 }
 
-Result<void> SharedAccumulator::alone(const std::vector<TileGoal>& goals, const std::stop_token& stop) {
-    for (const TileGoal& goal : goals)
-        for (std::uint64_t next = goal.next; next < goal.goal;) {
-            const SampleRange samples =
-                samplesInBlock(next, std::uint32_t(std::min<std::uint64_t>(goal.goal - next, kSamplesPerBlock)));
-            if (Result<void> traced = own_.trace(goal.tile, samples, film_.sums(goal.tile), stop); !traced)
-                return traced;
-            if (stop.stop_requested())
-                return {};
-            film_.commit(goal.tile, samples);
-            next = samples.end();
-        }
+/// Works as the only one on a request, so that a stop leaves finished tiles alone.
+Result<void> SharedAccumulator::alone(const std::vector<TileGoal>& goals, const std::stop_token& stop,
+                                      const Extended& told) {
+    constexpr double kAll = std::numeric_limits<double>::infinity();
+    SharedRequest request(film_, scene_, goals, Split::tiles, 1, CellCosts());
+    while (const std::optional<Portion> portion = request.scheduler().take(kOwnDevice, {kAll, 1, 0}, 0)) {
+        Result<LeaseResult> result = traceLease(own_, request.leaseOf(*portion), stop);
+        if (!result)
+            return result.error();
+        if (stop.stop_requested())
+            return {};
+        if (Result<void> taken = request.take(*std::move(result)); !taken)
+            return taken;
+        if (told)
+            told(film_.samples());
+    }
     return {};
 }
 
-Result<void> SharedAccumulator::together(const std::vector<TileGoal>& goals, const std::stop_token& stop) {
+Result<void> SharedAccumulator::together(const std::vector<TileGoal>& goals, const std::stop_token& stop,
+                                         const Extended& told) {
     if (!work_.begin(film_, scene_, goals, stop))
-        return alone(goals, stop);
-    Result<void> done = takePart(stop);
+        return alone(goals, stop, told);
+    Result<void> done = takePart(stop, told);
     contributors_.merge(work_.end());
     return done;
 }
 
-Result<void> SharedAccumulator::takePart(const std::stop_token& stop) {
+Result<void> SharedAccumulator::takePart(const std::stop_token& stop, const Extended& told) {
     while (const std::optional<SharedWork::OwnWork> work = work_.nextOwn(stop)) {
-        Result<LeaseResult> result = traceLease(own_, work->lease, stop);
+        if (told)
+            told(work_.merged());
+        if (!work->lease)
+            continue;
+        Result<LeaseResult> result = traceLease(own_, *work->lease, stop);
         if (!result)
             return result.error();
         if (stop.stop_requested())

@@ -25,7 +25,8 @@ class SharedAccumulator final : public HostAccumulator {
     using Accumulator::accumulate;
     OrderSize orderSize() const override;
     Result<void> accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) override;
-    Result<std::uint64_t> extend(std::uint64_t had, std::uint32_t n, std::stop_token stop) override;
+    Result<std::uint64_t> extend(std::uint64_t had, std::uint32_t n, std::stop_token stop,
+                                 const Extended& told) override;
     Contributors contributors() const override { return contributors_; }
     void credit(const Contributors& contributors) override {
         contributors_.insert(contributors.begin(), contributors.end());
@@ -36,13 +37,13 @@ class SharedAccumulator final : public HostAccumulator {
     std::vector<TileGoal> goalsOf(const Tile& region, std::uint32_t n) const;
     /// Empties the film if results of an untrusted node are merged into it. Returns whether it did.
     bool discardUntrusted();
-    Result<void> take(const std::vector<TileGoal>& goals, const std::stop_token& stop);
+    Result<void> take(const std::vector<TileGoal>& goals, const std::stop_token& stop, const Extended& told = {});
     /// Renders all goals on the own device.
-    Result<void> alone(const std::vector<TileGoal>& goals, const std::stop_token& stop);
+    Result<void> alone(const std::vector<TileGoal>& goals, const std::stop_token& stop, const Extended& told);
     /// Renders all goals on the own device and the workers, if they serve this scene.
-    Result<void> together(const std::vector<TileGoal>& goals, const std::stop_token& stop);
+    Result<void> together(const std::vector<TileGoal>& goals, const std::stop_token& stop, const Extended& told);
     /// Renders the own device's leases and audits until the request is done.
-    Result<void> takePart(const std::stop_token& stop);
+    Result<void> takePart(const std::stop_token& stop, const Extended& told);
 
     Device& own_;
     SharedWork& work_;

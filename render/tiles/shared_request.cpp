@@ -4,10 +4,29 @@
 #include <utility>
 
 namespace pdr {
+namespace {
+
+/// Returns the values of the pixels of `part`; none if the tile `all` has none.
+template <class Pixel>
+std::vector<Pixel> partOf(const std::vector<Pixel>& pixels, const Tile& all, const Tile& part) {
+    std::vector<Pixel> some;
+    if (pixels.empty())
+        return some;
+    some.reserve(std::size_t(part.width) * std::size_t(part.height));
+    for (int y = part.y; y < part.y + part.height; ++y) {
+        const auto row = pixels.begin() + std::ptrdiff_t(y - all.y) * all.width + (part.x - all.x);
+        some.insert(some.end(), row, row + part.width);
+    }
+    return some;
+}
+
+}  // namespace
 
 Lease SharedRequest::leaseOf(const Portion& portion) const {
-    Lease lease{portion.number, scene_, portion.tile, portion.samples, {}};
+    Lease lease{portion.number, scene_, portion.tile, portion.samples, {}, {}};
     const Tile& tile = portion.tile;
+    if (isDeep(portion.samples))
+        lease.moments = film_.fullBlocks(tile);
     if (portion.samples.first % kSamplesPerBlock == 0)
         return lease;
     const TileSums here = film_.sums(tile);
@@ -53,7 +72,8 @@ Result<void> SharedRequest::merge(LeaseResult result) {
     const SampleRange block = fromBlockStart(result.samples);
     const std::uint64_t first = std::max(block.first, film_.progress().first());
     const SampleRange samples{first, std::uint32_t(block.end() - first)};
-    return film_.merge({film_.revision(), result.tile, samples, std::move(result.sums), result.health});
+    return film_.merge(
+        {film_.revision(), result.tile, samples, std::move(result.sums), result.health, std::move(result.moments)});
 }
 
 void SharedRequest::withhold(const WorkerStatus& worker, const Portion& portion, LeaseResult result) {
@@ -65,15 +85,14 @@ void SharedRequest::auditPart(const WorkerStatus& worker, const Portion& portion
                               const Tile& part) {
     if (audits_.size() >= kMostAudits)
         return;
-    LeaseResult claimed{result.number, part, result.samples, {}, result.health, 0};
-    claimed.sums.reserve(std::size_t(part.width) * std::size_t(part.height));
-    const Tile& all = result.tile;
-    for (int y = part.y; y < part.y + part.height; ++y) {
-        const auto row = result.sums.begin() + std::ptrdiff_t(y - all.y) * all.width + (part.x - all.x);
-        claimed.sums.insert(claimed.sums.end(), row, row + part.width);
-    }
-    audits_.push_back(
-        {worker.id, worker.key, std::move(claimed), leaseOf({portion.number, part, portion.samples}), false});
+    const LeaseResult claimed{result.number,
+                              part,
+                              result.samples,
+                              partOf(result.sums, result.tile, part),
+                              result.health,
+                              0,
+                              partOf(result.moments, result.tile, part)};
+    audits_.push_back({worker.id, worker.key, claimed, leaseOf({portion.number, part, portion.samples}), false});
 }
 
 std::optional<Audit> SharedRequest::nextAudit() {

@@ -34,6 +34,7 @@ class SharedRequest {
     TileScheduler& scheduler() { return scheduler_; }
     const TileScheduler& scheduler() const { return scheduler_; }
     std::uint64_t scene() const { return scene_; }
+    const TileProgress& progress() const { return film_.progress(); }
     /// Whether all samples are merged and no audit is left.
     bool isDone() const { return scheduler_.isDone() && audits_.empty(); }
 

@@ -10,8 +10,9 @@
 namespace pdr {
 namespace {
 
-/// Polling interval of the own device.
+/// Polling interval of the own device, and the time after which it returns from that.
 constexpr auto kLookAgain = std::chrono::milliseconds(5);
+constexpr double kIdleSeconds = 0.2;
 
 SplitFacts factsOf(const PoolState& state, const std::vector<TileGoal>& goals) {
     SplitFacts facts;
@@ -93,6 +94,7 @@ std::optional<SharedWork::OwnWork> SharedWork::nextOwn(const std::stop_token& st
     std::unique_lock lock(state_->mutex);
     SharedRequest& request = *state_->request;
     OwnDevice& own = state_->own;
+    const double start = state_->clock();
     while (!request.isDone() && !stop.stop_requested()) {
         if (std::optional<Audit> audit = request.nextAudit()) {
             const Lease lease = audit->lease;
@@ -100,13 +102,20 @@ std::optional<SharedWork::OwnWork> SharedWork::nextOwn(const std::stop_token& st
         }
         own.taken = state_->clock();
         if (own.helps || !state_->isAnyTaking()) {
-            const Ability ability = state_->abilityOf(own.speed, false);
+            const Ability ability = state_->abilityOf(own.speed, false, true);
             if (const auto portion = request.scheduler().take(kOwnDevice, ability, own.taken))
                 return OwnWork{std::nullopt, request.leaseOf(*portion)};
         }
+        if (own.taken - start > kIdleSeconds)
+            return OwnWork{};
         state_->changed.wait_for(lock, kLookAgain);
     }
     return std::nullopt;
+}
+
+SampleCounts SharedWork::merged() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->request->progress().counts();
 }
 
 Result<void> SharedWork::deliverOwn(LeaseResult result) {

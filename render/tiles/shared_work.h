@@ -39,11 +39,13 @@ class SharedWork {
     /// Work for the own device.
     struct OwnWork {
         std::optional<Audit> audit;  ///< none: the lease is no audit
-        Lease lease;
+        std::optional<Lease> lease;  ///< none: there is nothing to do now
     };
-    /// Waits for the next work of the own device: an audit or a lease. None: the request is done, or `stop` was
-    /// requested.
+    /// Waits for the next work of the own device: an audit or a lease; not longer than a fraction of a second. None:
+    /// the request is done, or `stop` was requested.
     std::optional<OwnWork> nextOwn(const std::stop_token& stop);
+    /// Returns the samples that the film of the request has.
+    SampleCounts merged() const;
     /// Merges a result of the own device, unless a worker was faster. Error: the film refuses the sums.
     Result<void> deliverOwn(LeaseResult result);
     /// Compares an audited result with `truth`, the own device's result for the same samples, and merges `truth` if the

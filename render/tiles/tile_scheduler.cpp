@@ -56,10 +56,10 @@ std::optional<Portion> TileScheduler::cut(WorkerId worker, const Ability& abilit
         return std::nullopt;
     // Cut a tile from the first open goal and put the rest back
     const TileGoal from = open_.front();
-    const SampleRange samples =
-        samplesInBlock(from.next, std::uint32_t(std::min<std::uint64_t>(from.goal - from.next, kSamplesPerBlock)));
+    const SampleRange samples = nextSamples(from, ability);
     open_.pop_front();
-    const Tile tile = part(from.tile, split_ == Split::tiles ? ability.cost / samples.count : kUnlimited);
+    const Tile tile = part(from.tile, split_ == Split::tiles ? ability.cost / samples.count : kUnlimited,
+                           isDeep(samples) ? kMostDeepPixels : kMostLeasePixels);
     const Tile& all = from.tile;
     const int right = all.x + all.width - (tile.x + tile.width), below = all.y + all.height - (tile.y + tile.height);
     if (below > 0)
@@ -75,11 +75,27 @@ std::optional<Portion> TileScheduler::cut(WorkerId worker, const Ability& abilit
     return portion;
 }
 
-/// Returns the top rows of cells or, if one row is too much, the left part of it: up to that cost and the pixel
-/// limit of a lease, but at least one cell.
-Tile TileScheduler::part(const Tile& tile, double cost) const {
+/// Returns the samples of the next portion of a goal: as many whole blocks as are left, since what comes back is as
+/// long as that of one block; else those of one block. Tiles are cut small rather than into few blocks, but a cell must
+/// not take too long. Blocks that are split among workers come back one by one.
+SampleRange TileScheduler::nextSamples(const TileGoal& goal, const Ability& ability) const {
+    const std::uint64_t left = goal.goal - goal.next;
+    const SampleRange inBlock =
+        samplesInBlock(goal.next, std::uint32_t(std::min<std::uint64_t>(left, kSamplesPerBlock)));
+    if (split_ != Split::tiles || goal.next % kSamplesPerBlock != 0)
+        return inBlock;
+    const Tile cell{goal.tile.x, goal.tile.y, std::min(goal.tile.width, kFilmCell),
+                    std::min(goal.tile.height, kFilmCell)};
+    const double most = std::min(ability.deepest / costs_.ofSample(cell), double(kMostDeepSamples));
+    const std::uint64_t blocks = std::min(left, std::uint64_t(most)) / kSamplesPerBlock;
+    return blocks > 1 ? SampleRange{goal.next, std::uint32_t(blocks * kSamplesPerBlock)} : inBlock;
+}
+
+/// Returns the top rows of cells or, if one row is too much, the left part of it: up to that cost and number of pixels,
+/// but at least one cell.
+Tile TileScheduler::part(const Tile& tile, double cost, int mostPixels) const {
     const auto isTooMuch = [&](const Tile& some) {
-        return some.width * some.height > kMostLeasePixels || costs_.ofSample(some) > cost;
+        return some.width * some.height > mostPixels || costs_.ofSample(some) > cost;
     };
     Tile rows{tile.x, tile.y, tile.width, std::min(tile.height, kFilmCell)};
     if (isTooMuch(rows)) {

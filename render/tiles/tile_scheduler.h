@@ -27,6 +27,7 @@ struct TileGoal {
 struct Ability {
     double cost = 0;       ///< approximate cost of the next portion
     double perSecond = 0;  ///< expected speed; > 0
+    double deepest = 0;  ///< limit on the cost of a single cell of a portion of several blocks; 0: one block at a time
 };
 
 class TileScheduler {
@@ -81,8 +82,9 @@ class TileScheduler {
     };
 
     std::optional<Portion> cut(WorkerId worker, const Ability& ability, double now);
+    SampleRange nextSamples(const TileGoal& goal, const Ability& ability) const;
     std::optional<Portion> hedge(WorkerId worker, const Ability& ability, double now);
-    Tile part(const Tile& tile, double cost) const;
+    Tile part(const Tile& tile, double cost, int mostPixels) const;
     void free(const TileGoal& goal, bool first);
     bool isLate(const Held& held, WorkerId whoAsks, double now) const;
     double costHeldBy(WorkerId worker) const;

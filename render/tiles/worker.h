@@ -66,6 +66,7 @@ enum class WorkerState {
 struct WorkerStatus {
     WorkerId id = kOwnDevice;
     std::string key, name;
+    bool isDeep = false;  ///< takes leases of several blocks
     WorkerState state = WorkerState::waiting;
     Text reason;                ///< reason for the quarantine, or why the worker has no scene; empty: none
     double workPerSecond = 0;   ///< speed for pixels of average cost; 0: not known yet

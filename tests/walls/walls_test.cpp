@@ -69,7 +69,7 @@ class WallsTest : public QObject {
             {"app/selftest/", "^app/selftest/|^render/"},
             {"app/bench/", "^app/(bench|program|selftest)/|^render/"},
             {"app/remote/", "^app/(remote|wire)/|^render/base/"},
-            {"app/wire/", "^app/wire/|^render/base/"},
+            {"app/wire/", "^app/wire/|^render/(base/|film/moments.h$)"},
             {"app/coordinator/", "^app/(coordinator|remote|wire)/|^render/(base|film|scene|tiles|volume)/"},
             {"app/node/", "^app/(node|coordinator|remote|wire|program|command_line)/|^render/(base|device|tiles)/"},
             {"app/plan/", "^app/(plan/|wire/content_hash.h$)|^render/(base|scene|volume|segment|slice|measure)/"},

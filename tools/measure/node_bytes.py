@@ -2,21 +2,53 @@
 """Bytes that one render node sends and gets for a pixel: pdrender-cli renders through a relay that counts.
 
 node_bytes.py FOLDER|SCENE [--build build/release] [--size 256] [--samples 256]
-Prints bytes a pixel of each way, without the scan, and what a frame of 1920 x 1080 would come to. The busier the machine,
-the smaller the orders, and the more often the sums of a block travel."""
+Prints bytes a pixel of each way, without the scan, by kind of message, and what a frame of 1920 x 1080 would come to."""
 import argparse
+import collections
 import pathlib
 import re
 import socket
+import struct
 import subprocess
 import tempfile
 import threading
 
+# Types of messages, from 1 (app/wire/messages.h)
+KINDS = ("Hello Welcome Refused Ping Pong SceneOrder Need Chunk SceneReady SceneRefused Lease Result Abandoned Draining "
+         "Forget Bye").split()
+SCAN = {"Chunk", "SceneOrder"}
 
-def relay(source, sink, counts, way):
+
+class Frames:
+    """Counts messages and their bytes in a stream of frames (app/wire/frame_header.h)."""
+
+    def __init__(self):
+        self.count, self.bytes = collections.Counter(), collections.Counter()
+        self.head, self.left = b"", 0
+
+    def add(self, data):
+        while data:
+            if self.left == 0:
+                taken = 32 - len(self.head)
+                self.head, data = self.head + data[:taken], data[taken:]
+                if len(self.head) < 32:
+                    return
+                kind, map_bytes, payload_bytes = struct.unpack_from("<H4xIQ", self.head, 6)
+                name = KINDS[kind - 1] if kind <= len(KINDS) else "?"
+                self.left, self.head = map_bytes + payload_bytes, b""
+                self.count[name] += 1
+                self.bytes[name] += 32 + self.left
+            taken = min(self.left, len(data))
+            self.left, data = self.left - taken, data[taken:]
+
+    def all_but_scan(self):
+        return sum(size for name, size in self.bytes.items() if name not in SCAN)
+
+
+def relay(source, sink, frames):
     try:
         while data := source.recv(1 << 18):
-            counts[way] += len(data)
+            frames.add(data)
             sink.sendall(data)
     except OSError:
         pass
@@ -26,35 +58,35 @@ def relay(source, sink, counts, way):
         pass
 
 
-def serve(listener, port, counts):
+def serve(listener, port, ways):
     client, _ = listener.accept()
     node = socket.create_connection(("127.0.0.1", port))
-    ways = [threading.Thread(target=relay, args=args, daemon=True)
-            for args in ((client, node, counts, 0), (node, client, counts, 1))]
-    for way in ways:
-        way.start()
-    for way in ways:
-        way.join()
+    relays = [threading.Thread(target=relay, args=args, daemon=True)
+              for args in ((client, node, ways[0]), (node, client, ways[1]))]
+    for one in relays:
+        one.start()
+    for one in relays:
+        one.join()
 
 
-def counted(options, samples):
-    """Bytes to the node and from it, of one image."""
-    programs, counts = options.build / "bin", [0, 0]
+def counted(options):
+    """The messages to the node and from it, of one image."""
+    programs, ways = options.build / "bin", [Frames(), Frames()]
     node = subprocess.Popen([programs / "pdrender-node", "--listen", "127.0.0.1:0", "--threads", "1"],
                             stderr=subprocess.PIPE, text=True)
     try:
         port = int(re.search(r":(\d+)\s*$", node.stderr.readline())[1])
         listener = socket.create_server(("127.0.0.1", 0))
-        threading.Thread(target=serve, args=(listener, port, counts), daemon=True).start()
+        threading.Thread(target=serve, args=(listener, port, ways), daemon=True).start()
         with tempfile.TemporaryDirectory() as folder:
             subprocess.run([programs / "pdrender-cli", "render", options.scene, "-o", f"{folder}/image.exr", "--threads",
                             "1", "--device", "cpu", "--size", f"{options.size}x{options.size}", "--samples",
-                            str(samples), "--nodes-only", "--await", "1", "--node",
-                            f"127.0.0.1:{listener.getsockname()[1]}"], check=True, capture_output=True)
+                            str(options.samples), "--nodes-only", "--await", "1", "--node",
+                            f"127.0.0.1:{listener.getsockname()[1]}", *options.option], check=True, capture_output=True)
     finally:
         node.terminate()
         node.wait()
-    return counts
+    return ways
 
 
 def main():
@@ -63,13 +95,16 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build/release"))
     parser.add_argument("--size", type=int, default=256)
     parser.add_argument("--samples", type=int, default=256)
+    parser.add_argument("--option", action="append", default=[], help="of pdrender-cli render, as --option=--seconds=5")
     options = parser.parse_args()
-    scan, _ = counted(options, 1)
-    to_node, from_node = counted(options, options.samples)
+    ways = counted(options)
     pixels = options.size ** 2
-    sums = to_node - scan + from_node
-    print(f"{options.samples} samples: {from_node / pixels:.0f} bytes a pixel from the node, {(to_node - scan) / pixels:.0f} "
-          f"to it beside the scan ({scan / 1e6:.1f} MB); 1920 x 1080: {sums / pixels * 1920 * 1080 / 1e9:.2f} GB")
+    for way, name in zip(ways, ("to the node", "from the node")):
+        for kind, size in sorted(way.bytes.items(), key=lambda one: -one[1]):
+            print(f"{name:>13}: {way.count[kind]:6} {kind:12} {size / pixels:9.2f} bytes a pixel")
+    both = sum(way.all_but_scan() for way in ways) / pixels
+    print(f"{options.samples} samples: {both:.1f} bytes a pixel both ways without the scan; 1920 x 1080: "
+          f"{both * 1920 * 1080 / 1e9:.2f} GB")
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ using node::ExitCode;
 
 namespace {
 
-const std::vector<std::uint32_t> kOrders{1, 5, 40, 64, 30};
+const std::vector<std::uint32_t> kOrders{1, 5, 40, 64, 30, 200};
 
 Scene scene() {
     Scene scene = tissueScene();
@@ -149,7 +149,7 @@ class NodesTest : public QObject {
         trial.awaitReady(1);
         QVERIFY(film->accumulate(1, {}));
         process.signal(SIGTERM);
-        for (const std::uint32_t n : {5u, 40u, 64u, 30u})
+        for (const std::uint32_t n : {5u, 40u, 64u, 30u, 200u})
             QVERIFY(film->accumulate(n, {}));
         QCOMPARE(process.code(), int(ExitCode::done));
         QVERIFY(sameBits((*film->film())->content(), alone_));

@@ -69,6 +69,7 @@ class VersionSkewTest : public QObject {
         QCOMPARE(link.hasJoined, common > 0);
         QCOMPARE(link.pool->workers().size(), std::size_t(common > 0));
         if (common > 0) {
+            QCOMPARE(link.pool->workers()[0].isDeep, common >= 2);  // version 1 has leases of one block only
             QCOMPARE(int(acted->heard<wire::Welcome>().at(0).version), common);
             return;
         }
@@ -81,7 +82,7 @@ class VersionSkewTest : public QObject {
 
     void nodeOfLaterVersionsIsNotDialledAgain() {
         NodeTrial trial;
-        const ActedNode later(helloOf({2, 3}));
+        const ActedNode later(helloOf({3, 4}));
         QVERIFY(bool(trial.nodes.add(QString("localhost:%1").arg(later.port()))));
         const auto& known = trial.nodes.nodes();
         QTRY_VERIFY_WITH_TIMEOUT(!known.empty() && known[0].state == nodes::NodeState::refused, kPatience);
@@ -90,7 +91,7 @@ class VersionSkewTest : public QObject {
 
     void programThatDialsALaterCoordinatorEnds() {
         OneLink later;
-        later.coordinator.versions = {2, 3};
+        later.coordinator.versions = {3, 4};
         NodeProcess program({"--coordinator", QString("localhost:%1").arg(later.port())});
         QTRY_VERIFY_WITH_TIMEOUT(later.reason, kPatience);
         QCOMPARE(program.code(), int(ExitCode::protocol));
@@ -101,7 +102,7 @@ class VersionSkewTest : public QObject {
         NodeProcess program;
         const auto port = quint16(program.address().section(':', -1).toInt());
         OneLink later;
-        later.coordinator.versions = {2, 3};
+        later.coordinator.versions = {3, 4};
         later.dialNode(port);
         QTRY_VERIFY_WITH_TIMEOUT(later.reason, kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(program.log().contains("another version of the protocol"), kPatience);
@@ -116,7 +117,7 @@ class VersionSkewTest : public QObject {
         connect(&coordinator, &remote::Listener::connected, this, [](remote::Channel* channel) {
             connect(channel, &remote::Channel::received, channel, [channel](const wire::Message& message) {
                 if (std::holds_alternative<wire::Hello>(message))
-                    channel->send(wire::Welcome{.version = 2});
+                    channel->send(wire::Welcome{.version = 3});
             });
         });
         NodeProcess program({"--coordinator", QString("localhost:%1").arg(coordinator.address().port)});

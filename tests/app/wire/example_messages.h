@@ -74,6 +74,40 @@ inline wire::Result exampleResult() {
     return result;
 }
 
+/// Returns moments of pixels that have nothing in common with each other.
+inline std::vector<Moments> unlikeMoments(std::size_t pixels) {
+    std::vector<Moments> moments(pixels);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const double x = double(i + 1);
+        moments[i] = {.mean = {x, x / 3, 0.5 * x},
+                      .m2 = {x * x, x / 9, 0.25 * x},
+                      .count = 256 - i % 13,
+                      .evenMean = vec3(0.3f, 0.1f, 0.2f) * float(x),
+                      .evenCount = std::uint32_t(128 - i % 7)};
+    }
+    return moments;
+}
+
+/// A lease of several blocks, and its result: version 2 of the protocol.
+inline wire::Lease exampleDeepLease() {
+    wire::Lease lease = exampleLease();
+    lease.samples = {192, 256};
+    lease.before.clear();
+    lease.moments = unlikeMoments(15);
+    return lease;
+}
+inline wire::Result exampleDeepResult() {
+    wire::Result result = exampleResult();
+    result.samples = {192, 256};
+    for (PixelSums& sums : result.sums)
+        sums = {.seen = sums.seen};
+    result.moments = unlikeMoments(15);
+    return result;
+}
+inline std::vector<wire::Message> exampleDeepMessages() {
+    return {exampleDeepLease(), exampleDeepResult()};
+}
+
 inline std::vector<wire::Message> exampleMessages() {
     return {exampleHello(),
             wire::Welcome{1, 2500, counting<32>(100)},
@@ -93,7 +127,8 @@ inline std::vector<wire::Message> exampleMessages() {
             wire::Bye{std::string("the user quits")}};
 }
 
-inline bool sameSums(const std::vector<PixelSums>& a, const std::vector<PixelSums>& b) {
+template <class Pixel>
+bool sameSums(const std::vector<Pixel>& a, const std::vector<Pixel>& b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
 }
 
@@ -104,7 +139,7 @@ bool same(const T& a, const T& b) {
 template <>
 inline bool same(const wire::Lease& a, const wire::Lease& b) {
     return a.number == b.number && a.nonce == b.nonce && a.revision == b.revision && a.tile == b.tile &&
-           a.samples == b.samples && sameSums(a.before, b.before);
+           a.samples == b.samples && sameSums(a.before, b.before) && sameSums(a.moments, b.moments);
 }
 template <>
 inline bool same(const wire::Result& a, const wire::Result& b) {
@@ -114,7 +149,8 @@ inline bool same(const wire::Result& a, const wire::Result& b) {
         healthy = healthy && of.count == other.count && of.sample == other.sample && of.pixel == other.pixel;
     }
     return a.number == b.number && a.nonce == b.nonce && a.revision == b.revision && a.tile == b.tile &&
-           a.samples == b.samples && sameSums(a.sums, b.sums) && healthy && a.seconds == b.seconds;
+           a.samples == b.samples && sameSums(a.sums, b.sums) && sameSums(a.moments, b.moments) && healthy &&
+           a.seconds == b.seconds;
 }
 template <>
 inline bool same(const wire::Message& a, const wire::Message& b) {

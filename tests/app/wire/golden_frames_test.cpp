@@ -1,7 +1,8 @@
-/// Frames as released programs send them (golden/v1, one of each type) are read and written by this one. They are never
-/// changed: a new version of the protocol gets a folder of its own. With PDR_GOLDEN_OUT, a folder, the frames of this
-/// program are written there.
+/// Frames as released programs send them (golden/v1, one of each type; golden/v2, those that version 2 has added) are
+/// read and written by this one. They are never changed: a new version of the protocol gets a folder of its own. With
+/// PDR_GOLDEN_OUT, a folder, the frames of this program are written there.
 
+#include <QDir>
 #include <QFile>
 #include <QTest>
 
@@ -22,8 +23,8 @@ QByteArray written(const Message& message) {
     return {reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size())};
 }
 
-QByteArray golden(const Message& message) {
-    QFile file(fileOf(PDR_SOURCE_DIR "/tests/app/wire/golden/v1", message));
+QByteArray golden(const QString& version, const Message& message) {
+    QFile file(fileOf(PDR_SOURCE_DIR "/tests/app/wire/golden/" + version, message));
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
@@ -46,27 +47,39 @@ class GoldenFramesTest : public QObject {
   private slots:
     void initTestCase() {
         const QString out = qEnvironmentVariable("PDR_GOLDEN_OUT");
-        for (const Message& message : test::exampleMessages())
-            if (QFile file(fileOf(out, message)); !out.isEmpty() && file.open(QIODevice::WriteOnly))
-                file.write(written(message));
+        if (out.isEmpty())
+            return;
+        for (const auto& [version, messages] : kVersions)
+            for (const Message& message : messages) {
+                QDir().mkpath(out + "/" + version);
+                if (QFile file(fileOf(out + "/" + version, message)); file.open(QIODevice::WriteOnly))
+                    file.write(written(message));
+            }
     }
 
-    void framesOfVersionOneAreRead() {
-        for (const Message& message : test::exampleMessages()) {
-            const QByteArray frame = golden(message);
-            const test::Heard heard = test::heardBy(test::readerOf(message), bytesOf(frame));
-            QVERIFY2(heard.messages.size() == 1 && test::same(heard.messages[0], message),
-                     (test::nameOf(message) + heard.error).c_str());
-        }
+    void framesOfEachVersionAreRead() {
+        for (const auto& [version, messages] : kVersions)
+            for (const Message& message : messages) {
+                const QByteArray frame = golden(version, message);
+                const test::Heard heard = test::heardBy(test::readerOf(message), bytesOf(frame));
+                QVERIFY2(heard.messages.size() == 1 && test::same(heard.messages[0], message),
+                         (test::nameOf(message) + heard.error).c_str());
+            }
     }
 
-    void framesOfVersionOneAreWritten() {
-        for (const Message& message : test::exampleMessages()) {
-            const bool packed = std::holds_alternative<Lease>(message) || std::holds_alternative<wire::Result>(message);
-            const QByteArray now = written(message), then = golden(message);
-            QVERIFY2(packed ? mapOf(now) == mapOf(then) : now == then, test::nameOf(message).c_str());
-        }
+    void framesOfEachVersionAreWritten() {
+        for (const auto& [version, messages] : kVersions)
+            for (const Message& message : messages) {
+                const bool packed =
+                    std::holds_alternative<Lease>(message) || std::holds_alternative<wire::Result>(message);
+                const QByteArray now = written(message), then = golden(version, message);
+                QVERIFY2(packed ? mapOf(now) == mapOf(then) : now == then, test::nameOf(message).c_str());
+            }
     }
+
+  private:
+    const std::vector<std::pair<QString, std::vector<Message>>> kVersions{{"v1", test::exampleMessages()},
+                                                                          {"v2", test::exampleDeepMessages()}};
 };
 
 QTEST_APPLESS_MAIN(GoldenFramesTest)

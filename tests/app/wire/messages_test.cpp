@@ -140,6 +140,24 @@ std::vector<std::pair<const char*, Message>> senselessWork() {
         {"too many sums", result([](wire::Result& r) { r.sums.emplace_back(); })},
         {"a tile of another size", result([](wire::Result& r) { r.tile.width = 6; })},
         {"samples of two blocks", result([](wire::Result& r) { r.samples.first = 255; })},
+        {"blocks that begin in one", lease([](Lease& l) {
+             l.samples = {200, 128}, l.before.clear();
+         })},
+        {"blocks that end in one", lease([](Lease& l) {
+             l.samples = {192, 130}, l.before.clear();
+         })},
+        {"too many blocks", lease([](Lease& l) {
+             l.samples = {192, kMostDeepSamples + 64}, l.before.clear();
+         })},
+        {"too many pixels of blocks", lease([](Lease& l) {
+             l.tile = {0, 0, 513, 256}, l.samples = {192, 128}, l.before.clear();
+         })},
+        {"moments before the first sample", changed(test::exampleDeepLease(), [](Lease& l) { l.samples.first = 0; })},
+        {"too few moments before", changed(test::exampleDeepLease(), [](Lease& l) { l.moments.pop_back(); })},
+        {"no moments", changed(test::exampleDeepResult(), [](wire::Result& r) { r.moments.clear(); })},
+        {"too few moments", changed(test::exampleDeepResult(), [](wire::Result& r) { r.moments.pop_back(); })},
+        {"too many moments", changed(test::exampleDeepResult(), [](wire::Result& r) { r.moments.emplace_back(); })},
+        {"moments of one block", result([](wire::Result& r) { r.moments = test::unlikeMoments(15); })},
         {"negative seconds", result([](wire::Result& r) { r.seconds = -1e-300; })},
         {"NaN seconds", result([](wire::Result& r) { r.seconds = NAN; })},
         {"endless seconds", result([](wire::Result& r) { r.seconds = INFINITY; })},
@@ -179,6 +197,19 @@ class MessagesTest : public QObject {
             QCOMPARE(examples[i].index(), i);
             QVERIFY2(survives(examples[i]), test::nameOf(examples[i]).c_str());
         }
+    }
+
+    void leasesOfSeveralBlocksAreHeard() {
+        for (const Message& message : test::exampleDeepMessages())
+            QVERIFY2(survives(message), test::nameOf(message).c_str());
+        wire::Result largest{.tile = {0, 0, 512, 256}, .samples = {0, kMostDeepSamples}};
+        largest.sums.resize(kMostDeepPixels);
+        largest.moments = test::unlikeMoments(kMostDeepPixels);
+        QVERIFY(survives(largest));
+        Lease first = test::exampleDeepLease();
+        first.samples.first = 0;
+        first.moments.clear();
+        QVERIFY(survives(first));
     }
 
     void extremeValuesAreHeard() {

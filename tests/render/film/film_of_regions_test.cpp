@@ -33,6 +33,18 @@ TileResult resultOf(const Scene& scene, const Tile& tile, std::uint64_t end) {
     return result;
 }
 
+/// Returns the moments of a tile as another machine computes them: all blocks up to `end`.
+TileResult blocksOf(const Scene& scene, const Tile& tile, std::uint64_t end) {
+    const auto flat = Flattener().prepare(scene);
+    Film film(tile, scene.revision);
+    for (SampleRange block{0, kSamplesPerBlock}; block.first < end; block.first += kSamplesPerBlock) {
+        CpuTracer().trace(flat->flat, tile, block, film.sums(tile));
+        film.commit(block);
+    }
+    FilmContent content = film.content();
+    return {scene.revision, tile, {0, std::uint32_t(end)}, content.block, content.health, content.moments};
+}
+
 std::uint64_t pixelsIn(const std::vector<EvenTile>& tiles) {
     std::uint64_t pixels = 0;
     for (const EvenTile& even : tiles)
@@ -269,6 +281,49 @@ class FilmOfRegionsTest : public QObject {
         QVERIFY(refusal(resultOf(scene, tile, 5)).ends_with("there already"));
         const TileResult beside = resultOf(scene, {0, 16, 32, 16}, 10);  // half of it is new
         QVERIFY(refusal(beside).ends_with("not the next ones"));
+    }
+
+    void blocksThatAreMergedTogetherAreThoseOfOneDevice() {
+        const Scene scene = someScene();
+        const Tile tile{16, 16, 32, 16};
+        const FilmContent truth = test::render(scene, 192).content();
+        Film film(wholeOf(scene), scene.revision);
+        QVERIFY(film.merge(resultOf(scene, tile, 10)));  // which the blocks replace
+        QVERIFY(film.merge(blocksOf(scene, tile, 128)));
+        QCOMPARE(film.fullBlocks(tile).size(), std::size_t(32 * 16));
+        QVERIFY(film.fullBlocks({0, 0, 16, 16}).empty());
+        QVERIFY(film.merge(resultOf(scene, tile, 192)));
+        const FilmContent content = film.content();
+        for (int y = tile.y; y < tile.y + tile.height; ++y) {
+            const std::size_t row = std::size_t(y) * std::size_t(scene.film.x) + std::size_t(tile.x);
+            const auto ofTile = [&](const auto& pixels) { return std::span(pixels).subspan(row, 32); };
+            QVERIFY(sameBits(ofTile(content.moments), ofTile(truth.moments)));
+            QVERIFY(sameBits(ofTile(content.block), ofTile(truth.block)));
+        }
+    }
+
+    void blocksThatDoNotFitAreRefused() {
+        const Scene scene = someScene();
+        const TileResult good = blocksOf(scene, {16, 16, 16, 16}, 128);
+        Film film(wholeOf(scene), scene.revision);
+        const auto changed = [&](auto&& change) {
+            TileResult result = good;
+            change(result);
+            const Result<void> merged = film.merge(result);
+            return std::string(merged ? Text() : merged.error().what);
+        };
+        QVERIFY(changed([](TileResult& r) { r.moments.clear(); }).ends_with("not the next ones"));
+        QVERIFY(changed([](TileResult& r) { r.samples.count = 130; }).ends_with("not the next ones"));
+        QVERIFY(changed([](TileResult& r) { r.samples.first = 64; }).ends_with("not the next ones"));
+        QVERIFY(changed([](TileResult& r) { r.moments.pop_back(); }).ends_with("its sums are none"));
+        QVERIFY(changed([](TileResult& r) { r.sums[7].count = 1; }).ends_with("its sums are none"));
+        QVERIFY(changed([](TileResult& r) { r.moments[7].count = 129; }).ends_with("its sums are none"));
+        QVERIFY(changed([](TileResult& r) { r.moments[7].evenCount = 129; }).ends_with("its sums are none"));
+        QVERIFY(changed([](TileResult& r) { r.moments[7].mean.x = NAN; }).ends_with("its sums are none"));
+        QVERIFY(changed([](TileResult& r) { r.moments[7].m2.y = -1; }).ends_with("its sums are none"));
+        QVERIFY(changed([](TileResult& r) { r.moments[7].evenMean.z = INFINITY; }).ends_with("its sums are none"));
+        QVERIFY(film.merge(good));
+        QVERIFY(changed([](TileResult&) {}).ends_with("there already"));
     }
 
     void aFilmThatIsRestartedIsAFreshOne() {

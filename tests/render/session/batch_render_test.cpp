@@ -19,6 +19,9 @@ class TestBatchRender : public QObject {
     void aStopRequestKeepsTheSampleOnItsWayOrDiscardsIt();
     void whatIsToBeDiscardedEndsAsWellWhereNothingStopsIt();
     void ordersThatReachTheNextBlockEndWithOne();
+    void aFilmThatCanBeStoppedIsOrderedAtOnce_data();
+    void aFilmThatCanBeStoppedIsOrderedAtOnce();
+    void tilesThatAStopLeftEmptyGetASample();
     void whatIsFoundWrongIsTakenAgain();
     void aStopRequestIsObeyedWhereAllWasFoundWrong();
     void aTimeThatIsOverLeavesASampleWhereAllWasFoundWrong();
@@ -46,13 +49,41 @@ class WrittenOrders final : public HostAccumulator {
     std::uint64_t next_ = 0;
 };
 
+/// Is extended tile by tile: a stop request leaves its left half with all samples.
+class FilmOfTiles final : public HostAccumulator {
+  public:
+    FilmOfTiles() : HostAccumulator({0, 0, 32, 32}, 0) {}
+
+    OrderSize orderSize() const override { return {1, 128, 256}; }
+    Result<void> accumulate(const Tile&, std::uint32_t, std::stop_token) override { return {}; }
+    Result<std::uint64_t> extend(std::uint64_t had, std::uint32_t n, std::stop_token stop,
+                                 const Extended& told) override {
+        orders.push_back(n);
+        for (const Tile& half : {Tile{0, 0, 16, 32}, Tile{16, 0, 16, 32}}) {
+            const std::uint64_t end = film_.progress().evenTiles(half).front().next + n;
+            for (std::uint64_t next = end - n; next < end;) {
+                const SampleRange samples = samplesInBlock(next, std::uint32_t(end - next));
+                film_.commit(half, samples);
+                next = samples.end();
+            }
+            if (told)
+                told(film_.samples());
+            if (stop.stop_requested())
+                return film_.samplesPerPixel();
+        }
+        return had + n;
+    }
+
+    std::vector<std::uint64_t> orders;
+};
+
 /// Finds samples wrong with one of the requests, counted from 1.
 class FoundWrong final : public HostAccumulator {
   public:
     explicit FoundWrong(int order) : HostAccumulator({0, 0, 32, 32}, 0), wrongWith_(order) {}
 
     Result<void> accumulate(const Tile&, std::uint32_t, std::stop_token) override { return {}; }
-    Result<std::uint64_t> extend(std::uint64_t had, std::uint32_t n, std::stop_token) override {
+    Result<std::uint64_t> extend(std::uint64_t had, std::uint32_t n, std::stop_token, const Extended&) override {
         if (++orders == wrongWith_) {
             film_.restart(film_.area(), film_.revision());
             found();
@@ -127,6 +158,39 @@ void TestBatchRender::ordersThatReachTheNextBlockEndWithOne() {
         QVERIFY(isWithinABlock || end % kSamplesPerBlock == 0 || end == kSamples);
         first = end;
     }
+}
+
+void TestBatchRender::aFilmThatCanBeStoppedIsOrderedAtOnce_data() {
+    QTest::addColumn<Stops>("stops");
+    QTest::addColumn<std::vector<std::uint64_t>>("orders");
+    QTest::newRow("few samples") << Stops{.samples = 100} << std::vector<std::uint64_t>{100};
+    QTest::newRow("many samples") << Stops{.samples = 2000} << std::vector<std::uint64_t>{256, 768, 976};
+    QTest::newRow("an error") << Stops{.samples = 17, .relativeError = 1e-9} << std::vector<std::uint64_t>{1, 15, 1};
+}
+
+void TestBatchRender::aFilmThatCanBeStoppedIsOrderedAtOnce() {
+    QFETCH(const Stops, stops);
+    QFETCH(const std::vector<std::uint64_t>, orders);
+    FilmOfTiles film;
+    QList<double> means;
+    const auto ended =
+        BatchRender(film, stops, {}).run({}, [&](const BatchState& s) { means << s.film.meanSamplesPerPixel; });
+    QVERIFY(ended && ended->reason == StopReason::samples);
+    QCOMPARE(ended->film.samplesPerPixel, *stops.samples);
+    QCOMPARE(film.orders, orders);
+    QCOMPARE(means.first(), double(orders.front()) / 2);  // told before the order ended
+    QCOMPARE(means.last(), double(*stops.samples));
+}
+
+void TestBatchRender::tilesThatAStopLeftEmptyGetASample() {
+    std::stop_source stop;
+    FilmOfTiles film;
+    const auto ended =
+        BatchRender(film, {.samples = 100}, {}).run(stop.get_token(), [&](const BatchState&) { stop.request_stop(); });
+    QVERIFY(ended && ended->reason == StopReason::interrupted);
+    QCOMPARE(film.orders, (std::vector<std::uint64_t>{100, 1}));
+    QCOMPARE(ended->film.samplesPerPixel, std::uint64_t(1));
+    QCOMPARE(ended->film.mostSamplesPerPixel, std::uint64_t(101));
 }
 
 void TestBatchRender::whatIsFoundWrongIsTakenAgain() {

@@ -57,7 +57,8 @@ FilmContent shared(const Scene& scene, const std::vector<std::uint32_t>& orders,
     return (*film->film())->content();
 }
 
-const std::vector<std::uint32_t> kOrders{1, 5, 40, 64, 30, 130};
+/// The last one has several whole blocks, and a part of one before and behind them.
+const std::vector<std::uint32_t> kOrders{1, 5, 40, 64, 30, 130, 300};
 
 /// What one device alone makes of sceneToShare() in kOrders, which it always makes the same.
 const FilmContent& aloneInOrders() {
@@ -99,6 +100,57 @@ class SharedDeviceTest : public QObject {
         QVERIFY(worker.status().work > 0);
         QVERIFY(worker.status().audited > 0);
         QCOMPARE(worker.status().state, WorkerState::ready);
+    }
+
+    /// Blocks of a tile that one worker takes together are added as the film would add them.
+    void blocksThatComeTogetherAreThoseOfOneDevice() {
+        const auto pool = newPool();
+        pool->setOwnHelps(false);
+        pool->setSplit(Split::tiles);
+        NearbyWorker worker(pool, "one");
+        const std::vector<std::uint32_t> orders{1, 63, 512, 70, 1000};
+        const auto device = shareDevice(makeCpuDevice(1), pool);
+        const auto film = *startFilm(*device, cutScene());
+        std::vector<std::uint32_t> taken;
+        while (worker.deepLeases() < 10) {  // trusted, and of a known speed
+            QVERIFY2(taken.size() < 500, "it gets none");
+            for (const std::uint32_t n : orders) {
+                QVERIFY(film->accumulate(n, {}));
+                taken.push_back(n);
+            }
+        }
+        const FilmContent mine = alone(cutScene(), taken), together = (*film->film())->content();
+        QVERIFY(sameBits(together, mine) && sameHealth(together.health, mine.health));
+    }
+
+    void whoKnowsNoSeveralBlocksGetsThemOneByOne() {
+        const auto pool = newPool();
+        pool->setOwnHelps(false);
+        NearbyWorker worker(pool, "one", NearbyWorker::Nature::honest, false);
+        while (worker.status().results < Trust::kFirst + 10)
+            (void)shared(sceneToShare(), {512}, pool);
+        QCOMPARE(worker.deepLeases(), 0);
+    }
+
+    /// What a stop leaves of a film that is extended: whole tiles, each as one device makes it.
+    void stopLeavesAFilmThatCanGoOn() {
+        const auto pool = newPool();
+        NearbyWorker worker(pool, "one");
+        const auto device = shareDevice(makeCpuDevice(1), pool);
+        const auto film = *startFilm(*device, sceneToShare());
+        std::stop_source stop;
+        const auto told = [&](const SampleCounts& counts) {
+            if (counts.mean > 0)
+                stop.request_stop();
+        };
+        QCOMPARE(*film->extend(0, 2048, stop.get_token(), told), std::uint64_t(0));
+        const SampleCounts there = (*film->film())->samples();
+        QVERIFY(there.least == 0 && there.most > 0);
+        const FilmContent content = (*film->film())->content();
+        const FilmContent mine = alone(sceneToShare(), {std::uint32_t(there.most)});
+        for (std::size_t i = 0; i < content.moments.size(); ++i)
+            if (content.moments[i].count == there.most)
+                QVERIFY(sameBits(std::span(&content.moments[i], 1), std::span(&mine.moments[i], 1)));
     }
 
     void imageSurvivesThoseWhoLeave() {
@@ -195,6 +247,17 @@ class SharedDeviceTest : public QObject {
             together = shared(cutScene(), {64, 40}, pool);
         QVERIFY(sameBits(together, mine) && sameHealth(together.health, mine.health));
         QVERIFY(liar.status().results < Trust::kFirst);  // tiles of air alone have none to hide
+    }
+
+    void liesAboutSeveralBlocksAreSeen() {
+        const auto device = makeCpuDevice(1);
+        QVERIFY(device->upload(sceneToShare()));
+        const Lease lease{1, 1, {0, 0, 16, 16}, {0, 128}, {}, {}};
+        const LeaseResult truth = *traceLease(*device, lease, {});
+        Audit audit{1, "key", truth, lease, true};
+        QVERIFY(confirms(truth, audit));
+        audit.claimed.moments.back().m2.z = std::nextafter(audit.claimed.moments.back().m2.z, 1e9);
+        QVERIFY(!confirms(truth, audit));
     }
 
     /// A film that was put away and continued knows whom to mistrust, as if it had stayed.

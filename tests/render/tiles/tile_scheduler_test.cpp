@@ -69,6 +69,40 @@ class TileSchedulerTest : public QObject {
         QCOMPARE(rest->tile, (Tile{2 * kFilmCell, 0, 250 - 2 * kFilmCell, kFilmCell}));
     }
 
+    void blocksOfATileGoTogether_data() {
+        QTest::addColumn<int>("next");
+        QTest::addColumn<int>("goal");
+        QTest::addColumn<double>("deepest");  // blocks of a cell
+        QTest::addColumn<QList<int>>("ends");
+        QTest::newRow("all") << 0 << 256 << 1e9 << QList<int>{256};
+        QTest::newRow("a rest before and behind") << 10 << 330 << 1e9 << QList<int>{64, 320, 330};
+        QTest::newRow("a single block") << 64 << 140 << 1e9 << QList<int>{128, 140};
+        QTest::newRow("who takes two at most") << 0 << 320 << 2.5 << QList<int>{128, 256, 320};
+        QTest::newRow("who takes one at a time") << 0 << 192 << 0.0 << QList<int>{64, 128, 192};
+    }
+    void blocksOfATileGoTogether() {
+        QFETCH(const int, next);
+        QFETCH(const int, goal);
+        QFETCH(const double, deepest);
+        QFETCH(const QList<int>, ends);
+        const double block = kFilmCell * kFilmCell * kSamplesPerBlock;
+        TileScheduler scheduler({{kArea, std::uint64_t(next), std::uint64_t(goal)}}, Split::tiles, 1);
+        QList<int> taken;
+        while (const auto portion = scheduler.take(1, {1e30, 1e6, deepest * block}, 0)) {
+            QCOMPARE(portion->tile, kArea);
+            taken << int(portion->samples.end());
+            scheduler.finish(portion->number);
+        }
+        QCOMPARE(taken, ends);
+    }
+
+    /// Blocks that are split among workers come back as sums of their own.
+    void blocksOfSplitSamplesGoAlone() {
+        TileScheduler scheduler({{kArea, 0, 256}}, Split::samples, 1);
+        while (const auto portion = scheduler.take(1, {1e30, 1e6, 1e30}, 0))
+            QVERIFY(!isDeep(portion->samples));
+    }
+
     void portionsOfDearCellsAreSmaller() {
         const Tile left{0, 0, 128, 130}, right{128, 0, 122, 130};
         CellCosts costs(kArea);
@@ -88,11 +122,15 @@ class TileSchedulerTest : public QObject {
     }
 
     void portionsAreNoLargerThanALeaseMayBe() {
-        for (const Split split : {Split::tiles, Split::samples}) {
-            TileScheduler scheduler({{{0, 0, 16384, 300}, 0, 64}, {{0, 300, 700, 700}, 0, 64}}, split, 1);
+        for (const auto& [split, goal] : {std::pair(Split::tiles, 64u), std::pair(Split::samples, 64u),
+                                          std::pair(Split::tiles, 10 * kMostDeepSamples)}) {
+            TileScheduler scheduler({{{0, 0, 16384, 300}, 0, goal}, {{0, 300, 700, 700}, 0, goal}}, split, 1);
             int portions = 0;
-            for (; const auto portion = scheduler.take(1, {1e30, 1e30}, 0); ++portions)
-                QVERIFY(portion->tile.width * portion->tile.height <= kMostLeasePixels);
+            for (; const auto portion = scheduler.take(1, {1e30, 1e30, 1e30}, 0); ++portions) {
+                const int most = isDeep(portion->samples) ? kMostDeepPixels : kMostLeasePixels;
+                QVERIFY(portion->tile.width * portion->tile.height <= most);
+                QVERIFY(portion->samples.count <= kMostDeepSamples);
+            }
             QVERIFY(portions > 20);
         }
     }
