@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes images of the README and the manual anew, each into resources/manual/pictures.
 #   tools/manual/manual_pictures.sh CHEST PICTURE...
-# CHEST: a folder of DICOM files of a chest with contrast. PICTURE: first looks-chest looks-head looks-phantom models table;
+# CHEST: a folder of DICOM files of a chest with contrast. PICTURE: first looks-chest looks-parts looks-head looks-phantom models table;
 # none: all of them, an hour on two cores. SAMPLES may be set; else 1024 for `first`, 64. Those of the
 # window: window_pictures.sh. Needs ./bootstrap build, the example's voxels and ImageMagick.
 set -euo pipefail
@@ -42,6 +42,19 @@ looks-chest() {
         "MIP of the lungs" "MIP" "X-ray" "Implants"
 }
 
+# parts NAME LOOK RULES FOLDER VIEW: one image under a look that shows parts.
+parts() {
+    "$cli" render "$4" -o "$scratch/$1.png" --annotations none --look "$2" --find "$3" --view "$5" --size 300x300 --exposure auto \
+        --denoised --samples "${SAMPLES:-64}" >/dev/null 2>&1
+}
+
+looks-parts() {
+    parts muscle "Bones, vessels and muscle" vessels,shells "$chest" anterior
+    parts right "Skull with a defect and its mirror" mirror "$scratch/head" right
+    parts front "Skull with a defect and its mirror" mirror "$scratch/head" anterior
+    convert "$scratch/muscle.png" "$scratch/right.png" "$scratch/front.png" +append -strip -quality 88 "$out/looks-parts.jpg"
+}
+
 # heads FOLDER OUT.jpg
 heads() {
     SAMPLES=${SAMPLES:-64} SIZE=300 tools/manual/acceptance.sh "$1" "$2" "Bone" "Thin bone" "Muscles and skull" "MIP" "X-ray" \
@@ -70,7 +83,7 @@ table() {
     convert "$scratch/shown.png" "$scratch/hidden.png" +append -strip -quality 88 "$out/table.jpg"
 }
 
-[ $# -gt 0 ] || set -- first looks-chest looks-head looks-phantom models table
+[ $# -gt 0 ] || set -- first looks-chest looks-parts looks-head looks-phantom models table
 for picture in "$@"; do
     "$picture"
 done

@@ -138,7 +138,7 @@ class PartsInWindowTest : public QObject {
             return trial.desktop.window().message().text();
         };
         QVERIFY2(said("Find implants").contains("no metal is in this body"), qPrintable(said("Find implants")));
-        QVERIFY2(said("Mirrored bone").contains("mirrored bone cannot be found"), qPrintable(said("Mirrored bone")));
+        QVERIFY2(said("Mirrored bone").contains("Mirrored bone cannot be found"), qPrintable(said("Mirrored bone")));
         QVERIFY(!trial.document.scanParts());
     }
 
