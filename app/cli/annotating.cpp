@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "render/scene/not_shown.h"
 #include "render/smooth/non_local_means.h"
 #include "ui/annotation/annotation_text.h"
 #include "ui/text/series_text.h"
@@ -61,8 +62,8 @@ Result<std::optional<ui::Annotations>> annotationsOf(const LoadedScene& loaded, 
     if (wanted == ui::Annotate::patient && !loaded.series)
         return noPatientKnown();
     const Scene& scene = loaded.scene;
-    const QString notShown = scene.mask ? QString::fromStdString(scene.mask->hidden()) : QString();
-    const QStringList texts = ui::annotationTexts({QString::fromStdString(scene.lookName), scene.maskAwaited, notShown,
+    const QString hidden = QString::fromStdString(notShown(scene));
+    const QStringList texts = ui::annotationTexts({QString::fromStdString(scene.lookName), scene.maskAwaited, hidden,
                                                    scene.clip, loaded.uncut, isCtDenoised(*scene.volume)});
     const QStringList patient = wanted == ui::Annotate::patient ? ui::patientLines(*loaded.series) : QStringList();
     return std::optional(ui::Annotations{scene.camera, patient, texts});

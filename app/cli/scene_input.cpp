@@ -14,6 +14,7 @@
 #include "render/prepare/flatten.h"
 #include "render/prepare/layers_text.h"
 #include "render/scene/fit_view.h"
+#include "render/scene/not_shown.h"
 #include "render/scene/visible_mask.h"
 #include "render/smooth/non_local_means.h"
 #include "render/volume/coarser.h"
@@ -117,8 +118,6 @@ Result<void> hide(LoadedScene& work, const SceneInput& input, const segment::Bod
         return {};
     }
     work.scene.mask = *mask;
-    if (*mask)
-        work.notes.push_back((*mask)->hidden());
     return {};
 }
 
@@ -218,6 +217,8 @@ Result<LoadedScene> loadScene(const SceneInput& input, const Progress& progress)
     work.scene.ctDenoised = work.scene.ctDenoised || input.ctDenoised;
     if (auto ok = denoiseCt(work, partOf(progress, 0.97, 1)); !ok)
         return input.ctDenoised ? ok.error().in("--ct-denoised") : ok.error();
+    if (const Text hidden = notShown(work.scene); !hidden.empty())
+        work.notes.push_back(hidden);
     if (*look)
         nameLook(work.scene, **look, input.partLooks.looks);
     if (input.autoExposure && followsTissue(work.scene.model))

@@ -5,6 +5,7 @@
 #include "render/base/version.h"
 #include "render/prepare/needs.h"
 #include "render/prepare/warnings.h"
+#include "render/scene/not_shown.h"
 #include "render/scene/scene.h"
 #include "render/scene/scene_file.h"
 #include "render/session/known_bias.h"
@@ -71,7 +72,7 @@ Provenance provenanceOf(const Scene& scene, const Rendered& rendered) {
             .warnings = warningNames(warnings(scene)),
             .hidden = scene.volume ? scene.volume->hidden() : std::string(),
             .cut = cutText(scene.clip),
-            .notShown = scene.mask ? scene.mask->hidden() : Text(),
+            .notShown = notShown(scene),
             .remarks = scene.volume ? scene.volume->remarks() : std::string()};
 }
 

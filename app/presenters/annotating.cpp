@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/presenters/look_text.h"
+#include "render/scene/not_shown.h"
 #include "render/smooth/non_local_means.h"
 #include "ui/annotation/annotation_text.h"
 #include "ui/text/room_text.h"
@@ -25,9 +26,9 @@ ui::Annotations annotationsOf(const Workspace& workspace, const Frame& frame) {
 }
 
 ui::Annotations annotationsOf(const Workspace& workspace, const Scene& scene) {
-    const Text notShown = scene.mask ? scene.mask->hidden() : Text();
-    return annotations(workspace, scene.camera, scene.lookName,
-                       {{}, scene.maskAwaited, ui::inWords(notShown), scene.clip, {}, isCtDenoised(*scene.volume)});
+    return annotations(
+        workspace, scene.camera, scene.lookName,
+        {{}, scene.maskAwaited, ui::inWords(notShown(scene)), scene.clip, {}, isCtDenoised(*scene.volume)});
 }
 
 std::optional<ui::Annotations> leaving(ui::Annotations all, ui::Annotate choice) {

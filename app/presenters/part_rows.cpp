@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/presenters/look_text.h"
+#include "render/segment/found_parts.h"
 #include "ui/text/language.h"
 #include "ui/text/room_text.h"
 #include "ui/widgets/screen_colour.h"
@@ -14,21 +15,6 @@ namespace {
 struct Texts {
     Q_DECLARE_TR_FUNCTIONS(Parts)
 };
-
-/// Returns the name of a part, in the window's language if it is one of those that rules find.
-QString nameText(const std::string& part) {
-    if (part == "vessels")
-        return Texts::tr("vessels");
-    if (part == "skin")
-        return Texts::tr("skin");
-    if (part == "muscle")
-        return Texts::tr("muscle");
-    if (part == "mirrored bone")
-        return Texts::tr("mirrored bone");
-    if (part == "implant")
-        return Texts::tr("implant");
-    return QString::fromStdString(part);
-}
 
 QString stateText(PartState state) {
     switch (state) {
@@ -63,9 +49,9 @@ std::vector<ui::PartRow> partRows(const Document& document) {
         const MappedPart& part = parts->map->parts[i];
         const PartStyle style = styleOf(styles, part.name);
         const PartFacts& facts = parts->facts[i];
-        rows.push_back({nameText(part.name), colourOf(part, style), volumeText(facts.ml), stateText(style.state),
-                        facts.byRule ? Texts::tr("program") : Texts::tr("file"), nameText(document.looks(), style.look),
-                        ui::sentence(facts.source)});
+        rows.push_back({ui::inWords(segment::partTitle(part.name)), colourOf(part, style), volumeText(facts.ml),
+                        stateText(style.state), facts.byRule ? Texts::tr("program") : Texts::tr("file"),
+                        nameText(document.looks(), style.look), ui::sentence(facts.source)});
     }
     return rows;
 }
@@ -88,13 +74,13 @@ SliceTint partTint(const Document& document) {
 
 /// Returns what lacks a part of that name.
 static MissingParts missingOf(const std::string& part) {
-    if (part == "vessels")
+    if (part == segment::kVessels)
         return MissingParts::vessels;
-    if (part == "skin" || part == "muscle")
+    if (part == segment::kSkin || part == segment::kMuscle)
         return MissingParts::shells;
-    if (part == "mirrored bone")
+    if (part == segment::kMirroredBone)
         return MissingParts::mirror;
-    return part == "implant" ? MissingParts::metal : MissingParts::labels;
+    return part == segment::kImplant ? MissingParts::metal : MissingParts::labels;
 }
 
 MissingParts missingParts(const Document& document) {

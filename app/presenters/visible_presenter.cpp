@@ -1,15 +1,16 @@
 #include "app/presenters/visible_presenter.h"
 
+#include "render/scene/not_shown.h"
 #include "ui/text/room_text.h"
 
 namespace pdr::app {
 namespace {
 
-/// Returns what the mask hides, in sentences, or that the mask of the chosen part is still being made.
+/// Returns what the image hides, in sentences, or that the mask of the chosen part is still being made.
 QString notShownText(const Scene& scene) {
     if (scene.maskAwaited)
         return ui::MainWindow::tr("Still being separated; everything is shown until then.");
-    return scene.mask ? ui::inWords(scene.mask->hidden()) : QString();
+    return ui::inWords(notShown(scene));
 }
 
 }  // namespace
@@ -39,7 +40,7 @@ void VisiblePresenter::connectMasks() {
 }
 
 void VisiblePresenter::showDocument(Changes changes) {
-    if (!has(changes, Changes::visible | Changes::mask | Changes::series))
+    if (!has(changes, Changes::look | Changes::model | Changes::mask | Changes::partSources | Changes::series))
         return;
     row_.setChoice(document().setup().look.visible);
     row_.setNotShown(notShownText(document().scene()));

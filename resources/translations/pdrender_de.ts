@@ -132,6 +132,10 @@
         <translation>%1 und %2 sind verschieden ausgerichtet</translation>
     </message>
     <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
         <source>%1 at %2</source>
         <translation>%1 bei %2</translation>
     </message>
@@ -2170,6 +2174,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
         <translation>Vorne</translation>
     </message>
     <message>
+        <source>Ghost: %1.</source>
+        <translation>Geist: %1.</translation>
+    </message>
+    <message>
         <source>Give HOST or HOST:PORT, with an IPv6 address in brackets: [::1]:4743.</source>
         <translation>HOST oder HOST:PORT angeben, eine IPv6-Adresse in Klammern: [::1]:4743.</translation>
     </message>
@@ -2264,6 +2272,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Height of what is seen</source>
         <translation>Höhe des Sichtbaren</translation>
+    </message>
+    <message>
+        <source>Hidden: %1.</source>
+        <translation>Verborgen: %1.</translation>
     </message>
     <message>
         <source>Hide the patient's &amp;name</source>
@@ -6580,6 +6592,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>resampled to the nearest of voxels of %1</source>
         <translation>auf die nächsten von Voxeln von %1 umgerechnet</translation>
+    </message>
+    <message>
+        <source>rest of the body</source>
+        <translation>übriger Körper</translation>
     </message>
     <message>
         <source>results that never came: %1</source>

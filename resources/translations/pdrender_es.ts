@@ -132,6 +132,10 @@
         <translation>%1 y %2 tienen orientaciones distintas</translation>
     </message>
     <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 y %2 más</translation>
+    </message>
+    <message>
         <source>%1 at %2</source>
         <translation>%1 en %2</translation>
     </message>
@@ -2170,6 +2174,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
         <translation>Delante</translation>
     </message>
     <message>
+        <source>Ghost: %1.</source>
+        <translation>Fantasma: %1.</translation>
+    </message>
+    <message>
         <source>Give HOST or HOST:PORT, with an IPv6 address in brackets: [::1]:4743.</source>
         <translation>Indique HOST o HOST:PUERTO, con una dirección IPv6 entre corchetes: [::1]:4743.</translation>
     </message>
@@ -2264,6 +2272,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Height of what is seen</source>
         <translation>Altura de lo visible</translation>
+    </message>
+    <message>
+        <source>Hidden: %1.</source>
+        <translation>Oculto: %1.</translation>
     </message>
     <message>
         <source>Hide the patient's &amp;name</source>
@@ -6580,6 +6592,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>resampled to the nearest of voxels of %1</source>
         <translation>remuestreado a los más cercanos de vóxeles de %1</translation>
+    </message>
+    <message>
+        <source>rest of the body</source>
+        <translation>resto del cuerpo</translation>
     </message>
     <message>
         <source>results that never came: %1</source>

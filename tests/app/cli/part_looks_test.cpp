@@ -145,6 +145,19 @@ class PartLooksTest : public QObject {
         QVERIFY2(said.contains("look as all tissue does"), said.constData());
     }
 
+    /// The file says it, too.
+    void whatIsHiddenIsSaid() {
+        BallScene::write(
+            ball_.at("hiding.json"),
+            R"({ "format": "pdrender-look", "version": 1, "name": "A look", "lights": {}, "transferFunction":
+            { "extinctionPerMm": 0.5, "nodes": [ { "hu": 0, "opacity": 0 }, { "hu": 500, "opacity": 1 } ] },
+            "parts": { "rest": "hidden", "styles": [ { "part": "upper", "state": "ghost" } ] } })");
+        const QByteArray expected = "Hidden: rest of the body. Ghost: upper.";
+        const ProgramRun made = render("hiding.png", {"--look", ball_.at("hiding.json"), "--labels", labels_});
+        QVERIFY2(made.code == 0 && made.err.contains("note: " + expected), made.err.constData());
+        QCOMPARE(QImage(ball_.at("hiding.png")).text("pdrender/notShown").toUtf8(), expected);
+    }
+
     void whatCannotBeIsExplained() {
         const ProgramRun unknown = render("a.png", {"--labels", labels_, "--part", "lower=Muscles"});
         QCOMPARE(unknown.code, 1);

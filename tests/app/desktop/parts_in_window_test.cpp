@@ -87,6 +87,8 @@ class PartsInWindowTest : public QObject {
         QCOMPARE(trial.list.topLevelItem(0)->text(2), QString("hidden"));
         QVERIFY(trial.document.scene().parts.map);
         trial.waitForNewest();
+        const Text said = trial.frames.back()->notShown;
+        QVERIFY2(said.ends_with("Hidden: rest of the body."), said.c_str());
         trial.button("Show").click();
         QVERIFY(!trial.document.scene().parts.map && trial.document.look() >= 0);
         trial.document.undo();
