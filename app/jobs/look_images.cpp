@@ -2,11 +2,13 @@
 
 #include <QElapsedTimer>
 #include <algorithm>
+#include <iterator>
 
 #include "app/looks/looks.h"
 #include "app/looks/small_image.h"
 #include "render/device/device.h"
 #include "render/film/display/tone_map.h"
+#include "render/volume/coarser.h"
 
 namespace pdr::app {
 namespace {
@@ -37,12 +39,10 @@ struct LookImage {
     double stops = 0;
 };
 
-Result<LookImage> imageOf(const LookTask& task, const std::shared_ptr<const Volume>& volume,
-                          const std::shared_ptr<const Mask>& mask, const VolumeGeometry& body, Device& device,
+/// `scene`: that of the task, of coarse voxels.
+Result<LookImage> imageOf(const LookTask& task, Scene scene, const VolumeGeometry& body, Device& device,
                           const std::stop_token& stop) {
     ImageSetup setup = task.setup;
-    Scene scene = sceneOf(setup, volume, ivec2(kSmallImagePixels));
-    scene.mask = mask;
     scene.revision = std::uint64_t(task.look) + 1;
     const auto small = smallImage(scene, body, double(displayOf(setup).exposure), device, stop);
     if (!small)
@@ -66,6 +66,15 @@ const std::shared_ptr<const Mask>& LookImages::Coarse::maskOf(const Visible& vis
     return masks.emplace_back(visible, coarseMask(*volume, parts, visible, goOnUnless(stop))).second;
 }
 
+std::shared_ptr<const LabelMap> LookImages::Coarse::partsOf(const std::shared_ptr<const LabelMap>& fine) {
+    if (!fine)
+        return nullptr;
+    if (fineParts.lock() != fine)
+        parts = std::make_shared<const LabelMap>(coarser(*fine, volume->geometry()));
+    fineParts = fine;
+    return parts;
+}
+
 void LookImages::make(const std::shared_ptr<const Volume>& volume,
                       const std::shared_ptr<const segment::BodyParts>& parts, const VolumeGeometry& body,
                       const std::vector<LookTask>& tasks) {
@@ -74,30 +83,36 @@ void LookImages::make(const std::shared_ptr<const Volume>& volume,
     if (!first && std::ranges::is_permutation(tasks, tasks_))
         return;
     if (first)
-        coarse_ = {};
+        forgetImages();
     volume_ = volume;
     tasks_ = tasks;
+    std::vector<LookTask> missing;
+    std::ranges::copy_if(tasks, std::back_inserter(missing),
+                         [this](const LookTask& task) { return std::ranges::find(made_, task) == made_.end(); });
     // Make the coarse copy, then one image after the other
-    start([this, first, volume, parts, coarse = coarse_, body, tasks, imageStands = imageStands_](
+    start([this, first, volume, parts, coarse = coarse_, body, missing, imageStands = imageStands_](
               const Progress&, const std::stop_token& stop) mutable -> std::function<void()> {
         if (!first && !waitFor(kRestMs, stop))
             return [] {};
         if (!coarse.volume)
             coarse.volume = coarseCopy(*volume);
         const std::unique_ptr<Device> device = makeCpuDevice(1);
-        for (const LookTask& task : tasks) {
+        for (const LookTask& task : missing) {
             QElapsedTimer clock;
             clock.start();
-            const auto& mask = coarse.maskOf(task.setup.look.visible, *parts, stop);
-            const auto picture = imageOf(task, coarse.volume, mask, body, *device, stop);
+            Scene scene = sceneOf(task.setup, coarse.volume, ivec2(kSmallImagePixels), coarse.partsOf(task.parts));
+            scene.mask = coarse.maskOf(task.setup.look.visible, *parts, stop);
+            const auto picture = imageOf(task, std::move(scene), body, *device, stop);
             if (stop.stop_requested())
                 return [] {};
             if (picture)
-                QMetaObject::invokeMethod(this, [this, stop, coarse, look = task.look, picture = *picture] {
+                QMetaObject::invokeMethod(this, [this, stop, coarse, task, picture = *picture] {
                     if (stop.stop_requested())
                         return;
                     coarse_ = coarse;
-                    emit made(look, picture.image, picture.stops);
+                    std::erase_if(made_, [&](const LookTask& before) { return before.look == task.look; });
+                    made_.push_back(task);
+                    emit made(task.look, picture.image, picture.stops);
                 });
             if (!(first ? waitUntil(*imageStands, stop) : waitFor(kRestsPerWork * clock.elapsed(), stop)))
                 return [] {};
@@ -111,6 +126,11 @@ void LookImages::forget() {
     cancel();
     volume_.reset();
     tasks_.clear();
+    forgetImages();
+}
+
+void LookImages::forgetImages() {
+    made_.clear();
     coarse_ = {};
 }
 

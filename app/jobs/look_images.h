@@ -17,6 +17,7 @@ namespace pdr::app {
 struct LookTask {
     int look = 0;      ///< index of the look, repeated in made()
     ImageSetup setup;  ///< sets the camera's direction; the distance is chosen so that all of the body is visible
+    std::shared_ptr<const LabelMap> parts;  ///< those of the scan, on its grid; null: there are none that it shows
     bool operator==(const LookTask&) const = default;
 };
 
@@ -24,8 +25,8 @@ class LookImages : public BackgroundJob {
     Q_OBJECT
 
   public slots:
-    /// Renders `tasks` in their order and emits made() for each, unless newer tasks replace them. The same tasks again,
-    /// in any order, do nothing.
+    /// Renders those of `tasks` whose images are not there yet in their order and emits made() for each, unless newer
+    /// tasks replace them. The same tasks again, in any order, do nothing.
     /// The first images of a volume come as fast as possible, but all after the first one wait for the large image.
     /// Later ones begin after 600 ms without new tasks, and take a third of the time.
     /// `parts`: parts of the same scan. `body`: the part of its grid that fills the images.
@@ -43,18 +44,24 @@ class LookImages : public BackgroundJob {
     void made(int look, const QImage& image, double stops);
 
   private:
-    /// What is computed once for each volume.
+    /// What is computed once for each volume and its parts.
     struct Coarse {
         std::shared_ptr<const Volume> volume;
         std::vector<std::pair<Visible, std::shared_ptr<const Mask>>> masks;
+        std::weak_ptr<const LabelMap> fineParts;  ///< those of which `parts` were made
+        std::shared_ptr<const LabelMap> parts;
 
         const std::shared_ptr<const Mask>& maskOf(const Visible& visible, const segment::BodyParts& parts,
                                                   const std::stop_token& stop);
+        std::shared_ptr<const LabelMap> partsOf(const std::shared_ptr<const LabelMap>& fine);
     };
+
+    void forgetImages();
 
     std::weak_ptr<const Volume> volume_;  ///< volume of the newest tasks
     std::vector<LookTask> tasks_;
-    Coarse coarse_;  ///< coarse copy and masks of that volume, as far as they have been computed
+    std::vector<LookTask> made_;  ///< those whose images are the newest of their looks
+    Coarse coarse_;               ///< coarse copy, masks and parts of that volume, as far as they have been computed
     std::shared_ptr<std::atomic<bool>> imageStands_ = std::make_shared<std::atomic<bool>>(true);
 };
 

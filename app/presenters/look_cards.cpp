@@ -55,8 +55,11 @@ std::vector<LookTask> lookTasks(const Document& document) {
         return look == document.look() ? 0 : document.looks().whyUnsuited(look).empty() ? 1 : 2;
     };
     for (int i = 0; document.looks().holds(i); ++i) {
-        tasks.push_back({i, document.setupWith(i)});
-        tasks.back().setup.stops = 0;  // the small image finds the brightness
+        LookTask task{i, document.setupWith(i), {}};
+        task.setup.stops = 0;  // the small image finds the brightness
+        if (document.scanParts() && !task.setup.look.parts.empty())
+            task.parts = document.scanParts()->map;
+        tasks.push_back(std::move(task));
     }
     std::ranges::stable_sort(tasks, {}, [&](const LookTask& task) { return rank(task.look); });
     return tasks;

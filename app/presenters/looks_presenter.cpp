@@ -101,6 +101,8 @@ void LooksPresenter::showDocument(Changes changes) {
     }
     if (has(changes, Changes::looks))
         panel_->gallery().setLooks(lookCards(document()));
+    if (has(changes, Changes::partSources))  // looks may show them, and the image may not
+        requestImages(false);
     if (!has(changes, Changes::look | Changes::model | Changes::brightness | Changes::looks | Changes::series))
         return;  // comparing all looks is not for each move of a camera
     panel_->setLook(document().look());

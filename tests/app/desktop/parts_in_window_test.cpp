@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/presenters/looks_presenter.h"
 #include "app/presenters/parts_presenter.h"
 #include "app/presenters/plan_presenter.h"
 #include "app/presenters/slices_presenter.h"
@@ -106,10 +107,16 @@ class PartsInWindowTest : public QObject {
         ui::MessageBar& message = trial.desktop.window().message();
         QVERIFY2(message.text().contains("shows vessels"), qPrintable(message.text()));
         QVERIFY(!trial.document.scene().parts.map);
+        const LookImages& images = trial.desktop.presenter<LooksPresenter>().images();
+        QTRY_VERIFY_WITH_TIMEOUT(!images.isRunning(), test::kPatience);
+        QSignalSpy small(&images, &LookImages::made);
         click(message, "Find vessels");
         trial.wait();
         QVERIFY(trial.document.scene().parts.map && trial.document.look() == last);
         QCOMPARE(trial.document.scene().parts.curves.size(), std::size_t(1));
+        QTRY_VERIFY_WITH_TIMEOUT(!small.isEmpty() && !images.isRunning(), test::kPatience);
+        QCOMPARE(small.size(), 1);  // no other look shows vessels
+        QCOMPARE(small[0][0].toInt(), last);
         trial.document.setModel(Model::absorption);
         QVERIFY(!trial.document.scene().parts.map && trial.notes().contains("shows no parts"));
     }

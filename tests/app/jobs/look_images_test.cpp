@@ -18,6 +18,7 @@ class TestLookImages : public QObject {
     void eachLookGetsItsImage();
     void theSameAgainIsNothingNew();
     void anotherViewIsAnotherImage();
+    void partsAreShownWhereTheyAre();
     void theVolumeIsLetGoOf();
     void theLargeImageComesFirst();
 
@@ -28,7 +29,7 @@ class TestLookImages : public QObject {
         setup.camera = standardView(view, volume.geometry().centreMm(), volume.geometry().radiusMm(), 1);
         const auto looks = *bundledLooks();
         for (const int look : {14, 0})  // in the order that is asked for
-            tasks.push_back({look, withNamedLook(setup, looks[std::size_t(look)], volume.geometry())});
+            tasks.push_back({look, withNamedLook(setup, looks[std::size_t(look)], volume.geometry()), {}});
         return tasks;
     }
     std::shared_ptr<const Volume> head_ = std::make_shared<const Volume>(headPhantom({64, 57, 64}, {3.9, 4.9, 3.9}));
@@ -74,6 +75,34 @@ void TestLookImages::anotherViewIsAnotherImage() {
     images.make(head_, parts_, head_->geometry(), tasks(StandardView::anterior, *head_));
     QTRY_COMPARE_WITH_TIMEOUT(made.count(), 6, test::kPatience);
     QVERIFY(made[0][1].value<QImage>() == made[4][1].value<QImage>());  // to the bit
+}
+
+/// Looks that show no parts keep their images when parts are found.
+void TestLookImages::partsAreShownWhereTheyAre() {
+    LookImages images;
+    QSignalSpy made(&images, &LookImages::made);
+    std::vector<LookTask> all = tasks(StandardView::anterior, *head_);
+    all[1].setup.look.parts.rest = PartState::hidden;
+    images.make(head_, parts_, head_->geometry(), all);
+    QTRY_COMPARE_WITH_TIMEOUT(made.count(), 2, test::kPatience);
+    auto upper = std::make_shared<LabelMap>();
+    upper->geometry = head_->geometry();
+    upper->labels.assign(upper->geometry.voxelCount(), 0);
+    std::fill(upper->labels.begin() + upper->labels.size() / 2, upper->labels.end(), std::uint8_t(1));
+    upper->parts = {{"upper", {200, 40, 40}}};
+    all[1].parts = upper;
+    images.make(head_, parts_, head_->geometry(), all);
+    QTRY_VERIFY_WITH_TIMEOUT(!images.isRunning(), test::kPatience);
+    QCOMPARE(made.count(), 3);
+    QCOMPARE(made[2][0].toInt(), 0);
+    const auto whole = made[1][1].value<QImage>(), half = made[2][1].value<QImage>();
+    const int column = kSmallImagePixels / 2, foot = kSmallImagePixels * 3 / 4;
+    QVERIFY(qGray(half.pixel(column, kSmallImagePixels / 4)) > 20 && qGray(whole.pixel(column, foot)) > 20);
+    QVERIFY2(qGray(half.pixel(column, foot)) < 3, qPrintable(QString::number(qGray(half.pixel(column, foot)))));
+    all[1].parts.reset();
+    images.make(head_, parts_, head_->geometry(), all);
+    QTRY_COMPARE_WITH_TIMEOUT(made.count(), 4, test::kPatience);
+    QVERIFY(made[3][1].value<QImage>() == whole);
 }
 
 /// A series waits for the one before to leave the memory.
