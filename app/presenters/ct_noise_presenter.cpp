@@ -14,6 +14,7 @@ CtNoisePresenter::CtNoisePresenter(const Workspace& workspace, ui::LookPanel& pa
                 job_.reduce(scan);
         });
     });
+    connect(&window(), &ui::MainWindow::cancelRequested, &job_, &CtNoiseJob::cancel);
     connect(&job_, &CtNoiseJob::made, &document(), &Document::takeDenoisedCt);
     connect(&job_, &CtNoiseJob::cancelled, &document(), &Document::keepNoise);
     connect(&job_, &CtNoiseJob::failed, this, [this](const Error& error) {

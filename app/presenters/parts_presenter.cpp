@@ -49,6 +49,7 @@ void PartsPresenter::connectJob() {
     showProgressOf(job_);
     connect(&document(), &Document::partsWanted, this,
             [this](const PartSources& sources) { afterImage_.call([this, sources] { make(sources); }); });
+    connect(&window(), &ui::MainWindow::cancelRequested, &job_, &PartsJob::cancel);
     connect(&job_, &PartsJob::added, &edits_, &PartEdits::setParts);
     connect(&job_, &PartsJob::added, this, &PartsPresenter::offerMissing);
     connect(&job_, &PartsJob::made, &document(), &Document::takeParts);

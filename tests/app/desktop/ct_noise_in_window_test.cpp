@@ -116,6 +116,26 @@ class CtNoiseInWindowTest : public QObject {
         QVERIFY(!trial.frames.back()->ctDenoised);
     }
 
+    /// Esc ends it: all is as it was, and there is no step to undo.
+    void escLeavesTheScanAsItIs() {
+        Trial trial;
+        trial.openAndWait(series_);
+        Document& document = trial.desktop.document();
+        const CtNoiseJob& job = trial.desktop.presenter<CtNoisePresenter>().job();
+        QSignalSpy made(&job, &CtNoiseJob::made);
+        box(trial).click();
+        QVERIFY(job.isRunning() && box(trial).isChecked());  // what it makes is taken by the event loop
+        QTest::keyClick(&trial.desktop.window(), Qt::Key_Escape);
+        QVERIFY(!job.isRunning() && !box(trial).isChecked() && made.isEmpty());
+        QVERIFY(!document.scene().ctDenoised && document.scene().volume == document.seen());
+        QVERIFY(!document.canUndo() && document.look() >= 0);
+        trial.waitForNewest();
+        QVERIFY(!trial.frames.back()->ctDenoised);
+        box(trial).click();  // and it may be asked for again
+        QTRY_COMPARE_WITH_TIMEOUT(made.count(), 1, test::kPatience);
+        QVERIFY(isCtDenoised(*document.scene().volume));
+    }
+
     void theNewestScanIsMade() {
         CtNoiseJob job;
         QSignalSpy made(&job, &CtNoiseJob::made), finished(&job, &CtNoiseJob::finished);

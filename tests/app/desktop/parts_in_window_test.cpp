@@ -11,6 +11,7 @@
 #include "dicom/write/export.h"
 #include "render/volume/file/label_nrrd.h"
 #include "tests/support/desktop/desktop_trial.h"
+#include "tests/support/places.h"
 #include "tests/support/scenes/vessel_phantoms.h"
 #include "ui/text/to_qt.h"
 
@@ -165,6 +166,50 @@ class PartsInWindowTest : public QObject {
         const QString said = trial.desktop.window().message().text();
         QVERIFY2(said.contains("another scan or patient") && said.contains("other.seg.nrrd"), qPrintable(said));
         QVERIFY(trial.document.scanParts() == before);
+    }
+
+    void escEndsASearch() {
+        PartsTrial trial;
+        trial.openAndWait(series_);
+        trial.button("Find vessels").click();
+        QVERIFY(trial.presenter.job().isRunning());  // what it finds is taken by the event loop
+        QTest::keyClick(&trial.desktop.window(), Qt::Key_Escape);
+        QVERIFY(!trial.presenter.job().isRunning());
+        QVERIFY(!trial.document.scanParts() && !trial.document.canUndo());
+        trial.findVessels();
+        QVERIFY(trial.document.scanParts());
+    }
+
+    /// Its frame of reference and its patient are those of the scan, or nothing is loaded.
+    void aSegmentationOfAnotherPatientIsRefused() {
+        const QString files = PDR_SOURCE_DIR "/tests/oracle/labels/files/";
+        PartsTrial trial;
+        trial.openAndWait(files + "ct");
+        QFile original(files + "binary.dcm");
+        QVERIFY(original.open(QIODevice::ReadOnly));
+        const QByteArray bytes = original.readAll();
+        const auto said = [&](const QByteArray& was, const QByteArray& becomes) {
+            QFile changed(file("seg.dcm"));
+            const bool written = bytes.count(was) == 1 && changed.open(QIODevice::WriteOnly) &&
+                                 changed.write(QByteArray(bytes).replace(was, becomes)) == bytes.size();
+            changed.close();
+            trial.presenter.open(file("seg.dcm"));
+            trial.wait();
+            return written ? trial.desktop.window().message().text() : "not written";
+        };
+        const QByteArray frame(
+            "\x20\x00\x52\x00UI\x06\x00"
+            "2.25.4",
+            14),
+            patient("\x10\x00\x20\x00LO\x02\x00L1", 10);
+        const QString elsewhere = said(frame, QByteArray(frame).replace("2.25.4", "2.25.5"));
+        QVERIFY2(elsewhere.contains("another frame of reference than the scan"), qPrintable(elsewhere));
+        const QString anothers = said(patient, QByteArray(patient).replace("L1", "L2"));
+        QVERIFY2(anothers.contains("names another patient than the scan"), qPrintable(anothers));
+        QVERIFY(!trial.document.scanParts() && !trial.document.canUndo() && trial.list.topLevelItemCount() == 0);
+        QVERIFY(said(frame, frame) != "not written");
+        QVERIFY2(trial.document.scanParts(), qPrintable(trial.desktop.window().message().text()));
+        QCOMPARE(trial.list.topLevelItemCount(), 4);
     }
 
     /// The voxels of another grid are taken only when that is asked for.

@@ -81,6 +81,17 @@ class ValuesInWindowTest : public QObject {
         QVERIFY(!window().findChild<ui::LookPanel*>()->findChild<QCheckBox*>()->isEnabled());
     }
 
+    /// A plan or a look may want it: that is refused with the reason, and is no step to undo.
+    void whoWantsThatIsTold() {
+        const Text undo = document().undoText();
+        document().setCtDenoised(true);
+        QTRY_VERIFY_WITH_TIMEOUT(!document().setup().look.ctDenoised, test::kPatience);
+        QVERIFY2(window().message().text().contains("only values in HU can be denoised", Qt::CaseInsensitive),
+                 qPrintable(window().message().text()));
+        QVERIFY(document().undoText() == undo && !document().scene().ctDenoised);
+        QVERIFY(document().scene().volume == document().seen());
+    }
+
     void aLookIsNotKept() {
         const auto before = document().looks().drawn().size();
         emit window().findChild<ui::LookPanel*>()->menu().saveWanted("Mine");
