@@ -74,7 +74,7 @@ bool writeTables(const std::vector<MarkRow>& rows, const PlanOptions& options) {
 
 int renderPlan(const Plan& plan, const ScannedVolume& scanned, const PlanOptions& options, const Interrupt& interrupt) {
     const auto load = [&](const Progress& progress) {
-        return sceneOfPlan(plan, scanned, *options.image->scene.size, progress);
+        return sceneOfPlan(plan, scanned, options.labels, *options.image->scene.size, progress);
     };
     // With --json the measurements alone are on standard output
     const auto say = [&](const RenderReport& report) {

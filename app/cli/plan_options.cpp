@@ -26,6 +26,10 @@ void describePlan(QCommandLineParser& parser) {
          "several times.",
          "FILE.csv|.mrk.json|.png|.exr"},
         {"render", "Render what the plan shows of the scan; the options that follow are for that."},
+        {"labels",
+         "The label map whose parts the plan shows, as it was open in the window. Parts that the program has found are "
+         "found again.",
+         "FILE|FOLDER"},
         {"size", "Pixels; default 1024x1024.", "WxH"},
         {"threads", "Threads; default: one per core.", "N", "0"},
     });
@@ -56,9 +60,12 @@ void readPlanCommand(const QCommandLineParser& parser, PlanOptions& options) {
     options.file = parser.positionalArguments().front().toStdString();
     options.scan = reader.text("scan").value_or("").toStdString();
     options.seriesUid = reader.text("series").value_or("").toStdString();
+    options.labels = reader.text("labels").value_or("").toStdString();
     options.json = parser.isSet("json");
     if (options.scan.empty() && (parser.isSet("render") || parser.isSet("series")))
         usageError("--scan", "says which scan the plan was made on, and is missing", "Add --scan FOLDER.");
+    if (!options.labels.empty() && !parser.isSet("render"))
+        usageError("--labels", "names what an image of the plan shows", "Add --render -o image.png.");
     if (parser.isSet("render")) {
         options.image.emplace();
         readImageOptions(parser, *options.image);

@@ -18,6 +18,7 @@ struct PlanOptions {
     std::filesystem::path scan;                 ///< a DICOM folder or a scene file; empty: the scan is not at hand
     std::string seriesUid;                      ///< empty: the first series that can be loaded
     std::vector<std::filesystem::path> tables;  ///< files for other programs; each .csv or .mrk.json
+    std::filesystem::path labels;               ///< the label map that the plan shows; empty: none is at hand
     std::optional<RenderOptions> image;         ///< the images to render, and how; their scene has a size alone
     bool json = false;
     bool help = false;

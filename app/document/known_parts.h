@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/plan/part_sources.h"
-#include "app/scan/scan_parts.h"
+#include "app/plan/scan_parts.h"
 
 namespace pdr::app {
 

@@ -6,8 +6,7 @@
 #include <optional>
 
 #include "app/jobs/background_job.h"
-#include "app/plan/part_sources.h"
-#include "app/scan/scan_parts.h"
+#include "app/plan/part_maps.h"
 #include "dicom/series.h"
 #include "render/volume/label_fit.h"
 #include "render/volume/volume.h"
@@ -45,9 +44,7 @@ class PartsJob : public BackgroundJob {
     void labelsMissing(const pdr::app::PartSources& sources);
 
   private:
-    struct Maps;
-    /// Used on the job's thread alone.
-    std::shared_ptr<Maps> maps_;
+    std::shared_ptr<PartMaps> maps_;     ///< used on the job's thread alone
     std::optional<PartSources> making_;  ///< what the newest job makes; none: it adds parts
 };
 

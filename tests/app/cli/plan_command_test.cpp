@@ -12,6 +12,7 @@
 #include "app/plan/marks_csv.h"
 #include "app/plan/marks_slicer.h"
 #include "app/scan/scene_volume.h"
+#include "render/volume/file/label_nrrd.h"
 #include "tests/support/dicom/phantom_series.h"
 #include "tests/support/program_run.h"
 #include "tests/support/some_marks.h"
@@ -208,18 +209,31 @@ class PlanCommandTest : public QObject {
         QVERIFY(QImage(at("quiet.png")).text("pdrender/remarks").contains("CT denoised"));
     }
 
-    /// An image without the parts would be another one.
-    void aPlanWithPartsIsNotRendered() {
+    /// An image without the parts would be another one. That with them is the window's: same_image_test.
+    void aPlanWithoutItsPartsIsNotRendered() {
+        LabelMap map;
+        map.geometry = scan_->geometry();
+        map.labels.assign(map.geometry.voxelCount(), 1);
+        map.parts = {{"liver", {40, 200, 40}}};
+        QVERIFY(bool(writeLabelFile(map, at("other.seg.nrrd").toStdString())));
         SavedPlan saved = saved_;
-        saved.plan.partSources.vessels = kVesselsRule;
         saved.plan.image.look.parts.rest = PartState::hidden;
-        save(saved, at("parts.plan.json"));
-        const QStringList listed{at("parts.plan.json"), "--scan", series()};
-        QCOMPARE(runPlan(listed).code, 0);
-        const ProgramRun run = runPlan(listed + QStringList{"--render", "-o", at("parts.png")});
-        QCOMPARE(run.code, 1);
-        QVERIFY2(run.err.contains("which only the window can show"), run.err.constData());
-        QVERIFY(!QFile::exists(at("parts.png")));
+        const auto refusal = [&](const PartSources& sources, const QStringList& options) {
+            saved.plan.partSources = sources;
+            save(saved, at("parts.plan.json"));
+            const QStringList listed{at("parts.plan.json"), "--scan", series()};
+            const ProgramRun run = runPlan(listed + QStringList{"--render", "-o", at("parts.png")} + options);
+            return runPlan(listed).code == 0 && run.code == 1 && !QFile::exists(at("parts.png")) ? run.err
+                                                                                                 : "no refusal";
+        };
+        const PartSources ofMap{.labels = "0123456789abcdef0123456789abcdef"};
+        const QStringList other{"--labels", at("other.seg.nrrd")};
+        QVERIFY2(refusal(ofMap, {}).contains("holds neither the voxels nor the place"), refusal(ofMap, {}).constData());
+        QVERIFY2(refusal(ofMap, other).contains("not the label map that the plan shows"),
+                 refusal(ofMap, other).constData());
+        QVERIFY2(refusal({}, other).contains("the plan shows no label map"), refusal({}, other).constData());
+        const PartSources found{.vessels = kVesselsRule};
+        QVERIFY2(refusal(found, {}).contains("vessels cannot be found"), refusal(found, {}).constData());
     }
 
     void foreignAndDamagedPlansAreRefused() {
@@ -285,6 +299,7 @@ class PlanCommandTest : public QObject {
         row("an image without --render", {"a", "--scan", "b", "-o", "a.png"}, "Add --render");
         row("--render without a file", {"a", "--scan", "b", "--render"}, "Add -o image.png");
         row("--render without the scan", {"a", "--render", "-o", "a.png"}, "--scan: says which scan");
+        row("--labels without --render", {"a", "--scan", "b", "--labels", "c"}, "Add --render");
         row("--series without the scan", {"a", "--series", "1.2"}, "--scan: says which scan");
         row("size", {"a", "--scan", "b", "--render", "-o", "a.png", "--size", "9"}, "must look like 800x600");
     }
