@@ -75,17 +75,26 @@ Result<void> BatchRender::keepFinished(std::uint64_t there) {
     return {};
 }
 
-Result<void> BatchRender::takeSamples(double elapsed, std::stop_token stop, const Extended& told) {
+Result<void> BatchRender::takeSamples(const double& elapsed, std::stop_token stop, const Extended& told) {
     const OrderSize order = film_.orderSize();
     const std::uint32_t samples = wantedSamples(order, elapsed);
     // An interrupted launch leaves worthless sums, unless the film says otherwise. The first one has nothing to lose.
     const bool leavesFilm = order.whole > 0;
     const bool canBreakOff = leavesFilm || done_ == 0 || whenStopped_ == WhenStopped::discard;
-    const auto there = film_.extend(done_, samples, canBreakOff ? stop : std::stop_token(), told);
+    std::stop_source end;
+    const std::stop_callback endWithAll(stop, [&] { end.request_stop(); });
+    const auto tellOrEnd = [&](const SampleCounts& counts) {
+        told(counts);
+        if (leavesFilm && isTimeOver(elapsed))
+            end.request_stop();
+    };
+    const auto there = film_.extend(done_, samples, canBreakOff ? end.get_token() : std::stop_token(), tellOrEnd);
     if (!there)
         return there.error();
-    if (canBreakOff && stop.stop_requested())
-        return leavesFilm && whenStopped_ == WhenStopped::keep ? keepFinished(*there) : Result<void>();
+    if (canBreakOff && end.stop_requested()) {
+        const bool isWorthless = stop.stop_requested() && whenStopped_ == WhenStopped::discard;
+        return leavesFilm && !isWorthless ? keepFinished(*there) : Result<void>();
+    }
     done_ = *there;
     if (done_ == 0) {
         begunAt_ = elapsed;
@@ -108,25 +117,30 @@ Result<void> BatchRender::look() {
 }
 
 std::uint32_t BatchRender::wantedSamples(const OrderSize& order, double elapsed) const {
-    if (order.whole > 0 && stops_.samples && !stops_.seconds && !stopsByError())
-        return wholeOrder(order.whole);
-    if (done_ == 0)
-        return 1;
-    double time = order.seconds;
-    if (stops_.seconds)
-        time = std::min(time, *stops_.seconds - elapsed);
-    double wanted = std::floor(time * double(done_) / std::max(elapsed - begunAt_, 1e-9));
+    const bool isWhole = order.whole > 0 && !stopsByError();
+    const std::uint64_t most =
+        isWhole ? std::clamp<std::uint64_t>(3 * done_, order.whole, kMostWholeOrder) : order.samples;
+    double wanted = double(most);
+    if (stops_.seconds || !isWhole)
+        wanted = samplesInTime(order, isWhole, elapsed);
     if (stops_.samples)
         wanted = std::min(wanted, double(*stops_.samples - done_));
     if (stopsByError())
         wanted = std::min(wanted, double(kErrorEvery - done_ % kErrorEvery));
-    return toBlockEnd(std::uint32_t(std::clamp(wanted, 1.0, double(order.samples))));
+    return toBlockEnd(std::uint32_t(std::clamp(wanted, 1.0, double(most))));
 }
 
-/// Returns the samples up to the end if these are few, else ever more.
-std::uint32_t BatchRender::wholeOrder(std::uint32_t whole) const {
-    const std::uint64_t wanted = std::min(*stops_.samples - done_, std::max<std::uint64_t>(whole, 3 * done_));
-    return toBlockEnd(std::uint32_t(std::min<std::uint64_t>(wanted, kMostWholeOrder)));
+/// Returns the samples for which there is time. An order of a film that is extended tile by tile may take half of the
+/// time that is left: the film is even again with the last, short ones.
+double BatchRender::samplesInTime(const OrderSize& order, bool isWhole, double elapsed) const {
+    if (done_ == 0)
+        return 1;
+    double seconds = order.seconds;
+    if (stops_.seconds) {
+        const double left = *stops_.seconds - elapsed;
+        seconds = std::min(isWhole ? std::max(seconds, left / 2) : seconds, left);
+    }
+    return std::floor(seconds * double(done_) / std::max(elapsed - begunAt_, 1e-9));
 }
 
 /// Reduces `wanted` so that the samples end with a whole block, if one ends on the way: the rest of a block would be a
@@ -145,9 +159,13 @@ std::optional<StopReason> BatchRender::reached(double elapsed) const {
         if (stops_.levels && isReached(status_.displayError, *stops_.levels, done_))
             return StopReason::levels;
     }
-    if (stops_.seconds && done_ > 0 && elapsed >= *stops_.seconds)
+    if (isTimeOver(elapsed))
         return StopReason::seconds;
     return std::nullopt;
+}
+
+bool BatchRender::isTimeOver(double elapsed) const {
+    return stops_.seconds && done_ > 0 && elapsed >= *stops_.seconds;
 }
 
 BatchState BatchRender::state(double elapsed, const SampleCounts& samples) const {

@@ -63,9 +63,11 @@ class BatchRender {
     std::uint32_t wantedSamples(const OrderSize& order, double elapsed) const;
     std::uint32_t toBlockEnd(std::uint32_t wanted) const;
     std::optional<StopReason> reached(double elapsed) const;
-    std::uint32_t wholeOrder(std::uint32_t whole) const;
+    double samplesInTime(const OrderSize& order, bool isWhole, double elapsed) const;
     BatchState state(double elapsed, const SampleCounts& samples) const;
-    Result<void> takeSamples(double elapsed, std::stop_token stop, const Extended& told);
+    bool isTimeOver(double elapsed) const;
+    /// Takes the next order; `elapsed` goes on while it is taken.
+    Result<void> takeSamples(const double& elapsed, std::stop_token stop, const Extended& told);
     Result<void> keepFinished(std::uint64_t there);
     Result<void> look();
     bool stopsByError() const { return stops_.relativeError || stops_.levels; }

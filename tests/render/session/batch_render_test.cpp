@@ -22,6 +22,7 @@ class TestBatchRender : public QObject {
     void aFilmThatCanBeStoppedIsOrderedAtOnce_data();
     void aFilmThatCanBeStoppedIsOrderedAtOnce();
     void tilesThatAStopLeftEmptyGetASample();
+    void anOrderEndsWhenItsTimeIsOver();
     void whatIsFoundWrongIsTakenAgain();
     void aStopRequestIsObeyedWhereAllWasFoundWrong();
     void aTimeThatIsOverLeavesASampleWhereAllWasFoundWrong();
@@ -68,6 +69,8 @@ class FilmOfTiles final : public HostAccumulator {
             }
             if (told)
                 told(film_.samples());
+            while (orders.size() == stuckWith && told && !stop.stop_requested())
+                told(film_.samples());
             if (stop.stop_requested())
                 return film_.samplesPerPixel();
         }
@@ -75,6 +78,7 @@ class FilmOfTiles final : public HostAccumulator {
     }
 
     std::vector<std::uint64_t> orders;
+    std::size_t stuckWith = 0;  ///< number of the order, from 1, that takes until it is stopped; 0: none
 };
 
 /// Finds samples wrong with one of the requests, counted from 1.
@@ -165,6 +169,8 @@ void TestBatchRender::aFilmThatCanBeStoppedIsOrderedAtOnce_data() {
     QTest::addColumn<std::vector<std::uint64_t>>("orders");
     QTest::newRow("few samples") << Stops{.samples = 100} << std::vector<std::uint64_t>{100};
     QTest::newRow("many samples") << Stops{.samples = 2000} << std::vector<std::uint64_t>{256, 768, 976};
+    QTest::newRow("more time than it takes")
+        << Stops{.samples = 500, .seconds = 1e9} << std::vector<std::uint64_t>{1, 255, 244};
     QTest::newRow("an error") << Stops{.samples = 17, .relativeError = 1e-9} << std::vector<std::uint64_t>{1, 15, 1};
 }
 
@@ -191,6 +197,16 @@ void TestBatchRender::tilesThatAStopLeftEmptyGetASample() {
     QCOMPARE(film.orders, (std::vector<std::uint64_t>{100, 1}));
     QCOMPARE(ended->film.samplesPerPixel, std::uint64_t(1));
     QCOMPARE(ended->film.mostSamplesPerPixel, std::uint64_t(101));
+}
+
+/// All nodes may have gone.
+void TestBatchRender::anOrderEndsWhenItsTimeIsOver() {
+    FilmOfTiles film;
+    film.stuckWith = 2;
+    const auto ended = BatchRender(film, {.seconds = 0.3}, {}).run({}, [](const BatchState&) {});
+    QVERIFY(ended && ended->reason == StopReason::seconds);
+    QCOMPARE(ended->film.samplesPerPixel, std::uint64_t(1));
+    QCOMPARE(film.orders.size(), std::size_t(2));
 }
 
 void TestBatchRender::whatIsFoundWrongIsTakenAgain() {
