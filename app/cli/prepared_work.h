@@ -4,10 +4,10 @@
 #include <functional>
 #include <memory>
 
-#include "app/cli/command_nodes.h"
+#include "app/cli/nodes/command_nodes.h"
 #include "app/cli/progress_line.h"
-#include "app/cli/render_options.h"
-#include "app/cli/scene_input.h"
+#include "app/cli/render/render_options.h"
+#include "app/cli/scene/scene_input.h"
 #include "render/device/device.h"
 
 namespace pdr::app {

@@ -14,7 +14,7 @@
 #include <random>
 
 #include "app/bench/options.h"
-#include "app/cli/scene_input.h"
+#include "app/cli/scene/scene_input.h"
 #include "app/looks/looks.h"
 #include "render/edit/light_change.h"
 #include "tools/measure/edit_trial.h"

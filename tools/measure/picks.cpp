@@ -13,7 +13,7 @@
 #include <map>
 
 #include "app/bench/options.h"
-#include "app/cli/scene_input.h"
+#include "app/cli/scene/scene_input.h"
 #include "app/looks/looks.h"
 #include "render/base/processor_time.h"
 #include "render/prepare/flatten.h"

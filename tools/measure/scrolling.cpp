@@ -18,7 +18,7 @@
 #include <cstdio>
 #include <deque>
 
-#include "app/cli/scanned_volume.h"
+#include "app/cli/scan/scanned_volume.h"
 #include "app/desktop/desktop.h"
 #include "app/looks/looks.h"
 #include "app/presenters/slices_presenter.h"

@@ -26,7 +26,7 @@
 #include <sstream>
 
 #include "app/bench/options.h"
-#include "app/cli/scene_input.h"
+#include "app/cli/scene/scene_input.h"
 #include "app/looks/looks.h"
 #include "tools/measure/coverage_table.h"
 #include "tools/measure/stated_figures.h"

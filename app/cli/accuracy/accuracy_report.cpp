@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/cli/bias_report.h"
+#include "app/cli/render/bias_report.h"
 #include "render/film/levels_text.h"
 
 namespace pdr::app {

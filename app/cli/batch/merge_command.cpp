@@ -5,8 +5,8 @@
 
 #include "app/cli/batch/joined_films.h"
 #include "app/cli/failed.h"
-#include "app/cli/image_run.h"
-#include "app/cli/render_options.h"
+#include "app/cli/render/image_run.h"
+#include "app/cli/render/render_options.h"
 #include "app/cli/run_command.h"
 #include "render/base/errors.h"
 #include "render/session/bias_measurements.h"

@@ -1,7 +1,7 @@
 #include <QtTest>
 
-#include "app/cli/render_options.h"
-#include "app/cli/render_report.h"
+#include "app/cli/render/render_options.h"
+#include "app/cli/render/render_report.h"
 #include "tests/support/places.h"
 
 using namespace pdr;

@@ -2,7 +2,7 @@
 
 #include <QTemporaryDir>
 
-#include "app/cli/cluster_options.h"
+#include "app/cli/cluster/cluster_options.h"
 #include "tests/support/program_run.h"
 
 using namespace pdr;
