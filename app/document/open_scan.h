@@ -57,7 +57,7 @@ class OpenScan {
     segment::HiddenTable table_;                           ///< the table that was detected, and the body's box
     std::shared_ptr<const HiddenVoxels> hidden_;           ///< voxels of the table; null if there is none
     mutable std::weak_ptr<const Volume> withTable_;        ///< the scan with its table, as long as someone holds it
-    std::shared_ptr<const segment::BodyParts> bodyParts_;  ///< of volume_, whether the table is shown or not
+    std::shared_ptr<const segment::BodyParts> bodyParts_;  ///< those of volume_, with or without its table
     PartMasks masks_;
     DenoisedScan denoised_;
     KnownParts parts_;

@@ -23,7 +23,7 @@ struct NodeOptions {
     std::chrono::seconds drain{8};               ///< time to finish open leases when the node is to end
     std::chrono::seconds giveUp{120};            ///< time after which an unreachable coordinator is given up
     QString makeCertificates;                    ///< folder to write a bundle into; empty: none is requested
-    int certificates = 0;                        ///< of nodes in that bundle; 0: all nodes share one
+    int certificates = 0;                        ///< number of nodes with one of their own; 0: they share
     bool help = false, version = false;
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kReachMm = 30;         ///< misfit that counts at first, so that the plane is found from afar
 constexpr double kMostMisfitMm = 8;     ///< and at last
-constexpr std::size_t kPlaces = 20000;  ///< of the surface that are looked at
+constexpr std::size_t kPlaces = 20000;  ///< places of the surface to look at
 
 /// The surface of the bones: distances from it, and some of its places.
 class Surface {

@@ -10,7 +10,7 @@
 namespace pdr::segment {
 
 struct SymmetryPlane {
-    dvec3 normal{1, 0, 0};  ///< of length 1; its x is positive: towards the patient's left
+    dvec3 normal{1, 0, 0};  ///< unit vector; its x is positive: towards the patient's left
     double atMm = 0;        ///< dot(normal, place) of its places
     /// Distances from the mirrored surface of the bones to their surface [mm]: half of them, and nine tenths, are at
     /// most as large.

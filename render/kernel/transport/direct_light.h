@@ -94,9 +94,9 @@ PDR_HD inline bool bothWays(const FlatScene& scene) {
 /// The random numbers for the light of an event, or of several in lanes.
 template <class Real>
 struct LightNumbersOf {
-    Real choice;           ///< of the light
+    Real choice;           ///< number that chooses the light
     Vec2<Real> onLight;    ///< all lights share one position, since only one of them is chosen
-    Vec3<Real> direction;  ///< that the event scatters to
+    Vec3<Real> direction;  ///< numbers for a direction that the event scatters to
     Real looksAlong;       ///< 1: light is sought along that direction, too
 };
 using LightNumbers = LightNumbersOf<float>;
@@ -180,8 +180,8 @@ class LightSearch {
     const FlatScene& scene_;
     const EventOf<Real>& event_;
     const LightNumbersOf<Real>& numbers_;
-    Vec3<Real> origin_;   ///< of rays from the event, index space
-    Vec3<Real> place_{};  ///< the same, local
+    Vec3<Real> origin_;   ///< origin of rays from the event, index space
+    Vec3<Real> place_{};  ///< the origin in local coordinates
     LightReservoir<Real> choice_;
 };
 

@@ -41,7 +41,7 @@ PDR_HD inline float environmentPdf(const FlatEnvironment& environment, vec3 dire
 
 #if !defined(__CUDACC__)
 
-/// The same for lanes. There must be no image.
+/// Return those of lanes of directions. There must be no image.
 inline Vec3<FloatLanes> environmentRadiance(const FlatEnvironment& environment, const Vec3<FloatLanes>& direction) {
     return gradientRadiance(environment, direction);
 }

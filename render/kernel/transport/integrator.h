@@ -122,7 +122,7 @@ struct ContinuationOf {
     RayOf<Real> ray;
     Vec3<Real> direction;  ///< unit, local
     Vec3<Real> weight;     ///< fraction of the radiance from there that the event passes on, divided by the pdf
-    Real pdf;              ///< of the direction [1/sr]; 0 where no light is sought along it
+    Real pdf;              ///< density of the direction [1/sr]; 0 where no light is sought along it
 };
 
 /// Returns a continuation from `event`, sampled by three numbers. `findsLight`: the path collects the light on it.
