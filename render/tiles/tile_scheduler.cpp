@@ -111,7 +111,8 @@ std::optional<Portion> TileScheduler::hedge(WorkerId worker, const Ability& abil
     Held* latest = nullptr;
     for (Held& held : held_) {
         const bool his = std::ranges::any_of(held.copies, [&](const Copy& copy) { return copy.worker == worker; });
-        if (!his && isLate(held, worker, now) && (!latest || held.copies[0].since < latest->copies[0].since))
+        const bool canTake = ability.deepest > 0 || !isDeep(held.portion.samples);
+        if (!his && canTake && isLate(held, worker, now) && (!latest || held.copies[0].since < latest->copies[0].since))
             latest = &held;
     }
     if (!latest)

@@ -160,6 +160,16 @@ class TileSchedulerTest : public QObject {
         QVERIFY(!scheduler.heldBy(1, 1) && scheduler.isDone());
     }
 
+    void severalLateBlocksGoToWhoTakesSeveral() {
+        TileScheduler scheduler({{{0, 0, 16, 16}, 0, 256}}, Split::tiles, 1);
+        const auto portion = scheduler.take(1, {1e9, 1e9, 1e9}, 0);
+        QVERIFY(portion && isDeep(portion->samples));
+        const double late = 1e3;
+        QVERIFY(!scheduler.take(2, {1e9, 1e9, 0}, late));
+        const auto copy = scheduler.take(3, {1e9, 1e9, 1e9}, late);
+        QVERIFY(copy && copy->number == portion->number);
+    }
+
     void ownDeviceIsNotAsPatient() {
         TileScheduler scheduler({{{0, 0, 16, 16}, 0, 1}}, Split::tiles, 1);
         (void)scheduler.take(1, {1e9, 256}, 0);  // a second's
