@@ -54,10 +54,11 @@ class OpenScan {
     std::shared_ptr<const Volume> shown(const ImageSetup& setup) const;
 
     std::shared_ptr<const Volume> volume_;
-    segment::HiddenTable table_;                           ///< the table that was detected, and the body's box
-    std::shared_ptr<const HiddenVoxels> hidden_;           ///< voxels of the table; null if there is none
-    mutable std::weak_ptr<const Volume> withTable_;        ///< the scan with its table, as long as someone holds it
-    std::shared_ptr<const segment::BodyParts> bodyParts_;  ///< those of volume_, with or without its table
+    segment::HiddenTable table_;                     ///< the table that was detected, and the body's box
+    std::shared_ptr<const HiddenVoxels> hidden_;     ///< voxels of the table; null if there is none
+    mutable std::weak_ptr<const Volume> withTable_;  ///< the scan with its table, as long as someone holds it
+    /// The parts of the body in volume_, whether the table is shown or not.
+    std::shared_ptr<const segment::BodyParts> bodyParts_;
     PartMasks masks_;
     DenoisedScan denoised_;
     KnownParts parts_;
