@@ -93,20 +93,9 @@ class LabelReading {
     ValueLabels values_;
 };
 
-/// Returns the name of a file without its endings: "liver" of "liver.nii.gz".
-std::string plainName(const std::filesystem::path& file) {
-    std::string name = file.filename().string();
-    name.resize(name.size() - scanEnding(file).size());
-    if (name.ends_with(".seg"))
-        name.resize(name.size() - 4);
-    return name;
-}
-
 /// Sets the parts, numbered by their values, and their names; notes names without voxels.
 void nameParts(LabelMap& map, const ValueLabels& values, const GridFile& grid) {
     LabelTable table = labelTable(grid);
-    if (values.all().size() == 1 && values.all().contains(1) && table[1].name.empty())
-        table[1].name = plainName(grid.file);
     std::array<std::uint8_t, LabelMap::kMostParts + 1> label{};
     for (const auto& [value, found] : values.all()) {
         const StatedPart& stated = table[value];

@@ -18,9 +18,9 @@ enum class Unmarked {
 
 /// Reads the labels of `file` on the grid of the file. The parts are those that have voxels, in the order of their
 /// numbers, with the names and colours that the file has for them (label_table.h), or else the standard ones; notes
-/// say how many names have no voxels. If the only number is 1 and has no name, the file's own name is that of the part.
-/// Errors: those of readGridFile() and GridSamples; values that are no labels, being fractions or negative; more than
-/// 255 labels; none, where `unmarked` says so; not enough memory; cancelled().
+/// say how many names have no voxels. The file's own name is never that of a part: it may name the patient, and images
+/// say the names of parts. Errors: those of readGridFile() and GridSamples; values that are no labels, being fractions
+/// or negative; more than 255 labels; none, where `unmarked` says so; not enough memory; cancelled().
 Result<LabelMap> readLabelFile(const std::filesystem::path& file, const Progress& progress,
                                const OpenBytes& open = onDisk, Unmarked unmarked = Unmarked::refused);
 

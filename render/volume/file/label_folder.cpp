@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/volume/file/label_file.h"
+#include "render/volume/file/scan_endings.h"
 #include "render/volume/joined_labels.h"
 
 namespace pdr {
@@ -31,6 +32,15 @@ Result<std::vector<fs::path>> masksIn(const fs::path& folder) {
     return files;
 }
 
+/// Returns the name of a file without its endings: "liver" of "liver.nii.gz".
+std::string plainName(const std::filesystem::path& file) {
+    std::string name = file.filename().string();
+    name.resize(name.size() - scanEnding(file).size());
+    if (name.ends_with(".seg"))
+        name.resize(name.size() - 4);
+    return name;
+}
+
 }  // namespace
 
 Result<LabelMap> readLabelFolder(const fs::path& folder, const Progress& progress) {
@@ -47,6 +57,8 @@ Result<LabelMap> readLabelFolder(const fs::path& folder, const Progress& progres
                                              onDisk, Unmarked::taken);
         if (!map)
             return map;
+        if (map->parts.size() == 1 && map->parts[0].name == standardName(1))
+            map->parts[0].name = plainName((*files)[i]);
         if (map->parts.empty())
             ++empty;
         else if (auto ok = joined.add(*std::move(map)); !ok)

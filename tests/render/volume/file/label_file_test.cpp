@@ -110,14 +110,14 @@ class LabelFileTest : public QObject {
         QVERIFY(caretLabels("<LabelTable><Label Key=\"x\">a</Label><Label Key=\"1\"</Label></LabelTable>").empty());
     }
 
-    /// TotalSegmentator writes one file for each part: its name is the part's.
-    void aMaskHasTheNameOfItsFile() {
+    /// A file may be called by the patient, and images say the names of parts.
+    void aMaskAloneDoesNotHaveTheNameOfItsFile() {
         const auto map =
             read("kidney_left.nii.gz", test::deflated(labelNifti({0, 1, 1, 0, 0, 0, 0, 0}), test::kGzipFile));
         QVERIFY(bool(map));
-        QCOMPARE(map->parts[0].name, std::string("kidney_left"));
+        QCOMPARE(map->parts[0].name, std::string("part 1"));
         const auto slicer = read("tumour.seg.nrrd", labelNrrd({0, 1}, ""));
-        QCOMPARE(slicer->parts[0].name, std::string("tumour"));
+        QCOMPARE(slicer->parts[0].name, std::string("part 1"));
     }
 
     void whatIsNoLabelMapIsRefused() {
