@@ -290,6 +290,10 @@ class FilmOfRegionsTest : public QObject {
         Film film(wholeOf(scene), scene.revision);
         QVERIFY(film.merge(resultOf(scene, tile, 10)));  // which the blocks replace
         QVERIFY(film.merge(blocksOf(scene, tile, 128)));
+        const FilmContent between = film.content();
+        for (int y = tile.y; y < tile.y + tile.height; ++y)
+            for (int x = tile.x; x < tile.x + tile.width; ++x)
+                QVERIFY(between.block[std::size_t(y) * std::size_t(scene.film.x) + std::size_t(x)].sum == dvec3(0));
         QCOMPARE(film.fullBlocks(tile).size(), std::size_t(32 * 16));
         QVERIFY(film.fullBlocks({0, 0, 16, 16}).empty());
         QVERIFY(film.merge(resultOf(scene, tile, 192)));

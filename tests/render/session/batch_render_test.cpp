@@ -69,7 +69,8 @@ class FilmOfTiles final : public HostAccumulator {
             }
             if (told)
                 told(film_.samples());
-            while (orders.size() == stuckWith && told && !stop.stop_requested())
+            constexpr int kGivesUp = 20'000'000;  // after times that none of the limits here reaches
+            for (int i = 0; i < kGivesUp && orders.size() == stuckWith && told && !stop.stop_requested(); ++i)
                 told(film_.samples());
             if (stop.stop_requested())
                 return film_.samplesPerPixel();
