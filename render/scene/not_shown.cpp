@@ -51,7 +51,7 @@ Text listOf(const Names& names) {
 }  // namespace
 
 Text notShown(const Scene& scene) {
-    const Text masked = scene.mask ? scene.mask->hidden() : Text();
+    Text masked = scene.mask ? scene.mask->hidden() : Text();
     if (!scene.parts.map || isProjection(scene.model))
         return masked;
     const Names hidden = namesIn(PartState::hidden, scene), ghosts = namesIn(PartState::ghost, scene);
