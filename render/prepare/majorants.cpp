@@ -36,6 +36,7 @@ class CurveBound {
 
 std::vector<CurveBound> curveBounds(const FlatTransferFunction& common, const FlatParts& parts, HuRange domain) {
     std::vector<CurveBound> bounds;
+    bounds.reserve(std::size_t(std::max(parts.curveCount, 1)));
     for (int i = 0; i < parts.curveCount; ++i)
         bounds.emplace_back(parts.curves[i], domain);
     if (bounds.empty())
