@@ -2,7 +2,7 @@
 # Makes images of the README and the manual anew, each into resources/manual/pictures.
 #   tools/manual/manual_pictures.sh CHEST PICTURE...
 # CHEST: a folder of DICOM files of a chest with contrast. PICTURE: first looks-chest looks-parts looks-head looks-phantom models table;
-# none: all of them, an hour on two cores. SAMPLES may be set; else 1024 for `first`, 64. Those of the
+# none: all of them, an hour on two cores. SAMPLES may be set; else 256 for `first`, 64. Those of the
 # window: window_pictures.sh. Needs ./bootstrap build, the example's voxels and ImageMagick.
 set -euo pipefail
 
@@ -31,7 +31,7 @@ first() {
     for side in left right; do
         [ $side = left ] && look="Bone" || look="Vessels and bone"
         "$cli" render "$scratch/$side.json" -o "$scratch/$side.png" --annotations none --look "$look" --exposure auto --denoised \
-            --samples "${SAMPLES:-1024}" >/dev/null 2>&1
+            --samples "${SAMPLES:-256}" >/dev/null 2>&1
     done
     convert "$scratch/left.png" "$scratch/right.png" +append -fuzz 3% -trim -bordercolor black -border 16 -strip -quality 92 "$out/first.jpg"
 }
