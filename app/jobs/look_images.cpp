@@ -51,8 +51,8 @@ Result<LookImage> imageOf(const LookTask& task, Scene scene, const VolumeGeometr
         setup.stops = small->stops;
     Display display = displayOf(setup);
     display.denoised = canBeDenoised(scene);
-    const Image picture = pdr::imageOf(*small->film, display, stop);
-    const QImage bytes(picture.rgba.data(), kSmallImagePixels, kSmallImagePixels, QImage::Format_RGBX8888);
+    const Image rendered = pdr::imageOf(*small->film, display, stop);
+    const QImage bytes(rendered.rgba.data(), kSmallImagePixels, kSmallImagePixels, QImage::Format_RGBX8888);
     return LookImage{bytes.copy(), setup.stops};
 }
 
@@ -102,17 +102,17 @@ void LookImages::make(const std::shared_ptr<const Volume>& volume,
             clock.start();
             Scene scene = sceneOf(task.setup, coarse.volume, ivec2(kSmallImagePixels), coarse.partsOf(task.parts));
             scene.mask = coarse.maskOf(task.setup.look.visible, *parts, stop);
-            const auto picture = imageOf(task, std::move(scene), body, *device, stop);
+            const auto rendered = imageOf(task, std::move(scene), body, *device, stop);
             if (stop.stop_requested())
                 return [] {};
-            if (picture)
-                QMetaObject::invokeMethod(this, [this, stop, coarse, task, picture = *picture] {
+            if (rendered)
+                QMetaObject::invokeMethod(this, [this, stop, coarse, task, rendered = *rendered] {
                     if (stop.stop_requested())
                         return;
                     coarse_ = coarse;
                     std::erase_if(made_, [&](const LookTask& before) { return before.look == task.look; });
                     made_.push_back(task);
-                    emit made(task.look, picture.image, picture.stops);
+                    emit made(task.look, rendered.image, rendered.stops);
                 });
             if (!(first ? waitUntil(*imageStands, stop) : waitFor(kRestsPerWork * clock.elapsed(), stop)))
                 return [] {};

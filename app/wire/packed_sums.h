@@ -1,7 +1,7 @@
 #pragma once
 /// Compresses pixel sums, and moments alike, without loss and does not check their values: Film::merge validates them.
-/// Pixels are split
-/// into consecutive slices of kSlicePixels, the last one shorter, so that the working set stays in the cache. A slice:
+/// Pixels are split into consecutive slices of kSlicePixels, the last one shorter, so that the working set stays in the
+/// cache. A slice:
 ///   pixels   u32, little endian
 ///   own      u32: number of pixels that differ from the ground
 ///   rest     one zstd frame, of exactly:

@@ -85,14 +85,15 @@ void SharedRequest::auditPart(const WorkerStatus& worker, const Portion& portion
                               const Tile& part) {
     if (audits_.size() >= kMostAudits)
         return;
-    const LeaseResult claimed{result.number,
-                              part,
-                              result.samples,
-                              partOf(result.sums, result.tile, part),
-                              result.health,
-                              0,
-                              partOf(result.moments, result.tile, part)};
-    audits_.push_back({worker.id, worker.key, claimed, leaseOf({portion.number, part, portion.samples}), false});
+    LeaseResult claimed{result.number,
+                        part,
+                        result.samples,
+                        partOf(result.sums, result.tile, part),
+                        result.health,
+                        0,
+                        partOf(result.moments, result.tile, part)};
+    audits_.push_back(
+        {worker.id, worker.key, std::move(claimed), leaseOf({portion.number, part, portion.samples}), false});
 }
 
 std::optional<Audit> SharedRequest::nextAudit() {

@@ -2,12 +2,10 @@
 /// A skull made by formula, whose plane of symmetry and whose hole are known.
 
 #include <cmath>
-#include <cstdint>
 #include <numbers>
-#include <random>
 #include <utility>
 
-#include "render/volume/volume.h"
+#include "tests/support/scenes/noisy_scan.h"
 
 namespace pdr::test {
 
@@ -50,20 +48,7 @@ struct SkullPhantom {
 /// Returns a scan of it: 112 x 136 x 78 voxels of 1.3 x 1.3 x 1.8 mm, each the mean of 8 places, with noise of 15 HU.
 inline Volume scanOf(const SkullPhantom& skull) {
     const VolumeGeometry geometry = VolumeGeometry::aligned({112, 136, 78}, {1.3, 1.3, 1.8}, {-65.2, -94, -66.3});
-    std::mt19937 random(20261127);
-    std::normal_distribution<double> noise(0, 15);
-    Voxels voxels;
-    for (int z = 0; z < geometry.size.z; ++z)
-        for (int y = 0; y < geometry.size.y; ++y)
-            for (int x = 0; x < geometry.size.x; ++x) {
-                double sum = 0;
-                for (int part = 0; part < 8; ++part) {
-                    const dvec3 off(part & 1 ? 0.25 : -0.25, part & 2 ? 0.25 : -0.25, part & 4 ? 0.25 : -0.25);
-                    sum += skull.hu(dvec3(geometry.patientFromIndex * dvec4(dvec3(x, y, z) + off, 1)));
-                }
-                voxels.push_back(std::int16_t(std::lround(sum / 8 + noise(random))));
-            }
-    return Volume(geometry, std::move(voxels));
+    return noisyScan(geometry, 15, [&](const dvec3& mm) { return skull.hu(mm); });
 }
 
 }  // namespace pdr::test

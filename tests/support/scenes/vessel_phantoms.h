@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <functional>
-#include <random>
 #include <vector>
 
-#include "render/volume/volume.h"
+#include "tests/support/scenes/noisy_scan.h"
 
 namespace pdr::test {
 
@@ -82,20 +80,7 @@ inline VesselPhantom lungVessels() {
 /// 20 HU.
 inline Volume scanOf(const VesselPhantom& phantom) {
     const VolumeGeometry geometry = VolumeGeometry::aligned({160, 120, 72}, {0.85, 0.85, 1.4}, {-67.6, -50.6, 0});
-    std::mt19937 random(20261127);
-    std::normal_distribution<double> noise(0, 20);
-    Voxels voxels;
-    for (int z = 0; z < geometry.size.z; ++z)
-        for (int y = 0; y < geometry.size.y; ++y)
-            for (int x = 0; x < geometry.size.x; ++x) {
-                double sum = 0;
-                for (int part = 0; part < 8; ++part) {
-                    const dvec3 off(part & 1 ? 0.25 : -0.25, part & 2 ? 0.25 : -0.25, part & 4 ? 0.25 : -0.25);
-                    sum += phantom.hu(dvec3(geometry.patientFromIndex * dvec4(dvec3(x, y, z) + off, 1)));
-                }
-                voxels.push_back(std::int16_t(std::lround(sum / 8 + noise(random))));
-            }
-    return Volume(geometry, std::move(voxels));
+    return noisyScan(geometry, 20, [&](const dvec3& mm) { return phantom.hu(mm); });
 }
 
 }  // namespace pdr::test
