@@ -33,7 +33,7 @@ float thinBound(const FlatVolume& volume) {
 }
 
 bool showsThinTissue(const FlatTransferFunction& function, const FlatVolume& volume) {
-    constexpr float kEnough = 64;
+    constexpr float kEnough = 96;
     const float thin = thinBound(volume) / function.extinctionPerMm;
     float hu = 0;
     for (int i = 1; i + 1 < function.pieceCount; ++i)

@@ -9,7 +9,7 @@ namespace pdr {
 /// Returns FlatScene::thinBound [1/mm].
 float thinBound(const FlatVolume& volume);
 
-/// Returns whether the curve shows tissue that is thin enough to be looked at over at least 64 HU, between its
+/// Returns whether the curve shows tissue that is thin enough to be looked at over at least 96 HU, between its
 /// outermost nodes.
 bool showsThinTissue(const FlatTransferFunction& function, const FlatVolume& volume);
 

@@ -259,6 +259,8 @@ class LookFlightTest : public QObject {
         };
         QVERIFY(looks(4, {{.hu = 30, .opacity = 0}, {.hu = 200, .opacity = 0.012f}, {.hu = 300, .opacity = 1}}));
         QVERIFY(!looks(4, {{.hu = 30, .opacity = 0}, {.hu = 60, .opacity = 0.012f}, {.hu = 300, .opacity = 1}}));
+        QVERIFY(looks(4, {{.hu = 30, .opacity = 0}, {.hu = 130, .opacity = 0.017f}, {.hu = 300, .opacity = 1}}));
+        QVERIFY(!looks(4, {{.hu = 30, .opacity = 0}, {.hu = 115, .opacity = 0.017f}, {.hu = 300, .opacity = 1}}));
         QVERIFY(!looks(400, {{.hu = 30, .opacity = 0}, {.hu = 200, .opacity = 0.012f}, {.hu = 300, .opacity = 1}}));
         QVERIFY(!looks(4, {{.hu = -500, .opacity = 0}, {.hu = 300, .opacity = 0}, {.hu = 310, .opacity = 1}}));
     }
