@@ -115,11 +115,14 @@ constexpr Command kCommands[] = {
      "[SCENE.json] [--device D] [--threads N] [--seconds S] [--width N] [--height N]\n"
      "                            [--samples N] [--per-launch N] [--nodes N] [--tiles N] [--launch S]\n"
      "                            [--sample S] [--pixel S] [--serial S] [--latency S] [--bandwidth B] [--message S]\n"
-     "                            [--pixel-bytes B] [--sum-bytes B] [--json] [--plots DIR] [--measured FILE]",
+     "                            [--pixel-bytes B] [--order-bytes B] [--sum-bytes B] [--checked P]\n"
+     "                            [--coordinator N] [--relays N] [--scan-bytes B] [--json] [--plots DIR]\n"
+     "                            [--measured FILE]",
      "Says what many render nodes would make of this machine's times: frames a second, latency, efficiency and bytes "
      "of\n"
-     "five ways to share frames out, by formulas and, where it is a star, played event by event. Measures a node "
-     "first.\n",
+     "five ways to share frames out, by formulas and, where it is a star, played event by event; what ends the gain "
+     "of\n"
+     "more nodes; and when all of them have the scan. Measures a node first.\n",
      "  --device D       cpu (default), cuda, cuda:1, auto or emulated\n"
      "  --threads N      threads of the CPU; default 0: one per core\n"
      "  --seconds S      for which each of 15 kinds of frame is measured; default 0.1\n"
@@ -136,8 +139,13 @@ constexpr Command kCommands[] = {
      "  --latency S      of a message, one way; default 0.0001\n"
      "  --bandwidth B    bytes a second of a link; default 125000000\n"
      "  --message S      that a message costs who shows the image; default 0.00002\n"
-     "  --pixel-bytes B  of a pixel that is finished; default 4\n"
-     "  --sum-bytes B    of a pixel to which others add; default 16\n"
+     "  --pixel-bytes B  of a finished pixel from a node; default 25\n"
+     "  --order-bytes B  of requests, per finished pixel; default 7\n"
+     "  --sum-bytes B    of a pixel's 64 samples, to which others add; default 18\n"
+     "  --checked P      part of the samples that the coordinator takes again; default 0.02\n"
+     "  --coordinator N  speed of the coordinator, in nodes; default 1\n"
+     "  --relays N       between coordinator and nodes; default 0\n"
+     "  --scan-bytes B   of a scan on its way to a node; default 72000000\n"
      "  --json           print JSON instead of tables\n"
      "  --plots DIR      write rate.svg, latency.svg, efficiency.svg and bytes.svg there\n"
      "  --measured FILE  compare with runs of real nodes: JSON, see the manual's nodes-scaling.md\n"},

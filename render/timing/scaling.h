@@ -33,8 +33,13 @@ struct ScalingFacts {
     double tilesPerNode = 8;       ///< requested; >= 1
     double leastTilePixels = 256;  ///< least size of a tile: nodes beyond pixels / this have nothing to do; >= 1
     Link link;
-    double pixelBytes = 4;  ///< bytes of a finished pixel: 8 bits per channel
-    double sumBytes = 16;   ///< bytes of a pixel's sums, to which others add: floats
+    double pixelBytes = 25;     ///< a finished pixel from a node: mean and variance of up to 1024 samples, packed; > 0
+    double orderBytes = 7;      ///< requests and what goes with them, per finished pixel; > 0
+    double sumBytes = 18;       ///< a pixel's sums of a block, to which others add, packed
+    double checkedPart = 0.02;  ///< part of the samples that the coordinator takes again; from 0 to 1
+    double coordinatorNodes = 1;  ///< speed of the coordinator, in nodes; > 0
+    double relays = 0;            ///< machines between coordinator and nodes, which pass on the scan and check; 0: none
+    double scanBytes = 72e6;      ///< a scan on the wire: 512 x 512 x 600 voxels, packed; >= 0
 };
 
 struct ScaledFrames {

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""nodes_scaling.py PROGRAMS OUT.json: renders one picture by 1 and by 2 render nodes, each a process with one thread on one core
-of its own, and writes what `pdrender-bench scale --measured OUT.json` compares. By hand, on Linux.
+"""nodes_scaling.py PROGRAMS OUT.json: renders one image by 1, 2, 4, 8 and 16 render nodes (--nodes), each a process with one thread,
+and writes what `pdrender-bench scale --measured OUT.json` compares. By hand, on Linux. Cores may be fewer than nodes.
 
-nodes_scaling.py PROGRAMS --counts: renders one picture by 1 to 16 such nodes, in blocks of samples, and compares the messages of
+nodes_scaling.py PROGRAMS --counts: renders one image by 1 to 16 such nodes, in blocks of samples, and compares the messages of
 orders and results with what the model has for them: two for each block. Cores may be fewer than nodes.
 
-The clock is the nodes' own processor time while the picture is made, the mean of the nodes, so that what the coordinator and
+The clock is the nodes' own processor time while the image is made, the mean of the nodes, so that what the coordinator and
 others take of the cores does not count; nor does what a node waits for: the time on the wall is printed beside it. What a piece
-of work costs a node beside its samples (leaseSeconds) follows from one node and pictures of two sizes, whose samples come in
+of work costs a node beside its samples (leaseSeconds) follows from one node and images of two sizes, whose samples come in
 pieces of other sizes. Messages are orders and results; bytes are those from the nodes, TLS and all."""
 
 import argparse
@@ -41,7 +41,7 @@ class Coordinator:
 
     def __init__(self, arguments, folder, nodes, size, samples):
         self.said = folder / "said"
-        command = [arguments.programs / "pdrender-cli", "render", folder / "ct", "-o", folder / "picture.exr",
+        command = [arguments.programs / "pdrender-cli", "render", folder / "ct", "-o", folder / "image.exr",
                    "--size", size, "--samples", str(samples), "--threads", "1", "--nodes-only",
                    "--split", arguments.split, "--listen", "127.0.0.1:0", "--bundle", folder / "certificates/coordinator",
                    "--await", str(nodes)]
@@ -65,7 +65,7 @@ def start_node(arguments, folder, address, core):
                             preexec_fn=lambda: os.sched_setaffinity(0, {core}))
 
 
-def picture(arguments, folder, nodes, size, samples):
+def image(arguments, folder, nodes, size, samples):
     coordinator = Coordinator(arguments, folder, nodes, size, samples)
     address = coordinator.wait_for(r"^waiting for nodes at (\S+)$")[1]
     cores = sorted(os.sched_getaffinity(0))
@@ -92,12 +92,12 @@ def compare_counts(arguments, folder):
     foretold = 2 * math.ceil(arguments.samples / BLOCK)
     print("nodes  messages  foretold")
     for nodes in (1, 2, 4, 8, 16):
-        messages = picture(arguments, folder, nodes, arguments.size, arguments.samples)["messages"]
+        messages = image(arguments, folder, nodes, arguments.size, arguments.samples)["messages"]
         print(f"{nodes:5}  {messages:8}  {foretold:8}  {100 * (foretold / messages - 1):+.1f} %", flush=True)
 
 
 def lease_seconds(runs):
-    """Seconds of one node = samples * a + leases * b, from two pictures."""
+    """Seconds of one node = samples * a + leases * b, from two images."""
     (s1, l1, t1), (s2, l2, t2) = runs
     return max(0.0, (t2 * s1 - t1 * s2) / (l2 * s1 - l1 * s2))
 
@@ -118,6 +118,7 @@ def main():
     parser.add_argument("--size", default="240x180")
     parser.add_argument("--samples", type=int, default=1024)
     parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--nodes", default="1,2,4,8,16")
     parser.add_argument("--split", default="tiles", choices=["tiles", "samples"])
     arguments = parser.parse_args()
     if arguments.counts == (arguments.out is not None):
@@ -131,18 +132,18 @@ def main():
         subprocess.run([arguments.programs / "pdrender-cli", "example", folder / "ct"], check=True, capture_output=True)
         if arguments.counts:
             return compare_counts(arguments, folder)
-        kinds = [(1, f"{small[0]}x{small[1]}", 4 * arguments.samples), (1, arguments.size, arguments.samples),
-                 (2, arguments.size, arguments.samples)]
-        rounds = [[picture(arguments, folder, *kind) for kind in kinds] for _ in range(arguments.rounds)]
+        kinds = [(1, f"{small[0]}x{small[1]}", 4 * arguments.samples)]
+        kinds += [(int(nodes), arguments.size, arguments.samples) for nodes in arguments.nodes.split(",")]
+        rounds = [[image(arguments, folder, *kind) for kind in kinds] for _ in range(arguments.rounds)]
     for run in (run for kind in zip(*rounds) for run in kind):
         print(json.dumps(run))
-    few, one, two = (middle(kind) for kind in zip(*rounds))
-    lease = lease_seconds([facts(few, small[0] * small[1]), facts(one, width * height)])
+    few, *runs = (middle(kind) for kind in zip(*rounds))
+    lease = lease_seconds([facts(few, small[0] * small[1]), facts(runs[0], width * height)])
     print(f"leaseSeconds {lease:.6f}")
     arguments.out.write_text(json.dumps({
         "format": "pdrender-scale-runs", "formatVersion": 1, "width": width, "height": height, "clock": "processor",
         "leaseSeconds": lease, "machine": f"nodes of one core, {arguments.split}, medians of {arguments.rounds}",
-        "runs": [one, two]}, indent=1) + "\n")
+        "runs": runs}, indent=1) + "\n")
 
 
 main()

@@ -51,6 +51,13 @@ MeasuredRuns runsFrom(const Json& json) {
     return runs;
 }
 
+/// Returns the bytes of a run whose messages are as large as those of one node.
+std::optional<double> bytesOf(const MeasuredRun& run, const MeasuredRun& one) {
+    if (!run.bytes || !run.messages || !one.bytes || !one.messages || *one.messages == 0)
+        return std::nullopt;
+    return *one.bytes * *run.messages / *one.messages;
+}
+
 }  // namespace
 
 const MeasuredRun& MeasuredRuns::ofOne() const {
@@ -95,7 +102,7 @@ std::vector<ComparedRun> compared(const MeasuredRuns& runs, ScalingFacts facts) 
         facts.node.sample *= rate(runs.ofOne()) / runs.ofOne().iterationsPerSecond;
     std::vector<ComparedRun> all;
     for (const MeasuredRun& run : runs.runs)
-        all.push_back({run, rate(run)});
+        all.push_back({run, rate(run), bytesOf(run, runs.ofOne())});
     return all;
 }
 

@@ -51,14 +51,18 @@ Result<MeasuredRuns> measuredRunsFrom(const std::string& text, const std::string
 /// A run, and its prediction from the run of one node.
 struct ComparedRun {
     MeasuredRun run;
-    double foretold = 0;  ///< predicted iterations per second
+    double foretold = 0;                  ///< predicted iterations per second
+    std::optional<double> foretoldBytes;  ///< predicted; null without messages and bytes
 
     double off() const { return foretold / run.iterationsPerSecond - 1; }
+    std::optional<double> bytesOff() const {
+        return foretoldBytes && *run.bytes > 0 ? std::optional(*foretoldBytes / *run.bytes - 1) : std::nullopt;
+    }
 };
 
-/// Predicts all runs. The image is one frame of as many iterations as each run has, divided into tiles: half as many as
-/// there were messages, where that is known. `facts`: those of this machine; alpha is scaled until one node takes as
-/// long as in the run of one node.
+/// Predicts all runs, with messages as large as those of one node. The image is one frame of as many iterations as each
+/// run has, divided into tiles: half as many as there were messages, where that is known. `facts`: those of this
+/// machine; alpha is scaled until one node takes as long as in the run of one node.
 std::vector<ComparedRun> compared(const MeasuredRuns& runs, ScalingFacts facts);
 
 }  // namespace pdr::bench::scale

@@ -24,6 +24,10 @@ constexpr std::array<Way, kDistributions> kWays{{
     {"sort-last: bricks", "R / m^(2/3) pixels a brick; binary swap: Ma et al. 1994; 28 bytes a sample"},
 }};
 
+constexpr std::array kLimits{"results fill the link", "requests fill the link",
+                             "messages take all of the coordinator's time", "checks take all of the coordinator's time",
+                             "no tile is left"};
+
 std::vector<double> nodeCounts(double most) {
     std::set<double> counts{1, most};
     for (double n = 2; n <= std::min(most, 64.0); n *= 2)
@@ -62,7 +66,26 @@ Json factsJson(const ScalingFacts& facts) {
             {"bytesPerSecond", facts.link.bytesPerSecond},
             {"messageSeconds", facts.link.messageSeconds},
             {"pixelBytes", facts.pixelBytes},
-            {"sumBytes", facts.sumBytes}};
+            {"orderBytes", facts.orderBytes},
+            {"sumBytes", facts.sumBytes},
+            {"checkedPart", facts.checkedPart},
+            {"coordinatorNodes", facts.coordinatorNodes},
+            {"relays", facts.relays},
+            {"scanBytes", facts.scanBytes}};
+}
+
+Json limitsJson(const Report& report) {
+    Json json = Json::array();
+    for (const auto& [limit, nodes] : report.limits)
+        json.push_back({{"limit", limitText(limit)}, {"nodes", number(nodes)}});
+    return json;
+}
+
+Json scanJson(const Report& report) {
+    Json json = Json::array();
+    for (const auto& [nodes, seconds] : report.scan)
+        json.push_back({{"nodes", nodes}, {"seconds", seconds}});
+    return json;
 }
 
 Json runJson(const ComparedRun& run) {
@@ -72,6 +95,7 @@ Json runJson(const ComparedRun& run) {
               {"foretold", run.foretold}};
     json["messages"] = run.run.messages ? Json(*run.run.messages) : Json();
     json["bytes"] = run.run.bytes ? Json(*run.run.bytes) : Json();
+    json["foretoldBytes"] = run.foretoldBytes ? Json(*run.foretoldBytes) : Json();
     return json;
 }
 
@@ -99,8 +123,14 @@ const Way& wayOf(Distribution how) {
     return kWays[std::size_t(how)];
 }
 
+const char* limitText(NodeLimit limit) {
+    return kLimits[std::size_t(limit)];
+}
+
 Report reportOf(const std::string& node, const ScalingFacts& facts, double mostNodes) {
-    Report report{node, facts, {}, {}, {}};
+    Report report{node, facts, {}, limitsOf(facts), {}, {}, {}};
+    for (const double nodes : nodeCounts(mostNodes))
+        report.scan.push_back({nodes, scanSeconds(facts, nodes)});
     for (std::size_t way = 0; way < kDistributions; ++way)
         for (const double nodes : nodeCounts(mostNodes))
             report.rows[way].push_back(
@@ -115,6 +145,8 @@ std::string json(const Report& report) {
               {"facts", factsJson(report.facts)},
               {"floorPixels", number(floorPixels(report.facts.node, report.facts.work))},
               {"floorNodes", number(floorNodes(report.facts))},
+              {"limits", limitsJson(report)},
+              {"scan", scanJson(report)},
               {"ways", Json::array()},
               {"runs", Json::array()}};
     for (std::size_t way = 0; way < kDistributions; ++way) {

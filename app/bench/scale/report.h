@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/bench/scale/measured_runs.h"
-#include "render/timing/scaling.h"
+#include "render/timing/node_limits.h"
 
 namespace pdr::bench::scale {
 
@@ -18,10 +18,18 @@ struct Row {
     std::optional<ScaledFrames> played;  ///< from the event simulation; null if the way is not a star
 };
 
+/// Time until all of a number of nodes have the scan.
+struct ScanRow {
+    double nodes = 1;
+    double seconds = 0;
+};
+
 struct Report {
     std::string node;  ///< description of the node that the times are of
     ScalingFacts facts;
     std::array<std::vector<Row>, kDistributions> rows;  ///< for each way, by number of nodes
+    std::vector<LimitedNodes> limits;                   ///< the lowest first
+    std::vector<ScanRow> scan;                          ///< by number of nodes
     std::string machine;                                ///< machine of the runs
     std::vector<ComparedRun> runs;
 };
@@ -32,6 +40,8 @@ struct Way {
     const char* source;
 };
 const Way& wayOf(Distribution how);
+/// Describes a limit, such as "results fill the link".
+const char* limitText(NodeLimit limit);
 
 /// Makes a report for 1, 2, 4, ... 64 nodes, whole decades from 100 on, and `mostNodes`, which is the largest.
 Report reportOf(const std::string& node, const ScalingFacts& facts, double mostNodes);

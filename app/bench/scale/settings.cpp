@@ -11,10 +11,11 @@ namespace pdr::bench::scale {
 
 namespace {
 
-constexpr const char* kNames[] = {"--device",  "--threads",     "--seconds",   "--width",   "--height",
-                                  "--samples", "--per-launch",  "--launch",    "--sample",  "--pixel",
-                                  "--serial",  "--latency",     "--bandwidth", "--message", "--tiles",
-                                  "--nodes",   "--pixel-bytes", "--sum-bytes", "--plots",   "--measured"};
+constexpr const char* kNames[] = {"--device",      "--threads",     "--seconds",     "--width",   "--height",
+                                  "--samples",     "--per-launch",  "--launch",      "--sample",  "--pixel",
+                                  "--serial",      "--latency",     "--bandwidth",   "--message", "--tiles",
+                                  "--nodes",       "--pixel-bytes", "--sum-bytes",   "--plots",   "--measured",
+                                  "--order-bytes", "--checked",     "--coordinator", "--relays",  "--scan-bytes"};
 
 /// Reads values by their names, and keeps the first error.
 class Reader {
@@ -78,7 +79,12 @@ Result<void> readNumbers(const Options& options, Settings& settings) {
     reader.whole("--tiles", 1, facts.tilesPerNode);
     reader.whole("--nodes", 1, settings.mostNodes);
     reader.positive("--pixel-bytes", facts.pixelBytes);
+    reader.positive("--order-bytes", facts.orderBytes);
     reader.positive("--sum-bytes", facts.sumBytes);
+    reader.positive("--checked", facts.checkedPart);
+    reader.positive("--coordinator", facts.coordinatorNodes);
+    reader.whole("--relays", 0, facts.relays);
+    reader.positive("--scan-bytes", facts.scanBytes);
     facts.work.pixels = double(width) * height;
     settings.measuresNode = !(settings.launch && settings.sample && settings.pixel && settings.serial);
     return reader.result();

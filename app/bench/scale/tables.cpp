@@ -66,7 +66,10 @@ std::string factsText(const Report& report) {
            whole(facts.tilesPerNode) + " tiles a node\nThe link: " + milliseconds(facts.link.latency) +
            " ms one way, " + bytes(facts.link.bytesPerSecond) + "/s, " + milliseconds(facts.link.messageSeconds) +
            " ms a message; " + plain(facts.pixelBytes) + " bytes a finished pixel, " + plain(facts.sumBytes) +
-           " of sums\n";
+           " of sums; " + plain(facts.orderBytes) +
+           " bytes of requests for each\nChecks: " + plain(100 * facts.checkedPart) +
+           " % of the samples by a coordinator as fast as " + plain(facts.coordinatorNodes) + " nodes; " +
+           whole(facts.relays) + " relays; a scan of " + bytes(facts.scanBytes) + "\n";
 }
 
 /// Returns sentences about where the paper's limit for many nodes is wrong, and why.
@@ -90,12 +93,26 @@ std::string floorText(const Report& report) {
            fraction(worst.told.efficiency) + " of the time goes into samples.\n";
 }
 
+/// Returns what ends the gain of more nodes with tiles, and when all have the scan.
+std::string limitsText(const Report& report) {
+    paper::TextTable limits({"more nodes than these gain nothing", "nodes"});
+    for (const auto& [limit, nodes] : report.limits)
+        limits.add({limitText(limit), std::isfinite(nodes) ? digits(nodes) : "never"});
+    paper::TextTable scan({"nodes", "seconds until all have the scan"}, 0);
+    for (const auto& [nodes, seconds] : report.scan)
+        scan.add({whole(nodes), digits(seconds)});
+    return limits.text() + "\n" + scan.text();
+}
+
 std::string runsText(const Report& report) {
-    paper::TextTable table({"nodes", "iterations", "measured it/s", "foretold it/s", "off", "messages", "bytes"}, 0);
+    paper::TextTable table(
+        {"nodes", "iterations", "measured it/s", "foretold it/s", "off", "messages", "bytes", "foretold bytes", "off"},
+        0);
     for (const ComparedRun& run : report.runs)
         table.add({whole(run.run.nodes), whole(run.run.iterations), digits(run.run.iterationsPerSecond),
                    digits(run.foretold), signedPercent(run.off()), run.run.messages ? whole(*run.run.messages) : "-",
-                   run.run.bytes ? bytes(*run.run.bytes) : "-"});
+                   run.run.bytes ? bytes(*run.run.bytes) : "-", run.foretoldBytes ? bytes(*run.foretoldBytes) : "-",
+                   run.bytesOff() ? signedPercent(*run.bytesOff()) : "-"});
     return "\nRuns of real nodes" + (report.machine.empty() ? "" : ", " + report.machine) +
            "; foretold from the one of one node\n\n" + table.text();
 }
@@ -109,7 +126,7 @@ std::string tables(const Report& report) {
         text.append("\n").append(name).append("\n  after: ").append(source).append("\n\n");
         text += wayTable(report.rows[way]);
     }
-    text.append("\n").append(floorText(report));
+    text.append("\n").append(limitsText(report)).append("\n").append(floorText(report));
     return report.runs.empty() ? text : text + runsText(report);
 }
 

@@ -163,6 +163,32 @@ class BenchScaleTest : public QObject {
         QVERIFY(all[1].foretold > 19 && all[1].foretold < 20.1);
     }
 
+    void bytesAreHeldAgainstThoseOfOneNode() {
+        const auto runs = measuredRunsFrom(
+            R"({"format": "pdrender-scale-runs", "formatVersion": 1, "width": 480, "height": 270, "runs": [
+                {"nodes": 1, "iterations": 256, "iterationsPerSecond": 10, "messages": 100, "bytes": 2000},
+                {"nodes": 2, "iterations": 256, "iterationsPerSecond": 19, "messages": 150, "bytes": 2500},
+                {"nodes": 2, "iterations": 256, "iterationsPerSecond": 19, "bytes": 2500},
+                {"nodes": 2, "iterations": 256, "iterationsPerSecond": 19, "messages": 150}]})",
+            "runs.json");
+        QVERIFY(runs);
+        const auto all = compared(*runs, facts());
+        QVERIFY(std::fabs(*all[1].bytesOff() - 0.2) < 1e-12);
+        QVERIFY(!all[2].bytesOff());
+        QVERIFY(!all[3].bytesOff());
+    }
+
+    void whatEndsTheGainIsSaid() {
+        const QByteArray text = outputOf(with(kGiven, {"--relays", "3", "--nodes", "64"}));
+        for (const NodeLimit limit :
+             {NodeLimit::results, NodeLimit::orders, NodeLimit::messages, NodeLimit::checks, NodeLimit::tiles})
+            QVERIFY2(text.contains(limitText(limit)), limitText(limit));
+        QVERIFY(text.contains("3 relays"));
+        const QJsonObject json = QJsonDocument::fromJson(outputOf(with(kGiven, {"--json", "--nodes", "64"}))).object();
+        QCOMPARE(json["limits"].toArray().size(), 5);
+        QCOMPARE(json["scan"].toArray().last()["nodes"].toInt(), 64);
+    }
+
     /// One node spends 1 s of 10 s on 1000 pieces of work; two nodes have 600 each.
     void piecesOfWorkCostTime() {
         const auto runs = measuredRunsFrom(

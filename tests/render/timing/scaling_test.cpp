@@ -15,6 +15,8 @@ ScalingFacts paperFacts(std::uint32_t perLaunch = 1) {
     facts.tilesPerNode = 1;
     facts.leastTilePixels = 1;
     facts.link = {0, 1e30, 0};
+    facts.pixelBytes = 4;
+    facts.sumBytes = 16;
     return facts;
 }
 
