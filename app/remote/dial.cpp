@@ -35,9 +35,8 @@ void Dial::beginTls() {
     socket_ = tls;
     tls->setSslConfiguration(*identity_.tls);
     connect(tls, &QSslSocket::encrypted, this, &Dial::arrived);
-    connect(tls, &QSslSocket::sslErrors, this, [this](const QList<QSslError>& errors) {
-        fail(phrase("its certificate is not believed: %1", errors.front().errorString().toStdString()),
-             ErrorKind::refused);
+    connect(tls, &QSslSocket::sslErrors, this, [this, tls](const QList<QSslError>& errors) {
+        fail(whyUnbelieved(errors, tls->peerCertificate(), identity_), ErrorKind::refused);
     });
 }
 

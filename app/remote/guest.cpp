@@ -28,8 +28,9 @@ Guest::Guest(qintptr descriptor, const Identity& identity, std::chrono::millisec
     if (auto* tls = qobject_cast<QSslSocket*>(socket_)) {
         connect(socket_, &QTcpSocket::readyRead, this, &Guest::spoke);
         connect(tls, &QSslSocket::encrypted, this, &Guest::check);
-        connect(tls, &QSslSocket::sslErrors, this,
-                [this](const QList<QSslError>& errors) { refusal_ = errors.front().errorString(); });
+        connect(tls, &QSslSocket::sslErrors, this, [this, tls](const QList<QSslError>& errors) {
+            refusal_ = QString::fromStdString(whyUnbelieved(errors, tls->peerCertificate(), identity_));
+        });
     }
     patience_.setSingleShot(true);
     connect(&patience_, &QTimer::timeout, this, [this] { leave("it took too long"); });

@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QSslKey>
+#include <algorithm>
 
 #include "app/remote/signed_certificate.h"
 #include "render/base/plain_file.h"
@@ -51,7 +52,7 @@ Result<void> checkCertificate(const QSslCertificate& certificate, Role role, con
         return refused(phrase("this is not the certificate of a %1", folderOf(role).toStdString()), path,
                        phrase("Give the part of the bundle named %1.", folderOf(role).toStdString()));
     if (now > certificate.expiryDate())
-        return refused(phrase("this certificate holds no longer"), path, makeNewOnes());
+        return refused(phrase("this certificate has expired"), path, makeNewOnes());
     if (now < certificate.effectiveDate())
         return refused(phrase("this certificate does not hold yet"), path, phrase("Check this machine's clock."));
     return {};
@@ -152,6 +153,20 @@ Text whyNot(const QSslCertificate& peer, const Identity& self) {
     if (self.revoked.contains(commonName(peer)))
         return phrase("its certificate, %1, is revoked", commonName(peer).toStdString());
     return {};
+}
+
+Text whyUnbelieved(const QList<QSslError>& errors, const QSslCertificate& peer, const Identity& self) {
+    const auto hasExpired = [now = QDateTime::currentDateTimeUtc()](const QSslCertificate& certificate) {
+        return now > certificate.expiryDate();
+    };
+    // Without a valid authority, TLS only says that it does not know the peer's.
+    if (std::ranges::any_of(self.tls->caCertificates() + self.tls->localCertificateChain(), hasExpired))
+        return phrase(
+            "this machine's certificates have expired: make new ones for the coordinator and all nodes, and "
+            "start the programs again");
+    if (!peer.isNull() && hasExpired(peer))
+        return phrase("its certificate has expired");
+    return phrase("its certificate is not believed: %1", errors.front().errorString().toStdString());
 }
 
 }  // namespace pdr::remote

@@ -4,6 +4,7 @@
 
 #include <QSslCertificate>
 #include <QSslConfiguration>
+#include <QSslError>
 #include <optional>
 
 #include "app/remote/address.h"
@@ -42,5 +43,9 @@ QString ownName(const QSslCertificate& certificate);
 /// Returns why the peer of `self` with that certificate is not the one expected, for a peer whose signature TLS has
 /// verified; empty if it is.
 Text whyNot(const QSslCertificate& peer, const Identity& self);
+
+/// Returns why TLS does not believe the certificate of the peer of `self`: by this machine's clock, a certificate of
+/// either side has expired; else the first of `errors`. Programs may run longer than their certificates are valid.
+Text whyUnbelieved(const QList<QSslError>& errors, const QSslCertificate& peer, const Identity& self);
 
 }  // namespace pdr::remote

@@ -5766,6 +5766,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>seine GPU hat versagt, und seine CPU macht weiter: %1</translation>
     </message>
     <message>
+        <source>its certificate has expired</source>
+        <translation>sein Zertifikat ist abgelaufen</translation>
+    </message>
+    <message>
         <source>its certificate is not believed: %1</source>
         <translation>seinem Zertifikat wird nicht geglaubt: %1</translation>
     </message>
@@ -7510,8 +7514,8 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>dieses Zertifikat gilt noch nicht</translation>
     </message>
     <message>
-        <source>this certificate holds no longer</source>
-        <translation>dieses Zertifikat gilt nicht mehr</translation>
+        <source>this certificate has expired</source>
+        <translation>dieses Zertifikat ist abgelaufen</translation>
     </message>
     <message>
         <source>this figure is drawn on a slice</source>
@@ -7608,6 +7612,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>this look cannot be written: %1</source>
         <translation>diese Darstellung kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>this machine's certificates have expired: make new ones for the coordinator and all nodes, and start the programs again</source>
+        <translation>die Zertifikate dieses Rechners sind abgelaufen: Erstellen Sie neue für den Koordinator und alle Render-Rechner und starten Sie die Programme neu</translation>
     </message>
     <message>
         <source>this name is too long</source>

@@ -5766,6 +5766,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>su GPU ha fallado y sigue con su CPU: %1</translation>
     </message>
     <message>
+        <source>its certificate has expired</source>
+        <translation>su certificado ha caducado</translation>
+    </message>
+    <message>
         <source>its certificate is not believed: %1</source>
         <translation>no se acepta su certificado: %1</translation>
     </message>
@@ -7510,8 +7514,8 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>este certificado aún no es válido</translation>
     </message>
     <message>
-        <source>this certificate holds no longer</source>
-        <translation>este certificado ya no es válido</translation>
+        <source>this certificate has expired</source>
+        <translation>este certificado ha caducado</translation>
     </message>
     <message>
         <source>this figure is drawn on a slice</source>
@@ -7608,6 +7612,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>this look cannot be written: %1</source>
         <translation>no se puede escribir este aspecto: %1</translation>
+    </message>
+    <message>
+        <source>this machine's certificates have expired: make new ones for the coordinator and all nodes, and start the programs again</source>
+        <translation>los certificados de este equipo han caducado: cree otros para el coordinador y todos los equipos de render, y vuelva a iniciar los programas</translation>
     </message>
     <message>
         <source>this name is too long</source>

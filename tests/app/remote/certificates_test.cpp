@@ -264,7 +264,7 @@ class CertificatesTest : public QObject {
         const auto now = std::chrono::system_clock::now();
         const QString old = folder_.filePath("old"), early = folder_.filePath("early");
         QVERIFY(makeCertificates(old, 0, now - kCertificatesHold));
-        QVERIFY(refusalOf(old, Role::node).contains("no longer"));
+        QVERIFY(refusalOf(old, Role::node).contains("expired"));
         QVERIFY(makeCertificates(early, 0, now + std::chrono::days(2)));
         QVERIFY(refusalOf(early, Role::node).contains("not hold yet"));
     }

@@ -52,6 +52,16 @@ Identity ofTime(Role role, days from, days until) {
     return showing(role, made(nameIn(role), false, &authority(), from, until));
 }
 
+/// Believes in an authority that has expired.
+Identity ofOldAuthority(Role role) {
+    static const SignedCertificate old = made("ours", true, nullptr, days(-9), days(-1));
+    const SignedCertificate own = made(nameIn(role), false, &old);
+    return {role,
+            tlsConfiguration({QSslCertificate(old.certificatePem())}, {QSslCertificate(own.certificatePem())},
+                             QSslKey(own.keyPem(), QSsl::Ec)),
+            {}};
+}
+
 Identity ofOtherRole(Role role) {
     return showing(role, made(nameIn(other(role)), false, &authority()));
 }
@@ -153,6 +163,31 @@ class HandshakesTest : public QObject {
             QCOMPARE(meeting.dialling.ends, 1);
             qInfo("%s | %s", qPrintable(meeting.listening.reason), qPrintable(meeting.dialling.reason));
         }
+    }
+
+    /// Programs may run longer than their certificates are valid. TLS speaks of a strange authority then.
+    void expiredCertificatesAreSaid_data() {
+        const Role c = Role::coordinator, n = Role::node;
+        QTest::addColumn<Identity>("listens");
+        QTest::addColumn<Identity>("dials");
+        QTest::addColumn<QString>("listener");
+        QTest::addColumn<QString>("dialler");
+        const QString ours = "this machine's certificates have expired", theirs = "its certificate has expired";
+        QTest::addRow("both sides'") << ofOldAuthority(n) << ofOldAuthority(c) << QString() << ours;
+        QTest::addRow("the dialler's") << right(n) << ofTime(c, days(-9), days(-1)) << theirs << QString();
+        QTest::addRow("the listener's") << ofTime(n, days(-9), days(-1)) << right(c) << QString() << theirs;
+        QTest::addRow("of a stranger") << rogue(n) << right(c) << QString() << QString("not believed");
+    }
+    void expiredCertificatesAreSaid() {
+        QFETCH(Identity, listens);
+        QFETCH(Identity, dials);
+        QFETCH(QString, listener);
+        QFETCH(QString, dialler);
+        Meeting meeting(listens, dials);
+        meeting.begin();
+        QTRY_VERIFY_WITH_TIMEOUT(meeting.isSettled(), kPatience);
+        QVERIFY2(meeting.listening.reason.contains(listener), qPrintable(meeting.listening.reason));
+        QVERIFY2(meeting.dialling.reason.contains(dialler), qPrintable(meeting.dialling.reason));
     }
 
     /// Trying again is of no use where the other side is somebody else.
