@@ -35,13 +35,6 @@ void RenderBridge::submit(const Scene& scene, bool moving) {
     newest_ = scene.revision;
     if (!moving)
         oldestShown_ = newest_;
-    if (moving && movingUnseen_) {
-        next_ = scene;
-        return;
-    }
-    next_.reset();
-    movingUnseen_ = moving;
-    submitted_ = scene.revision;
     session_.submit(scene, moving);
 }
 
@@ -139,8 +132,6 @@ void RenderBridge::setYielding(bool yielding) {
 void RenderBridge::clear() {
     session_.clear();
     oldestShown_ = newest_ + 1;
-    next_.reset();
-    movingUnseen_ = false;
     lastFrame_.reset();
 }
 
@@ -188,10 +179,6 @@ void RenderBridge::deliver() {
     oldestShown_ = frame->revision;
     lastFrame_ = frame->error.empty() ? frame : nullptr;
     reached_ = frame->reached;
-    if (frame->revision == submitted_)
-        movingUnseen_ = false;
-    if (next_ && !movingUnseen_)
-        submit(*std::exchange(next_, std::nullopt), true);
     if (const QString device = QString::fromStdString(frame->device); !device.isEmpty() && device != device_) {
         device_ = device;
         emit deviceChanged(device_);

@@ -60,8 +60,7 @@ class RenderBridge : public QObject {
     void observeEffects(EffectsObserver observer);
 
   public slots:
-    /// Renders `scene`. `moving`: the user is dragging; such scenes are taken one at a time, so that each of them is
-    /// seen, and the newest one comes next.
+    /// Renders `scene`. `moving`: the user is dragging; see Session::submit().
     void submit(const pdr::Scene& scene, bool moving);
     void setDisplay(const pdr::Display& display);
     /// Sets whether frames come with an error map.
@@ -113,9 +112,6 @@ class RenderBridge : public QObject {
     std::mutex mutex_;
     std::shared_ptr<const Frame> waiting_;  ///< guarded by mutex_: the newest frame that the window has not seen
     std::shared_ptr<const Frame> lastFrame_;
-    std::optional<Scene> next_;      ///< newest scene of a drag, until the one before has been seen
-    bool movingUnseen_ = false;      ///< a scene of a drag has been submitted and not been seen yet
-    std::uint64_t submitted_ = 0;    ///< revision of the scene submitted last
     std::uint64_t newest_ = 0;       ///< revision of the newest scene
     std::uint64_t oldestShown_ = 0;  ///< frames of earlier revisions are stale
     Display display_;

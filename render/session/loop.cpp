@@ -54,8 +54,10 @@ void Session::Loop::take(const RenderCommands::Iteration& step) {
         switchTo(step.device);
     bool isBack = false;  // the next step says what is still to do on a film that came back
     if (step.order) {
+        const double start = clock_();
         revision_ = step.order->scene.revision;
         isBack = begin(*step.order, step.stop);
+        times_ = {.taken = start, .begun = clock_()};
     }
     if (step.watch)
         effectCosts_.watch(*step.watch);
@@ -72,6 +74,7 @@ RenderCommands::LoopState Session::Loop::state() {
         .revision = place_.hasScene() ? place_.revision() : 0,
         .owed = film && (display_.awaitsFirst() || coarse() || isHalfMade()),
         .lingers = film && (brightens_ || (moving_ && coarse() && !display_.awaitsFirst())),
+        .passing = film && moving_ && display_.awaitsFirst(),
         .progress = film ? progress() : ImageProgress(),
         .unshown = film && hasSamples() && (scheduler_.hasIterations() || display_.hasWaiting() || display_.isFresh()),
         .unjudged = canSnapshot() && canJudge() && quality_.denoised().isStale(partSamples()),

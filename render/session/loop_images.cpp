@@ -23,7 +23,7 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
     const bool atOnce = display_.isFresh() || coarse() || scheduler_.isTimed() || !adds;
     const std::stop_token& stop = step.redisplay || !givesWay() ? step.stop : step.detour;
     const bool edited = showsEdit(display), featured = findFeatures(step, display, adds);
-    const double start = clock_();
+    const double start = times_.sampled = clock_();
     const bool guided = display.denoised && !edited &&
                         display_.findGuide(place_, ResolutionLadder::finer(scheduler_.divider()), step.stop);
     Result<DisplayPipeline::Images> images = edited || featured ? makeHelped(asked, display, adds, stop)
@@ -123,7 +123,9 @@ Result<void> Session::Loop::timeDisplay(const Display& display, std::uint32_t n,
 
 void Session::Loop::send(DisplayPipeline::Images images, std::uint32_t n) {
     for (DisplayedImage& image : images) {
-        std::shared_ptr<const Frame> frame = frameOf(std::move(image), n);
+        const std::shared_ptr<Frame> frame = frameOf(std::move(image), n);
+        frame->times = times_;
+        frame->times.made = clock_();
         if (!frame->coarse) {
             shown_ = frame;
             returning_ = nullptr;

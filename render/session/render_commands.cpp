@@ -21,11 +21,14 @@ std::vector<RenderCommands::SnapshotRequest> taken(std::vector<RenderCommands::S
 
 }  // namespace
 
-/// When a drag ends without a change, the same revision is submitted again: its film continues.
+/// When a drag ends without a change, the same revision is submitted again: its film continues. The image of a drag
+/// that is being made is not broken off by the next scene of the drag: a mouse that reports faster than images are made
+/// would leave none.
 void RenderCommands::submit(Scene scene, bool moving) {
     const std::lock_guard lock(mutex_);
     if (newest_ != scene.revision) {
-        breakOff();
+        if (!moving || !passing_)
+            breakOff();
         stop_.isSuspended = false;
     }
     newest_ = scene.revision;
@@ -154,12 +157,22 @@ void RenderCommands::breakOff() {
     detour_.request_stop();
 }
 
+/// Returns whether a scene is waiting that can be taken now.
+bool RenderCommands::isDue(const LoopState& state) const {
+    return scene_ && !(scene_->moving && state.passing);
+}
+
+/// Returns whether the scene of `revision` is waiting, whether or not it can be taken now.
+bool RenderCommands::isToCome(std::uint64_t revision) const {
+    return scene_ && scene_->scene.revision == revision;
+}
+
 /// Returns whether a request is waiting that can be handled now.
 bool RenderCommands::asked(const LoopState& state) const {
     const bool look = std::any_of(looks_.begin(), looks_.end(), [&](const SnapshotRequest& look) {
-        return !state.film || state.canSnapshot || look.revision != state.revision;
+        return !state.film || state.canSnapshot || (look.revision != state.revision && !isToCome(look.revision));
     });
-    return clear_ || scene_ || device_ || displayChanged_ || keptMemory_ || look;
+    return clear_ || isDue(state) || device_ || displayChanged_ || keptMemory_ || look;
 }
 
 bool RenderCommands::renders(const LoopState& state) const {
@@ -185,7 +198,9 @@ std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& s
     step.clear = std::exchange(clear_, false);
     step.device = std::exchange(device_, nullptr);
     step.watch = std::exchange(watch_, std::nullopt);
-    step.order = std::exchange(scene_, std::nullopt);
+    if (isDue(state))
+        step.order = std::exchange(scene_, std::nullopt);
+    passing_ = step.order ? step.order->moving : state.passing;
     step.render = renders(state) || step.order;
     step.redisplay = displayChanged_;
     step.pace = pace_;
@@ -198,13 +213,14 @@ std::optional<RenderCommands::Iteration> RenderCommands::next(const LoopState& s
 }
 
 /// Removes and returns the snapshot requests that can never be answered. A scene is submitted before its snapshot is
-/// requested, so a scene that is neither current nor in this step will not come.
+/// requested, so a scene that is neither current nor in this step nor waiting will not come.
 std::vector<RenderCommands::SnapshotRequest> RenderCommands::takeUnanswerable(const LoopState& state,
                                                                               const Iteration& step) {
     const bool stays = !step.clear && (state.film || (state.scene && step.device));
     const std::uint64_t revision = step.order ? step.order->scene.revision : state.revision;
-    return taken(looks_,
-                 [&](const SnapshotRequest& look) { return !(step.order || stays) || look.revision != revision; });
+    return taken(looks_, [&](const SnapshotRequest& look) {
+        return !isToCome(look.revision) && (!(step.order || stays) || look.revision != revision);
+    });
 }
 
 bool RenderCommands::snapshotRequested(std::uint64_t revision) {

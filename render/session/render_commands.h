@@ -36,6 +36,8 @@ class RenderCommands {
         /// The next work may be wasted or in the way, because a user who has just moved soon moves on: wait kStill
         /// first.
         bool lingers = false;
+        /// A scene of a drag still waits for its first image; newer ones of the drag wait for that.
+        bool passing = false;
         ImageProgress progress;
         bool unshown = false;      ///< the film holds samples that have not been shown
         bool unjudged = false;     ///< its denoised image was judged with fewer samples
@@ -99,6 +101,8 @@ class RenderCommands {
     static constexpr auto kStill = std::chrono::milliseconds(100);
 
     bool asked(const LoopState& state) const;
+    bool isDue(const LoopState& state) const;
+    bool isToCome(std::uint64_t revision) const;
     bool renders(const LoopState& state) const;
     std::vector<SnapshotRequest> takeUnanswerable(const LoopState& state, const Iteration& step);
     void breakOff();
@@ -107,6 +111,7 @@ class RenderCommands {
     std::condition_variable_any changed_;
     std::optional<SceneOrder> scene_;
     std::optional<std::uint64_t> newest_;  ///< revision of the scene that was submitted last
+    bool passing_ = false;                 ///< see LoopState; of the running step
     DeviceOpener device_;
     std::optional<EffectsWatch> watch_;
     Display display_;

@@ -29,6 +29,14 @@ namespace pdr {
 struct EffectCosts;
 struct Scene;
 
+/// When an image was made, on the session's clock [s].
+struct FrameTimes {
+    double taken = 0;    ///< the render thread took the scene
+    double begun = 0;    ///< the device had the scene
+    double sampled = 0;  ///< the image had its samples
+    double made = 0;     ///< the frame was complete
+};
+
 /// One displayed image, or an error or notice for the user.
 struct Frame {
     std::uint64_t revision = 0;  ///< revision of the scene that the frame belongs to
@@ -60,6 +68,7 @@ struct Frame {
     bool reached = false;             ///< the rule is met: rendering stops until more is requested
     Text error;                       ///< message for the user if rendering failed and stopped; else empty
     Text notice;                      ///< sentences for the user if rendering continues, but not as requested
+    FrameTimes times;                 ///< zeros in a frame that repeats an earlier image
     std::vector<ErrorPoint> history;  ///< error over time; see ErrorHistory::points()
     /// Error map of the image, from at most as many samples as the film has; null if not requested or coarse.
     std::shared_ptr<const LevelErrorMap> errorMap;
@@ -118,8 +127,9 @@ class Session {
 
     /// Renders `scene` from now on; a running launch for an older scene is cancelled. The first frame comes soon and is
     /// coarse, unless the device can render a full one equally soon. Finer frames follow as soon as they are no worse.
-    /// `moving`: the user still drags, so finer frames follow only while the pointer stands still. Submit the scene
-    /// again with false when the drag ends.
+    /// `moving`: the user still drags, so finer frames follow only while the pointer stands still; such scenes are
+    /// taken one at a time, so that each that is taken is seen, and the newest comes next. Submit the scene again with
+    /// false when the drag ends.
     void submit(Scene scene, bool moving);
     /// Shows the current film with other display settings; rendering does not restart.
     void setDisplay(const Display& display);

@@ -1,21 +1,24 @@
 /// Measures how long an image takes to follow an interaction, in the real window: from the event to the end of the
 /// painting of the first image that shows it.
-///   interaction FOLDER [--seconds S] [--threads N]
+///   interaction FOLDER [--seconds S] [--threads N] [--only GESTURE]
 /// FOLDER holds a CT. Each gesture takes S seconds (default 10), with events as a mouse sends them, 125 a second: a
-/// drag that rotates, one of the brightness, one of a node of the tissue's opacity. Then single edits, views and looks,
-/// each after a rest of a second; and views, looks and tissue undone and redone, where an image answers only if it has
-/// all samples that it had before it was left. Prints a line each: events that were answered, milliseconds (median, 99
-/// in 100, most), images a second, the median of their widths, and the ratio of the processor time of the whole program
-/// to wall time; and below it how long single events kept the window busy, in wall time and in its own processor time.
+/// drag that rotates (turn), one of the brightness, one of a node of the tissue's opacity (node). Then single edits,
+/// views and looks, each after a rest of a second; and views, looks and tissue undone and redone (undo), where an image
+/// answers only if it has all samples that it had before it was left. Prints a line each: events that were answered,
+/// milliseconds (median, 99 in 100, most), images a second, the median of their widths, and the ratio of the processor
+/// time of the whole program to wall time; and below it how long single events kept the window busy, in wall time and
+/// in its own processor time, and the parts of the way from an event to the first image of its scene, the median and 99
+/// in 100 of each: until the render thread took the scene, until the device had it, the samples, making the image, and
+/// until it was painted.
 
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <ctime>
 #include <deque>
@@ -57,10 +60,12 @@ struct Unanswered {
     }
 };
 
+/// The parts of the way from an event to its image.
+constexpr std::array<const char*, 5> kParts{"waited", "begun", "samples", "image", "painted"};
+
 class Stopwatch {
   public:
     explicit Stopwatch(Desktop& desktop) : desktop_(desktop) {
-        clock_.start();
         QObject::connect(&desktop.bridge(), &RenderBridge::frameReady,
                          [this](const std::shared_ptr<const Frame>& frame) { painted(*frame); });
     }
@@ -87,7 +92,7 @@ class Stopwatch {
     void report(const char* name) {
         const double seconds = 1e-3 * (nowMs() - beganMs_);
         std::printf(
-            "%-22s %4zu answered   median %6.1f ms   p99 %6.1f ms   most %6.1f ms   %5.1f pictures/s   "
+            "%-22s %4zu answered   median %6.1f ms   p99 %6.1f ms   most %6.1f ms   %5.1f images/s   "
             "%4.0f px wide   cpu %.2f\n",
             name, latencies_.size(), at(latencies_, 0.5), at(latencies_, 0.99), at(latencies_, 1),
             double(widths_.size()) / seconds, at(widths_, 0.5),
@@ -100,6 +105,7 @@ class Stopwatch {
             "", application.times.size(), application.at(0.5, &EventTime::wallMs),
             application.at(0.99, &EventTime::wallMs), application.at(1, &EventTime::wallMs),
             application.at(0.99, &EventTime::processorMs), application.at(1, &EventTime::processorMs));
+        reportParts();
         std::fflush(stdout);
         begin();
     }
@@ -108,6 +114,7 @@ class Stopwatch {
         latencies_.clear();
         widths_.clear();
         unanswered_.clear();
+        parts_ = {};
         static_cast<test::TimedApplication*>(qApp)->times.clear();
         beganMs_ = nowMs();
         beganCpu_ = std::clock();
@@ -116,7 +123,24 @@ class Stopwatch {
     const std::shared_ptr<const Frame>& last() const { return desktop_.bridge().lastFrame(); }
 
   private:
-    double nowMs() const { return 1e-6 * double(clock_.nsecsElapsed()); }
+    static double nowMs() { return 1e3 * steadySeconds(); }
+
+    void reportParts() const {
+        if (parts_[0].empty())
+            return;
+        std::printf("%-22s %4zu of scenes' first images", "", parts_[0].size());
+        for (std::size_t i = 0; i < kParts.size(); ++i)
+            std::printf("   %s %.1f, p99 %.1f", kParts[i], at(parts_[i], 0.5), at(parts_[i], 0.99));
+        std::printf(" ms\n");
+    }
+
+    /// Takes down the parts of the way of an event that is answered now by the first image of a scene.
+    void takeParts(double eventMs, const FrameTimes& times) {
+        const std::array<double, kParts.size() + 1> moments{
+            eventMs, 1e3 * times.taken, 1e3 * times.begun, 1e3 * times.sampled, 1e3 * times.made, nowMs()};
+        for (std::size_t i = 0; i < kParts.size(); ++i)
+            parts_[i].push_back(moments[i + 1] - moments[i]);
+    }
 
     void painted(const Frame& frame) {
         desktop_.window().viewport().repaint();
@@ -124,16 +148,20 @@ class Stopwatch {
         // Displays have no order: those before the one that is shown were overtaken by it.
         const auto answered = std::find_if(unanswered_.rbegin(), unanswered_.rend(),
                                            [&](const Unanswered& event) { return event.isAnsweredBy(frame); });
+        const bool isFirst = frame.revision != std::exchange(shown_, frame.revision) && frame.times.taken > 0;
         for (auto left = unanswered_.rend() - answered; left > 0; --left) {
+            if (isFirst)
+                takeParts(unanswered_.front().atMs, frame.times);
             latencies_.push_back(nowMs() - unanswered_.front().atMs);
             unanswered_.pop_front();
         }
     }
 
     Desktop& desktop_;
-    QElapsedTimer clock_;
     std::deque<Unanswered> unanswered_;
     std::vector<double> latencies_, widths_;
+    std::array<std::vector<double>, kParts.size()> parts_;
+    std::uint64_t shown_ = 0;  ///< revision of the last image
     double beganMs_ = 0;
     std::clock_t beganCpu_ = std::clock();
 };
@@ -227,7 +255,7 @@ void undos(Desktop& desktop, Stopwatch& watch, double seconds) {
     });
 }
 
-int run(const QString& folder, double seconds, int threads) {
+int run(const QString& folder, double seconds, int threads, const QString& only) {
     QTemporaryDir settings;
     Desktop desktop(*bundledLooks(), makeCpuDevice(threads), settings.filePath("settings.ini"), threads);
     Stopwatch watch(desktop);
@@ -235,20 +263,19 @@ int run(const QString& folder, double seconds, int threads) {
     desktop.window().panelToggle("Tissue")->trigger();
     desktop.open(folder);
     if (!QTest::qWaitFor([&] { return watch.last() && !watch.last()->coarse; }, 600'000)) {
-        std::printf("no picture of %s\n", qPrintable(folder));
+        std::printf("no image of %s\n", qPrintable(folder));
         return 1;
     }
     watch.report("loading");
     const QSize view = desktop.window().viewport().sizeInPixels();
     std::printf("%s, view of %d x %d pixels\n", qPrintable(folder), view.width(), view.height());
-    turn(desktop, watch, seconds);
-    QTest::qWait(3000);
-    brighten(desktop, watch, seconds);
-    QTest::qWait(1000);
-    bend(desktop, watch, seconds);
-    QTest::qWait(3000);
-    edits(desktop, watch, seconds);
-    undos(desktop, watch, seconds);
+    using Gesture = void (*)(Desktop&, Stopwatch&, double);
+    for (const auto& [name, gesture] : std::initializer_list<std::pair<const char*, Gesture>>{
+             {"turn", turn}, {"brightness", brighten}, {"node", bend}, {"edits", edits}, {"undo", undos}})
+        if (only.isEmpty() || only == name) {
+            QTest::qWait(3000);
+            gesture(desktop, watch, seconds);
+        }
     return 0;
 }
 
@@ -263,10 +290,11 @@ int main(int argc, char** argv) {
     parser.addPositionalArgument("FOLDER", "a folder with a CT");
     parser.addOption({"seconds", "of each gesture", "S", "10"});
     parser.addOption({"threads", "0: one per core", "N", "0"});
+    parser.addOption({"only", "turn, brightness, node, edits or undo", "GESTURE"});
     parser.addHelpOption();
     parser.process(application);
     if (parser.positionalArguments().size() != 1)
         parser.showHelp(2);
     return pdr::app::run(parser.positionalArguments()[0], parser.value("seconds").toDouble(),
-                         parser.value("threads").toInt());
+                         parser.value("threads").toInt(), parser.value("only"));
 }

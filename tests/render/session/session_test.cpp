@@ -76,6 +76,50 @@ class SessionTest : public QObject {
         QVERIFY(next->detour.stop_requested() && next->stop.stop_requested());
     }
 
+    /// A mouse that reports faster than images are made would else leave none. A hand that lets go waits for nothing.
+    void theImageOfADragIsMadeBeforeTheNextSceneOfTheDrag() {
+        RenderCommands commands;
+        commands.submit(someScene(1), true);
+        const auto first = commands.next({}, {});
+        QVERIFY(first && first->order);
+        commands.submit(someScene(2), true);
+        commands.submit(someScene(3), true);
+        QVERIFY(!first->stop.stop_requested() && !first->detour.stop_requested());
+        RenderCommands::LoopState state{.scene = true, .film = true, .revision = 1, .owed = true, .passing = true};
+        const auto second = commands.next(state, {});
+        QVERIFY(second && !second->order && second->render);
+        state.owed = state.passing = false;  // its image is there
+        const auto third = commands.next(state, {});
+        QVERIFY(third && third->order);
+        QCOMPARE(third->order->scene.revision, std::uint64_t(3));
+        commands.submit(someScene(4), false);
+        QVERIFY(third->stop.stop_requested());
+    }
+
+    /// The finer images while a hand rests are broken off when it moves on.
+    void aHandThatMovesOnWaitsForNoFinerImage() {
+        RenderCommands commands;
+        commands.submit(someScene(1), true);
+        QVERIFY(commands.next({}, {}));
+        const auto finer = commands.next({.scene = true, .film = true, .revision = 1, .owed = true}, {});
+        QVERIFY(finer && !finer->order);
+        commands.submit(someScene(2), true);
+        QVERIFY(finer->stop.stop_requested());
+    }
+
+    void aSnapshotOfASceneThatWaitsIsAnswered() {
+        RenderCommands commands;
+        commands.submit(someScene(1), true);
+        QVERIFY(commands.next({}, {}));
+        commands.submit(someScene(2), true);
+        commands.requestSnapshot(2, [](const Result<FilmView>&) {});
+        const RenderCommands::LoopState state{
+            .scene = true, .film = true, .revision = 1, .owed = true, .passing = true};
+        QVERIFY(commands.next(state, {})->unanswerable.empty());
+        commands.submit(someScene(3), true);  // now it never comes
+        QCOMPARE(commands.next(state, {})->unanswerable.size(), std::size_t(1));
+    }
+
     void newestSceneWinsAtOnceInExposureRendersOrderToo() {
         test::Screen screen;
         Session session(makeCpuDevice(), screen.sink());
