@@ -173,14 +173,21 @@ std::shared_ptr<const Majorants> Flattener::majorantsOf(const PreparedScene& pre
     if (!newest_ || newest_.use_count() > 1)
         newest_ = std::make_shared<Majorants>();
     std::atomic_thread_fence(std::memory_order_acquire);  // another thread may have let go of it
-    newest_->compute(*prepared.ranges, prepared.tables, size, prepared.flat.mask, prepared.flat.parts);
+    if (mask_ != prepared.mask) {
+        mask_ = prepared.mask;
+        weights_ = {prepared.flat.mask, size, prepared.ranges->fineSize()};
+    }
+    newest_->compute(*prepared.ranges, prepared.tables, size, weights_, prepared.flat.parts);
     return newest_;
 }
 
 void Flattener::bound(PreparedScene& prepared) {
     const bool sameVolume = last_ && last_->ranges && last_->volume == prepared.volume;
-    if (!sameVolume)
+    if (!sameVolume) {
         newest_ = spare_ = nullptr;
+        mask_ = nullptr;
+        weights_ = {};
+    }
     prepared.ranges = sameVolume ? last_->ranges : std::make_shared<const CellRanges>(*prepared.volume);
     prepared.majorants = sameVolume && sameMajorants(*last_, prepared) ? last_->majorants : majorantsOf(prepared);
     flattenMajorants(prepared);

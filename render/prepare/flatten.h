@@ -28,6 +28,8 @@ class Flattener {
     /// Majorants computed last, and those before, whose memory the next ones take once no scene needs them: to clear
     /// new memory takes longer than to compute them.
     std::shared_ptr<Majorants> newest_, spare_;
+    std::shared_ptr<const Mask> mask_;  ///< mask of weights_; null: none
+    HighestWeights weights_;
 };
 
 }  // namespace pdr

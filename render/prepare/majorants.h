@@ -3,6 +3,7 @@
 
 #include "render/base/huge_pages.h"
 #include "render/kernel/flat_scene.h"
+#include "render/prepare/highest_weights.h"
 #include "render/prepare/transfer_tables.h"
 #include "render/volume/ranges.h"
 
@@ -16,10 +17,12 @@ struct Majorants {
     Majorants() = default;
     Majorants(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize, const FlatMask& mask = {},
               const FlatParts& parts = {}) {
-        compute(ranges, tables, volumeSize, mask, parts);
+        HighestWeights weights(mask, volumeSize, ranges.fineSize());
+        compute(ranges, tables, volumeSize, weights, parts);
     }
-    /// Computes them anew, in the memory of those before. `parts`: the curves of the scene, where it has parts.
-    void compute(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize, const FlatMask& mask,
+    /// Computes them anew, in the memory of those before. `weights`: of the scene's mask; `parts`: the curves of the
+    /// scene, where it has parts.
+    void compute(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize, HighestWeights& weights,
                  const FlatParts& parts);
 };
 

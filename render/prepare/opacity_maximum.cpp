@@ -6,25 +6,24 @@ namespace pdr {
 
 OpacityMaximum::OpacityMaximum(const FlatTransferFunction& function, HuRange domain) : first_(domain.lowest) {
     const int bins = std::max(int(domain.highest) - domain.lowest, 0);
-    stride_ = std::size_t(bins);
-    points_.resize(bins + 1);
-    maxima_.resize(bins);
+    stride_ = bins + 1;
+    maxima_.resize(std::size_t(2) * stride_);
     const auto whole = [this](int i) { return std::int16_t(first_ + i); };
     for (int i = 0; i <= bins; ++i)
-        points_[i] = highestOpacity(function, {whole(i), whole(i)});
+        maxima_[i] = highestOpacity(function, {whole(i), whole(i)});
     for (int i = 0; i < bins; ++i)
-        maxima_[i] = highestOpacity(function, {whole(i), whole(i + 1)});
+        maxima_[stride_ + i] = highestOpacity(function, {whole(i), whole(i + 1)});
     for (int width = 1; 2 * width <= bins; width *= 2) {
-        const std::size_t below = maxima_.size() - stride_;
-        maxima_.resize(maxima_.size() + stride_);
+        const std::size_t below = maxima_.size() - std::size_t(stride_);
+        maxima_.resize(maxima_.size() + std::size_t(stride_));
         for (int i = 0; i <= bins - 2 * width; ++i)
             maxima_[below + stride_ + i] = std::max(maxima_[below + i], maxima_[below + i + width]);
     }
     for (int i = 0; i <= bins; ++i)
-        if (points_[i] > 0)
+        if (maxima_[i] > 0)
             seen_.include({whole(i), whole(i)});
     for (int i = 0; i < bins; ++i)
-        if (maxima_[i] > 0)
+        if (maxima_[stride_ + i] > 0)
             seen_.include({whole(i), whole(i + 1)});
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <vector>
 
 #include "render/kernel/bounds/cell_bound.h"
@@ -20,25 +21,25 @@ class OpacityMaximum {
     float over(HuRange range) const;
 
   private:
+    /// Returns the level of the maxima over that many bins: the number of binary digits that it has. No bit_width(),
+    /// since all cells of a row are looked up at once.
+    static int levelOf(int bins) { return int(std::bit_cast<std::uint32_t>(float(2 * bins + 1)) >> 23) - 127; }
+
     int first_;
-    std::vector<float> points_;  ///< opacity at first_ + i
-    /// Maxima: maxima_[l * stride_ + i] is the maximum over bins i .. i + 2^l - 1; bin i is [first_ + i, first_ + i +
-    /// 1].
+    /// maxima_[i]: opacity at first_ + i; maxima_[(l + 1) * stride_ + i]: maximum over bins i .. i + 2^l - 1; bin i is
+    /// [first_ + i, first_ + i + 1].
     std::vector<float> maxima_;
-    std::size_t stride_;          ///< number of bins
+    int stride_;                  ///< number of bins and 1
     HuRange seen_ = kEmptyRange;  ///< HU outside of which all is 0: most cells of a CT need no look at the table
 };
 
 inline float OpacityMaximum::over(HuRange range) const {
-    if (range.highest < seen_.lowest || range.lowest > seen_.highest || range.empty())
-        return 0;
-    const unsigned from = unsigned(int(range.lowest) - first_);
-    const unsigned bins = unsigned(int(range.highest) - range.lowest);
-    if (bins == 0)
-        return points_[from];
-    const int level = std::bit_width(bins) - 1;
-    const float* maxima = maxima_.data() + std::size_t(level) * stride_;
-    return std::max(maxima[from], maxima[from + bins - (1u << level)]);
+    const bool isDark = range.highest < seen_.lowest || range.lowest > seen_.highest || range.empty();
+    const int from = isDark ? 0 : range.lowest - first_, bins = isDark ? 0 : range.highest - range.lowest;
+    const int level = levelOf(bins);
+    const float* maxima = maxima_.data() + level * stride_;
+    const float most = std::max(maxima[from], maxima[from + bins - ((1 << level) >> 1)]);
+    return isDark ? 0 : most;
 }
 
 }  // namespace pdr

@@ -11,6 +11,7 @@
 
 #include "render/kernel/medium.h"
 #include "render/kernel/random.h"
+#include "tests/support/scenes/masks.h"
 #include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
@@ -189,6 +190,22 @@ class MajorantTest : public QObject {
         for (unsigned i = 0; i < held.size(); ++i) {
             scene.transferFunction = edit(4 * i);
             QVERIFY(held[i]->majorants->fine == Flattener().prepare(scene)->majorants->fine);
+        }
+    }
+
+    /// What is known of a mask is kept while the curve is edited, and not when another one comes.
+    void boundsAreThoseOfTheirOwnMask() {
+        Scene scene = test::plainScene(volume(), 1);
+        scene.film = {1, 1};
+        Flattener flattener;
+        for (unsigned number = 0; number < 12; ++number) {
+            const unsigned seed = number / 3;
+            if (number % 3 == 0)
+                scene.mask = seed % 4 == 3 ? nullptr : test::anyMask(*scene.volume, seed + 1);
+            scene.transferFunction = edit(number);
+            const auto prepared = flattener.prepare(scene), alone = Flattener().prepare(scene);
+            QVERIFY(prepared->majorants->fine == alone->majorants->fine);
+            QVERIFY(prepared->majorants->coarse == alone->majorants->coarse);
         }
     }
 };
