@@ -5,6 +5,7 @@
 #include "render/base/background_thread.h"
 #include "render/base/thrown.h"
 #include "render/kernel/random.h"
+#include "render/scene/not_shown.h"
 #include "render/scene/scene.h"
 #include "render/session/known_bias.h"
 
@@ -89,6 +90,7 @@ void Session::Loop::clear() {
     effectCosts_.forget();
     kept_.clear();
     scene_ = {};
+    notShown_ = {};
     place_.close();
 }
 
@@ -117,6 +119,7 @@ bool Session::Loop::begin(const RenderCommands::SceneOrder& order, const std::st
     }
     edits_.follow(scene_, order.scene);
     scene_ = order.scene;
+    notShown_ = pdr::notShown(scene_);
     effectCosts_.follow(scene_, commands.display());
     display_.dropCoarser();
     if (!moving_ && comeBack(stop))

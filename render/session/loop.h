@@ -131,6 +131,7 @@ class Session::Loop {
     FilmOnDevice place_;
     bool onFallback_ = false;
     Scene scene_;                 ///< scene as submitted
+    Text notShown_;               ///< what its image does not show; many frames state it
     std::uint64_t revision_ = 0;  ///< revision of the scene submitted last, even if it failed
     bool moving_ = false;
     FrameTimes times_;        ///< of the scene and of its image in progress

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "render/scene/not_shown.h"
 #include "render/session/known_bias.h"
 #include "render/session/loop.h"
 #include "render/smooth/non_local_means.h"
@@ -149,7 +148,7 @@ std::shared_ptr<Frame> Session::Loop::frameOf(DisplayedImage image, std::uint32_
     // Describe the scene
     label(*frame);
     frame->camera = scene_.camera;
-    frame->notShown = pdr::notShown(scene_);
+    frame->notShown = notShown_;
     frame->clip = scene_.clip;
     frame->ctDenoised = isCtDenoised(*scene_.volume);
     frame->estimator = scene_.estimator;

@@ -4,6 +4,8 @@
 
 #include "render/kernel/transport/free_flight.h"
 #include "render/prepare/flatten.h"
+#include "render/scene/part_styles.h"
+#include "render/volume/label_fit.h"
 #include "tests/support/scenes/part_scenes.h"
 
 using namespace pdr;
@@ -24,6 +26,21 @@ Scene numberedParts(const std::function<int(ivec3)>& label) {
 float depthAlongX(const Scene& scene, float y, float z) {
     const auto prepared = Flattener().prepare(scene);
     return freeFlight(prepared->flat, {{-0.5f, y, z}, {1, 0, 0}, 24}, 1e9f).passed;
+}
+
+/// A label map of a scan's grid with one label on the patient's right and another on the left, named so.
+LabelMap twoSides(const VolumeGeometry& grid) {
+    LabelMap map;
+    map.geometry = grid;
+    for (std::size_t at = 0; at < grid.voxelCount(); ++at)
+        map.labels.push_back(std::uint8_t(int(at) % grid.size.x < grid.size.x / 2 ? 1 : 2));
+    map.parts = {{"kidney_right", {}}, {"kidney_left", {}}};  // +x is the patient's left
+    return map;
+}
+
+std::string refusal(const VolumeGeometry& scan, const LabelMap& map) {
+    const auto placed = labelsOn(scan, map, Resampling::nearest);
+    return placed ? "it was taken" : std::string(placed.error().what);
 }
 
 bool isNear(float value, float truth) {
@@ -83,6 +100,60 @@ class HardPartsTest : public QObject {
         QVERIFY(naive > 5.9f);
         QVERIFY(worst < 1e-5f);
         QVERIFY(isNear(depthAlongX(scene, 5, 5), 3 * 24));
+    }
+
+    /// Case 71. Two kidneys of one name: whoever looks for the first one shows half of them.
+    void firstPartOfANameIsTakenForAll() {
+        Scene scene = numberedParts([](ivec3 voxel) { return voxel.x < 12 ? 1 : 2; });
+        auto map = std::make_shared<LabelMap>(*scene.parts.map);
+        map->parts = {{"kidney", {}}, {"kidney", {}}};
+        scene.parts = {};
+        scene.transferFunction = {3, {{.hu = 0, .opacity = 1}}};
+        const auto first = std::ranges::find(map->parts, std::string("kidney"), &MappedPart::name) - map->parts.begin();
+        int naive = 0;
+        for (const std::uint8_t label : map->labels)
+            naive += label == first + 1;
+        QCOMPARE(naive, int(map->labels.size()) / 2);
+        const PartStyles hidden{.styles = {{.part = "kidney", .state = PartState::hidden}}};
+        const Scene shown = withParts(scene, map, hidden);
+        QVERIFY(shown.check());
+        QCOMPARE(depthAlongX(shown, 5, 5), 0.0f);
+    }
+
+    /// Case 72. A header that counts from the corners of voxels puts every part half a voxel beside its place.
+    void nearestVoxelTakesAMapThatIsShifted() {
+        const VolumeGeometry scan = VolumeGeometry::aligned({24, 4, 4}, dvec3(1), {0, 0, 0});
+        LabelMap map = twoSides(scan);
+        map.geometry.patientFromIndex[3].x += 0.5 + 1e-6;
+        const dmat4 mapFromScan = glm::inverse(map.geometry.patientFromIndex) * scan.patientFromIndex;
+        const int naive = int(std::floor((mapFromScan * dvec4(12, 0, 0, 1)).x + 0.5));
+        QCOMPARE(naive, 11);
+        QCOMPARE(int(map.labels[std::size_t(naive)]), 1);  // of the left one: a voxel of the other
+        QVERIFY2(refusal(scan, map).starts_with("the label map is shifted"), refusal(scan, map).c_str());
+    }
+
+    /// Case 73. Voxels written from left to right under a header that says right to left: only names can tell.
+    void headerThatFitsHidesAMirroredMap() {
+        const VolumeGeometry scan = VolumeGeometry::aligned({24, 4, 4}, dvec3(1), {0, 0, 0});
+        LabelMap map = twoSides(scan);
+        QCOMPARE(refusal(scan, map), std::string("it was taken"));
+        for (auto row = map.labels.begin(); row != map.labels.end(); row += 24)
+            std::reverse(row, row + 24);
+        const bool naive = map.geometry.patientFromIndex == scan.patientFromIndex && map.geometry.size == scan.size;
+        QVERIFY(naive);
+        QVERIFY2(refusal(scan, map).starts_with("the label map is mirrored"), refusal(scan, map).c_str());
+    }
+
+    /// Case 74. A part lies beyond the scan. Clamped to its border it is smeared over what is there.
+    void partBeyondTheScanIsSmearedOverItsBorder() {
+        const VolumeGeometry scan = VolumeGeometry::aligned({24, 4, 4}, dvec3(1), {0, 0, 0});
+        LabelMap map = twoSides(scan);
+        map.geometry.patientFromIndex[3].x += 40;
+        int naive = 0;
+        for (int x = 0; x < 24; ++x)
+            naive += map.labels[std::size_t(std::clamp(x - 40, 0, 23))] == 1;
+        QCOMPARE(naive, 24);
+        QCOMPARE(refusal(scan, map), std::string("the label map lies elsewhere: it reaches 40 voxels beyond the scan"));
     }
 };
 

@@ -1,5 +1,6 @@
 #include <QTest>
 
+#include "render/segment/body_mask.h"
 #include "render/segment/implants.h"
 #include "tests/support/scenes/vessel_phantoms.h"
 
@@ -18,6 +19,17 @@ Volume scanWith(double rodHu) {
                                   return test::trunkHu(mm);
                               }};
     return test::scanOf(trunk);
+}
+
+/// A trunk with one voxel of metal in each of `count` neighbouring cells of 2 mm.
+Volume scanWithMetalIn(int count, const CellGrid& grid) {
+    const Volume bare = scanWith(50);
+    Voxels voxels(bare.voxels().begin(), bare.voxels().end());
+    const ivec3 size = bare.size(), middle = size / 2 / grid.block * grid.block;
+    for (int cell = 0; cell < count; ++cell)
+        voxels[(std::size_t(middle.z) * size.y + middle.y) * size.x + middle.x + std::size_t(cell) * grid.block.x] =
+            3000;
+    return Volume(bare.geometry(), std::move(voxels));
 }
 
 }  // namespace
@@ -45,6 +57,19 @@ class ImplantsTest : public QObject {
                 }
         QVERIFY2(in > 500 && hits == in && elsewhere == 0,
                  qPrintable(QString("%1 of %2, %3 elsewhere").arg(hits).arg(in).arg(elsewhere)));
+    }
+
+    /// A piece counts from 0.05 ml of cells on.
+    void piecesOfLessAreLeftOut() {
+        const auto body = bodyMask(scanWith(50), noProgress);
+        QVERIFY(bool(body));
+        const CellGrid& grid = body->grid;
+        const int enough = int(std::ceil(0.05 / grid.cellMl()));
+        QVERIFY(enough > 2 && enough < 20);
+        QVERIFY(!findImplants(scanWithMetalIn(enough - 1, grid), noProgress));
+        const auto found = findImplants(scanWithMetalIn(enough, grid), noProgress);
+        QVERIFY2(bool(found), found ? "" : found.error().text().c_str());
+        QCOMPARE(std::ranges::count(found->labels, 1), std::ptrdiff_t(enough));
     }
 
     void boneIsNoMetal() {
