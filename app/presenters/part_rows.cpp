@@ -104,7 +104,7 @@ QString partNotes(const Document& document) {
         notes << Texts::tr("Found by the program: check it.");
     for (const Text& note : parts->map->notes)
         notes << ui::sentence(note);
-    if (!knowsParts(document.setup().model))
+    if (!showsParts(document.setup().model))
         notes << Texts::tr("The optical model of this look shows no parts.");
     return notes.join(' ');
 }

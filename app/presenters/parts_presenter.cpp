@@ -153,7 +153,7 @@ void PartsPresenter::showLooks() {
     QStringList names;
     looks_.clear();
     for (int i = 0; document().looks().holds(i); ++i)
-        if (knowsParts(document().looks()[i].model) && document().looks()[i].model != Model::maximumIntensity) {
+        if (showsParts(document().looks()[i].model)) {
             looks_.push_back(i);
             names << nameText(document().looks()[i]);
         }

@@ -76,7 +76,10 @@ void PartTables::take(const Scene& scene, const PartTables* last) {
     std::vector<TransferTables> tables;
     for (const Curve& curve : different)
         add(tables.emplace_back(*curve.function));
-    for (int label = 0; label < 256; ++label) {
+    // Light from within is summed up curve by curve: none is shared there.
+    const bool shared = scene.model != Model::emission && scene.model != Model::emissionAbsorption;
+    curveOf = materialOf;
+    for (int label = 0; label < 256 && shared; ++label) {
         const TransferTables& mine = tables[materialOf[std::size_t(label)]];
         const auto first = std::ranges::find_if(tables, [&](const auto& other) { return other.sameOpacity(mine); });
         curveOf[std::size_t(label)] = std::uint8_t(first - tables.begin());

@@ -52,7 +52,7 @@ Text listOf(const Names& names) {
 
 Text notShown(const Scene& scene) {
     Text masked = scene.mask ? scene.mask->hidden() : Text();
-    if (!scene.parts.map || isProjection(scene.model))
+    if (!scene.parts.map || !showsParts(scene.model))
         return masked;
     const Names hidden = namesIn(PartState::hidden, scene), ghosts = namesIn(PartState::ghost, scene);
     const Text withoutThem = hidden.empty() ? Text() : phrase("Hidden: %1.", listOf(hidden));

@@ -81,12 +81,12 @@ PartStyles withStyle(PartStyles styles, PartStyle style) {
     return styles;
 }
 
-bool knowsParts(Model model) {
-    return !isProjection(model) || model == Model::maximumIntensity;
+bool showsParts(Model model) {
+    return model != Model::maximumIntensity;
 }
 
 Scene withParts(Scene scene, std::shared_ptr<const LabelMap> map, const PartStyles& styles) {
-    if (!map || !knowsParts(scene.model))
+    if (!map)
         return scene;
     const TransferFunction common = std::exchange(scene.transferFunction, inState(scene.transferFunction, styles.rest));
     Parts parts;

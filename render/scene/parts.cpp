@@ -51,9 +51,6 @@ Result<void> checkParts(const Scene& scene) {
     const Parts& parts = scene.parts;
     if (!parts.map && parts.curves.empty())
         return {};
-    if (isProjection(scene.model) && scene.model != Model::maximumIntensity)
-        return Error{phrase("the model %1 knows no materials of parts", std::string(modelName(scene.model))), "parts",
-                     phrase("Take singleScattering or multipleScattering, or leave the parts out.")};
     if (parts.map && scene.volume)
         if (Result<void> checked = checkMap(*parts.map, *scene.volume); !checked)
             return checked;

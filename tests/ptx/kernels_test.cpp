@@ -134,6 +134,19 @@ class KernelsTest : public QObject {
             }
     }
 
+    void sumsOverPartsGiveTheCpusBits() {
+        for (const Model model : {Model::absorption, Model::emission, Model::emissionAbsorption})
+            for (const bool masked : {false, true}) {
+                Scene scene = sceneOf(0);
+                scene.model = model;
+                scene.parts.map = test::anyParts(*scene.volume, 3, 1);
+                test::giveCurves(scene, 1);
+                if (masked)
+                    scene.mask = test::anyMask(*scene.volume, 1);
+                QVERIFY2(agree(scene), modelName(model));
+            }
+    }
+
     /// Where no light is parallel and no tissue dense, light flies by looks alone.
     void lightByLooksGivesTheCpusBits() {
         for (const bool parted : {false, true})

@@ -32,7 +32,7 @@ Result<std::shared_ptr<const LabelMap>> partsOf(const Plan& plan, const ScannedV
     const PartSources& sources = plan.partSources;
     if (sources.labels.empty() && !labels.empty())
         return Error{"the plan shows no label map", "--labels", "Leave it out.", ErrorKind::refused};
-    if (sources.empty() || plan.image.look.parts.empty() || !knowsParts(plan.image.model))
+    if (sources.empty() || plan.image.look.parts.empty())
         return std::shared_ptr<const LabelMap>();
     PartMaps maps;
     if (!sources.labels.empty())

@@ -16,9 +16,9 @@ RayResult<float> laneOf(const RayResult<FloatLanes>& lanes, int lane) {
 }  // namespace
 
 /// Presents the batch as a list of rays for walkInLanes().
-template <FlatModel Model, bool Masked>
+template <FlatModel Model, Tissue Kind>
 struct ProjectionBatch::InLanes {
-    using Walk = RayWalk<FloatLanes, Model, Masked>;
+    using Walk = RayWalk<FloatLanes, Model, Kind>;
     ProjectionBatch& batch;
 
     int size() const { return batch.size_; }
@@ -32,18 +32,16 @@ struct ProjectionBatch::InLanes {
     }
 };
 
-template <FlatModel Model, bool Masked>
+template <FlatModel Model, Tissue Kind>
 void ProjectionBatch::projectInLanes(const FlatScene& scene) {
-    InLanes<Model, Masked> rays{*this};
-    walkInLanes<RayWalk<FloatLanes, Model, Masked>>(rays, scene);
+    InLanes<Model, Kind> rays{*this};
+    walkInLanes<RayWalk<FloatLanes, Model, Kind>>(rays, scene);
 }
 
 template <FlatModel Model>
 void ProjectionBatch::project(const FlatScene& scene) {
-    if (lanesCanRead(scene.volume) && isMasked(scene))
-        projectInLanes<Model, true>(scene);
-    else if (lanesCanRead(scene.volume))
-        projectInLanes<Model, false>(scene);
+    if (lanesCanRead(scene.volume))
+        forProjectedTissue<Model>(scene, [&]<Tissue Kind>() { projectInLanes<Model, Kind>(scene); });
     else
         for (int row = 0; row < size_; ++row)
             result_[row] = pdr::project<Model>(scene, rays_.at(row), behind_[row]);

@@ -30,9 +30,9 @@ class ProjectionBatch {
     const Projected& result(int ray) const { return result_[ray]; }
 
   private:
-    template <FlatModel Model, bool Masked>
+    template <FlatModel Model, Tissue Kind>
     struct InLanes;
-    template <FlatModel Model, bool Masked>
+    template <FlatModel Model, Tissue Kind>
     void projectInLanes(const FlatScene& scene);
     template <FlatModel Model>
     void render(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums);

@@ -21,19 +21,24 @@ void append(std::vector<const void*>& kernels, const std::vector<const void*>& o
     kernels.insert(kernels.end(), others.begin(), others.end());
 }
 
+template <FlatModel Model>
+std::vector<const void*> projectionKernels(const FlatScene& scene) {
+    return forProjectedTissue<Model>(
+        scene, []<Tissue Kind>() { return queuedKernelsOf<TraceKernel<ProjectionSampler<Model, Kind>>>(); });
+}
+
 /// Returns the kernels that traceLaunchFor() launches, except those of pathProgram().
 template <Tissue Kind>
 std::vector<const void*> samplingKernels(const FlatScene& scene) {
-    constexpr bool kMasked = Kind != Tissue::whole;
     switch (scene.optics.model) {
         case FlatModel::absorption:
-            return queuedKernelsOf<TraceKernel<ProjectionSampler<FlatModel::absorption, kMasked>>>();
+            return projectionKernels<FlatModel::absorption>(scene);
         case FlatModel::emission:
-            return queuedKernelsOf<TraceKernel<ProjectionSampler<FlatModel::emission, kMasked>>>();
+            return projectionKernels<FlatModel::emission>(scene);
         case FlatModel::emissionAbsorption:
-            return queuedKernelsOf<TraceKernel<ProjectionSampler<FlatModel::emissionAbsorption, kMasked>>>();
+            return projectionKernels<FlatModel::emissionAbsorption>(scene);
         case FlatModel::maximumIntensity:
-            return queuedKernelsOf<TraceKernel<ProjectionSampler<FlatModel::maximumIntensity, kMasked>>>();
+            return projectionKernels<FlatModel::maximumIntensity>(scene);
         case FlatModel::scattering:
             break;
     }

@@ -154,14 +154,14 @@ struct MarchSampler {
 };
 
 /// Takes a sample of a projection: a sum along the ray.
-template <FlatModel Model, bool Masked>
+template <FlatModel Model, Tissue Kind>
 struct ProjectionSampler {
     PDR_HD static Projected sample(const FlatScene& scene, const SampleAddress& from) {
         const vec2 depths = depthBounds(scene, from.pixel);
         if (isBackgroundOnly(scene, depths))
             return projectedMiss<Model>(scene, backdrop<Model>(scene, PathSegment{}));
         const PathSegment segment = startPath(scene, from.pixel, from.sample, depths).segment;
-        return projectAlong<Model, Masked>(scene, segment.ray, backdrop<Model>(scene, segment));
+        return projectAlong<Model, Kind>(scene, segment.ray, backdrop<Model>(scene, segment));
     }
 };
 

@@ -104,8 +104,8 @@ TraceLaunch<G> pathLaunch(std::uint32_t needed) {
 
 template <Gpu G, FlatModel Model>
 TraceLaunch<G> projectionLaunch(const FlatScene& scene) {
-    return isMasked(scene) ? launchTrace<G, ProjectionSampler<Model, true>>
-                           : launchTrace<G, ProjectionSampler<Model, false>>;
+    return forProjectedTissue<Model>(
+        scene, []<Tissue Kind>() { return TraceLaunch<G>(launchTrace<G, ProjectionSampler<Model, Kind>>); });
 }
 
 template <Gpu G>

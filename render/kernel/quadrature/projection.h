@@ -8,16 +8,26 @@
 namespace pdr {
 
 /// The walk along one ray of a model, or along several in lanes: start, going, step, take, result.
-template <class Real, FlatModel Model, bool Masked>
+template <class Real, FlatModel Model, Tissue Kind>
 struct RayWalkOf {
-    using Type = RayIntegral<Real, Model, Masked>;
+    using Type = RayIntegral<Real, Model, Kind>;
 };
-template <class Real, bool Masked>
-struct RayWalkOf<Real, FlatModel::maximumIntensity, Masked> {
-    using Type = RayMaximum<Real, Masked>;
+template <class Real, Tissue Kind>
+struct RayWalkOf<Real, FlatModel::maximumIntensity, Kind> {
+    using Type = RayMaximum<Real, Kind == Tissue::masked>;
 };
-template <class Real, FlatModel Model, bool Masked>
-using RayWalk = typename RayWalkOf<Real, Model, Masked>::Type;
+template <class Real, FlatModel Model, Tissue Kind>
+using RayWalk = typename RayWalkOf<Real, Model, Kind>::Type;
+
+/// Returns call.operator()<Kind>() for the kind of tissue that a model sees: maximumIntensity shows no curve, and so
+/// no parts.
+template <FlatModel Model, class Call>
+PDR_HD_INLINE auto forProjectedTissue(const FlatScene& scene, Call&& call) {
+    if constexpr (Model == FlatModel::maximumIntensity)
+        return isMasked(scene) ? call.template operator()<Tissue::masked>() : call.template operator()<Tissue::whole>();
+    else
+        return forTissue(scene, call);
+}
 
 struct Projected {
     vec3 radiance;         ///< linear Rec. 709
@@ -75,9 +85,9 @@ PDR_HD inline Projected projectedMiss(const FlatScene& scene, vec3 behind) {
 }
 
 /// Walks along one ray to its end.
-template <FlatModel Model, bool Masked>
+template <FlatModel Model, Tissue Kind>
 PDR_HD inline Projected projectAlong(const FlatScene& scene, const Ray& ray, vec3 behind) {
-    RayWalk<float, Model, Masked> walk;
+    RayWalk<float, Model, Kind> walk;
     walk.start(scene, {ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z},
                ray.length);
     while (walk.going())
@@ -87,8 +97,8 @@ PDR_HD inline Projected projectAlong(const FlatScene& scene, const Ray& ray, vec
 
 template <FlatModel Model>
 PDR_HD inline Projected project(const FlatScene& scene, const Ray& ray, vec3 behind) {
-    return isMasked(scene) ? projectAlong<Model, true>(scene, ray, behind)
-                           : projectAlong<Model, false>(scene, ray, behind);
+    return forProjectedTissue<Model>(scene,
+                                     [&]<Tissue Kind>() { return projectAlong<Model, Kind>(scene, ray, behind); });
 }
 
 }  // namespace pdr

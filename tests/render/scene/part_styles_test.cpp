@@ -88,13 +88,14 @@ class PartStylesTest : public QObject {
         QVERIFY(scene.parts.curves[1].transferFunction.nodes[1].opacity == 1);
     }
 
-    void projectionsShowNone() {
+    void everyModelHasParts() {
         Parted parted;
-        const PartStyles hidden{.rest = PartState::hidden};
-        parted.scene.model = Model::absorption;
-        QVERIFY(parted.with(hidden) == parted.scene && !knowsParts(Model::absorption));
-        parted.scene.model = Model::maximumIntensity;
-        QVERIFY(parted.with(hidden).parts.map && bool(parted.with(hidden).check()));
+        for (const Model model : kModels) {
+            parted.scene.model = model;
+            const Scene scene = parted.with({.rest = PartState::hidden});
+            QVERIFY2(scene.parts.map && bool(scene.check()), modelName(model));
+            QCOMPARE(showsParts(model), model != Model::maximumIntensity);
+        }
     }
 
     void aStyleThatSaysNothingIsLeftOut() {

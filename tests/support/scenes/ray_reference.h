@@ -57,13 +57,43 @@ inline Optics opticsAt(const TransferFunction& function, double hu) {
     return of(a, b, (hu - a.hu) / (double(b.hu) - a.hu));
 }
 
+/// Returns extinction and source at `position` (index space): those of the eight voxels' curves by their weights, and
+/// no more of it than the mask shows.
+inline Optics opticsIn(const Scene& scene, dvec3 position) {
+    const double hu = huAt(*scene.volume, position);
+    if (!scene.parts.map && !scene.mask)
+        return opticsAt(scene.transferFunction, hu);
+    const ivec3 size = scene.volume->size();
+    const dvec3 p = glm::clamp(position, dvec3(0), dvec3(size - 1));
+    const ivec3 low = glm::min(ivec3(p), glm::max(size - 2, ivec3(0)));
+    Optics mixed{0, dvec3(0)};
+    for (int n = 0; n < 8; ++n) {
+        const ivec3 voxel = glm::min(low + ivec3(n & 1, (n >> 1) & 1, n >> 2), size - 1);
+        const dvec3 share = glm::abs(dvec3(~n & 1, ~(n >> 1) & 1, ~(n >> 2) & 1) - (p - dvec3(low)));
+        const std::size_t at = (std::size_t(voxel.z) * size.y + voxel.y) * size.x + std::size_t(voxel.x);
+        const int label = scene.parts.map ? scene.parts.map->labels[at] : 0;
+        const auto part = std::ranges::find(scene.parts.curves, label, &PartCurve::label);
+        const Optics one =
+            opticsAt(part == scene.parts.curves.end() ? scene.transferFunction : part->transferFunction, hu);
+        const double extinction = share.x * share.y * share.z * one.extinction;
+        mixed.extinction += extinction;
+        mixed.source += extinction * one.source;
+    }
+    mixed.source /= std::max(mixed.extinction, 1e-300);
+    mixed.extinction *= scene.mask ? scene.mask->at(position) : 1;
+    return mixed;
+}
+
 /// Integrates by the midpoint rule in steps of `stepMm`, which are 200 times finer where the HU pass a node.
 inline RayTruth rayTruth(const Scene& scene, const Ray& ray, double stepMm) {
     RayTruth truth;
-    const auto hu = [&](double t) { return huAt(*scene.volume, dvec3(ray.origin) + dvec3(ray.direction) * t); };
+    std::vector<TransferNode> nodes = scene.transferFunction.nodes;
+    for (const PartCurve& part : scene.parts.curves)
+        nodes.insert(nodes.end(), part.transferFunction.nodes.begin(), part.transferFunction.nodes.end());
+    const auto place = [&](double t) { return dvec3(ray.origin) + dvec3(ray.direction) * t; };
+    const auto hu = [&](double t) { return huAt(*scene.volume, place(t)); };
     const auto add = [&](double from, double to) {
-        const double middle = hu((from + to) / 2);
-        const Optics optics = opticsAt(scene.transferFunction, middle);
+        const Optics optics = opticsIn(scene, place((from + to) / 2));
         const double depth = optics.extinction * (to - from);
         truth.absorbed += optics.source * (std::exp(-truth.depth) * -std::expm1(-depth));
         truth.emitted += optics.source * depth;
@@ -75,9 +105,8 @@ inline RayTruth rayTruth(const Scene& scene, const Ray& ray, double stepMm) {
         const double from = double(ray.length) * double(i) / double(steps),
                      to = double(ray.length) * double(i + 1) / double(steps);
         const double behind = hu(to);
-        const bool passes = std::ranges::any_of(scene.transferFunction.nodes, [&](const TransferNode& node) {
-            return (node.hu - before) * (node.hu - behind) <= 0;
-        });
+        const bool passes = std::ranges::any_of(
+            nodes, [&](const TransferNode& node) { return (node.hu - before) * (node.hu - behind) <= 0; });
         before = behind;
         const int parts = passes ? 200 : 1;
         for (int part = 0; part < parts; ++part)
