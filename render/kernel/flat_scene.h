@@ -37,8 +37,9 @@ struct FlatTransferFunction {
     const std::uint16_t* pieceAt;
     int pieceCount;
     float extinctionPerMm;
-    int firstPiece;       ///< row of its first piece in FlatOptics::table
-    float surfaceFactor;  ///< [mm/HU], see surfaceFactorOf(); 0: its tissue has no surfaces
+    int firstPiece;  ///< row of its first piece in FlatOptics::table
+    /// [mm/HU], see surfaceFactorOf(); 0: its tissue has no surfaces; below 0: they are where its labels end.
+    float surfaceFactor;
 };
 
 /// Values on a grid, interpolated trilinearly between its voxels.

@@ -42,8 +42,10 @@ struct SplineAxis {
     }
 };
 
-/// Returns the gradient of the HU at `position` (index space) in local space [HU/mm]. Reads 64 voxels.
-PDR_HD inline vec3 hounsfieldGradient(const FlatVolume& volume, vec3 position) {
+/// Returns the gradient at `position` (index space), in local space [1/mm], of the spline whose coefficients are
+/// valueAt(offset of a voxel from the first one). Reads 64 of them.
+template <class ValueAt>
+PDR_HD_INLINE vec3 splineGradient(const FlatVolume& volume, vec3 position, ValueAt&& valueAt) {
     // Compute the spline weights along each axis.
     const SplineAxis x(position.x, volume.lastIndex.x, volume.stepX), y(position.y, volume.lastIndex.y, volume.stepY),
         z(position.z, volume.lastIndex.z, volume.stepZ);
@@ -52,11 +54,11 @@ PDR_HD inline vec3 hounsfieldGradient(const FlatVolume& volume, vec3 position) {
     for (int k = 0; k < 4; ++k) {
         float rows[4], rowSlopes[4];
         for (int j = 0; j < 4; ++j) {
-            const std::int16_t* row = volume.voxels + z.voxel[k] + y.voxel[j];
-            const float hu[4] = {float(row[x.voxel[0]]), float(row[x.voxel[1]]), float(row[x.voxel[2]]),
-                                 float(row[x.voxel[3]])};
-            rows[j] = x.value(hu);
-            rowSlopes[j] = x.slope(hu);
+            const std::int64_t row = z.voxel[k] + y.voxel[j];
+            const float line[4] = {valueAt(row + x.voxel[0]), valueAt(row + x.voxel[1]), valueAt(row + x.voxel[2]),
+                                   valueAt(row + x.voxel[3])};
+            rows[j] = x.value(line);
+            rowSlopes[j] = x.slope(line);
         }
         values[k] = y.value(rows);
         slopesX[k] = y.value(rowSlopes);
@@ -65,6 +67,11 @@ PDR_HD inline vec3 hounsfieldGradient(const FlatVolume& volume, vec3 position) {
     // Combine the slices and transform the gradient to local space.
     const vec3 perIndex(z.value(slopesX), z.value(slopesY), z.slope(values));
     return glm::transpose(volume.indexFromLocal) * perIndex;
+}
+
+/// Returns the gradient of the HU at `position` (index space) in local space [HU/mm].
+PDR_HD inline vec3 hounsfieldGradient(const FlatVolume& volume, vec3 position) {
+    return splineGradient(volume, position, [&](std::int64_t voxel) { return float(volume.voxels[voxel]); });
 }
 
 }  // namespace pdr

@@ -66,6 +66,12 @@ std::vector<Curve> differentCurves(const Scene& scene, std::array<std::uint8_t, 
 
 }  // namespace
 
+bool hasShapeOfLabels(const TransferFunction& function) {
+    const float opacity = function.nodes.front().opacity;
+    return opacity > 0 &&
+           std::ranges::all_of(function.nodes, [&](const TransferNode& node) { return node.opacity == opacity; });
+}
+
 void PartTables::take(const Scene& scene, const PartTables* last) {
     if (!scene.parts.map)
         return;
@@ -92,7 +98,9 @@ void PartTables::take(const Scene& scene, const PartTables* last) {
         curve.materials = materials.data() + 2 * std::ptrdiff_t(first);
         curve.pieceAt = pieceAt.data() + curves.size() * one.pieceAt.size();
         curve.firstPiece = first;
-        curve.surfaceFactor = surfaceFactorOf(different[curves.size()].gradientFactor);
+        const Curve& drawn = different[curves.size()];
+        const bool byLabels = !curves.empty() && hasShapeOfLabels(*drawn.function);
+        curve.surfaceFactor = surfaceFactorOf(drawn.gradientFactor) * (byLabels ? -1.0f : 1.0f);
         curves.push_back(curve);
         first += curve.pieceCount;
     }

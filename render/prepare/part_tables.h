@@ -14,6 +14,11 @@
 namespace pdr {
 
 struct Scene;
+struct TransferFunction;
+
+/// Returns whether a part with that curve has the shape of its labels: it is as opaque at all HU. Its surfaces are
+/// where its labels end.
+bool hasShapeOfLabels(const TransferFunction& function);
 
 /// For each fine cell the only curve of its voxels, or kMixedCell.
 using CellCurves = HugePageVector<std::uint8_t>;

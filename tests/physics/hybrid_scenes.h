@@ -48,6 +48,7 @@ struct HybridScene {
     Clip clip{};
     bool twoMaterials = false;         ///< beyond an oblique plane through the surface there is another material
     float otherGradientFactor = 0.5f;  ///< its gradient factor
+    bool evenThere = false;            ///< it is as opaque at all HU, and has the shape of its labels
     int samples = 1024;                ///< samples of each of 1024 pixels
     double sees = 0.01;                ///< relative bias that the run must be able to find, in every channel
 
@@ -129,6 +130,9 @@ inline Scene HybridScene::scene() const {
                                  {.hu = 150, .opacity = 0.9f, .albedo = {0.2f, 0.9f, 0.6f}, .specular = vec3(0.2f)},
                                  {.hu = 700, .opacity = 0.4f, .albedo = {0.4f, 0.5f, 0.9f}}}},
                                otherGradientFactor}};
+        if (evenThere)
+            scene.parts.curves[0].transferFunction.nodes = {
+                {.hu = 0, .opacity = 0.8f, .albedo = {0.2f, 0.9f, 0.6f}, .specular = vec3(0.2f)}};
     }
     const dvec3 towards = tilted(view, 0.4), target(0.3, -0.2, 0.1);
     scene.camera = {.type = Camera::Type::orthographic,
@@ -368,6 +372,14 @@ inline std::vector<HybridScene> hybridScenes() {
          .twoMaterials = true,
          .otherGradientFactor = 3,
          .samples = 3072,
+         .sees = 0.003},
+        {.name = "two materials, one of the shape of its labels",
+         .gradientFactor = 2,
+         .lights = {sun(0.7, 2)},
+         .twoMaterials = true,
+         .otherGradientFactor = 3,
+         .evenThere = true,
+         .samples = 2048,
          .sees = 0.003},
         {.name = "two materials, outside the edge",
          .gradientFactor = 2,

@@ -149,7 +149,8 @@ class SingleScattering {
         dvec3 sum(0);
         for (const WeightedMaterial& material : materials_.at(index))
             if (const double share = material.extinction(hu) / whole; share > 0)
-                sum += share * scatteredBy(eventAt(place, travel, material, gradient));
+                sum += share * scatteredBy(eventAt(place, travel, material,
+                                                   material.shape ? material.shape->gradient(index) : gradient));
         return sum;
     }
 

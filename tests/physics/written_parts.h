@@ -3,6 +3,7 @@
 /// with render/kernel.
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 #include "render/scene/scene.h"
@@ -14,6 +15,7 @@ namespace pdr::test::written {
 struct WeightedMaterial {
     const TransferFunction* curve;
     double gradientFactor, weight;
+    const Grid* shape = nullptr;  ///< 1000 in its labels, 0 elsewhere, where its surfaces are there
 
     double extinction(double hu) const { return weight * curve->extinctionPerMm * tissueAt(curve->nodes, hu).opacity; }
 };
@@ -21,8 +23,10 @@ struct WeightedMaterial {
 class Materials {
   public:
     explicit Materials(const Scene& scene) : scene_(scene), nodes_(scene.transferFunction.nodes) {
-        for (const PartCurve& part : scene.parts.curves)
+        for (const PartCurve& part : scene.parts.curves) {
             nodes_.insert(nodes_.end(), part.transferFunction.nodes.begin(), part.transferFunction.nodes.end());
+            shapes_.push_back(shapeOf(part));
+        }
     }
 
     /// The nodes of all curves.
@@ -45,6 +49,22 @@ class Materials {
     }
 
   private:
+    struct Shape {
+        std::shared_ptr<const Volume> volume;
+        Grid grid;
+    };
+    /// Returns the shape of a part that is as opaque at all HU; null for all others.
+    std::shared_ptr<const Shape> shapeOf(const PartCurve& part) const {
+        for (const TransferNode& node : part.transferFunction.nodes)
+            if (node.opacity != part.transferFunction.nodes[0].opacity || node.opacity == 0)
+                return nullptr;
+        Voxels voxels;
+        for (const std::uint8_t label : scene_.parts.map->labels)
+            voxels.push_back(label == part.label ? 1000 : 0);
+        const auto volume = std::make_shared<const Volume>(scene_.parts.map->geometry, std::move(voxels));
+        return std::make_shared<const Shape>(Shape{volume, Grid(*volume)});
+    }
+
     WeightedMaterial materialOf(ivec3 voxel, double weight) const {
         const ivec3 size = scene_.volume->size();
         const int label =
@@ -52,11 +72,14 @@ class Materials {
         const auto part = std::ranges::find(scene_.parts.curves, label, &PartCurve::label);
         if (part == scene_.parts.curves.end())
             return {&scene_.transferFunction, scene_.gradientFactor, weight};
-        return {&part->transferFunction, part->gradientFactor.value_or(scene_.gradientFactor), weight};
+        const auto& shape = shapes_[std::size_t(part - scene_.parts.curves.begin())];
+        return {&part->transferFunction, part->gradientFactor.value_or(scene_.gradientFactor), weight,
+                shape ? &shape->grid : nullptr};
     }
 
     const Scene& scene_;
     std::vector<TransferNode> nodes_;
+    std::vector<std::shared_ptr<const Shape>> shapes_;  ///< of each part
 };
 
 }  // namespace pdr::test::written

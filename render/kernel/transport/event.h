@@ -31,7 +31,7 @@ PDR_HD inline float surfaceFactorOf(float gradientFactor) {
 /// Returns the probability that an event is at a surface, which grows with the density and the gradient of the tissue:
 /// P = opacity (1 - exp(-surfaceFactor |grad|)), Kroes, Post & Botha 2012.
 PDR_HD inline float surfaceProbability(const FlatTransferFunction& curve, float opacity, float steepness) {
-    return opacity * attenuation(curve.surfaceFactor * steepness).taken;
+    return opacity * attenuation(glm::abs(curve.surfaceFactor) * steepness).taken;
 }
 
 /// HU that stand for clipped and hidden tissue: those of air.
@@ -47,6 +47,23 @@ PDR_HD inline vec3 seenGradient(const FlatScene& scene, vec3 position, float hu)
     return weight * gradient + glm::max(hu - kHiddenHu, 0.0f) * weightGradient(scene, position);
 }
 
+/// HU by which a part whose shape is that of its labels differs from what is around it: water against air.
+inline constexpr float kLabelStepHu = 1000;
+
+/// Returns the gradient at the edge of such a part [HU/mm]: of the share of its labels. Its own HU are those of what it
+/// stands for, or lies in, and have no edge there.
+PDR_HD inline vec3 labelGradient(const FlatScene& scene, const FlatTransferFunction& curve, vec3 position) {
+    const FlatParts& parts = scene.parts;
+    return kLabelStepHu * splineGradient(scene.volume, position, [&](std::int64_t voxel) {
+               return parts.curves[parts.materialOf[parts.labels[voxel]]].firstPiece == curve.firstPiece ? 1.0f : 0.0f;
+           });
+}
+
+/// Returns the gradient that makes surfaces in tissue of `curve` at a position with `hu` [HU/mm].
+PDR_HD inline vec3 surfaceGradient(const FlatScene& scene, const FlatTransferFunction& curve, vec3 position, float hu) {
+    return curve.surfaceFactor < 0 ? labelGradient(scene, curve, position) : seenGradient(scene, position, hu);
+}
+
 PDR_HD inline vec3 facing(vec3 wo, vec3 normal) {
     return glm::dot(normal, wo) < 0 ? -normal : normal;
 }
@@ -59,7 +76,7 @@ PDR_HD inline vec3 surfaceNormal(const FlatScene& scene, const FlatTransferFunct
     const float most = opacity(curve, hu);
     if (u >= most)
         return vec3(0);
-    const vec3 gradient = seenGradient(scene, position, hu);
+    const vec3 gradient = surfaceGradient(scene, curve, position, hu);
     const float steepness = glm::length(gradient);
     if (!(steepness > 0))
         return vec3(0);

@@ -24,7 +24,7 @@ PDR_HD inline UnshadowedPlace unshadowedAt(const FlatScene& scene, vec3 position
     float middle = 0.5f;
     const FlatTransferFunction curve = curveMet(scene, position, hu, middle);
     const Material material = materialAt(curve, hu);
-    const vec3 gradient = seenGradient(scene, position, hu);
+    const vec3 gradient = surfaceGradient(scene, curve, position, hu);
     const float steepness = glm::length(gradient);
     UnshadowedPlace seen{material.emission};
     float surface = 0;

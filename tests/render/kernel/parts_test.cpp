@@ -233,6 +233,7 @@ class PartsTest : public QObject {
     void aPartHasSurfacesOfItsOwn() {
         Scene scene =
             test::plainScene(test::makeVolume(ivec3(8), dvec3(1), [](int i, int, int) { return 100 * i; }), 1);
+        scene.transferFunction.nodes = {{.hu = -1000, .opacity = 0.8f}, {.hu = 1000, .opacity = 1}};
         scene.parts.map = test::labelled(*scene.volume, 2, [](ivec3 voxel) { return voxel.x / 3; });
         scene.parts.curves = {{1, scene.transferFunction, 50.0f}, {2, scene.transferFunction, 0.0f}};
         QVERIFY(scene.check());
@@ -245,6 +246,25 @@ class PartsTest : public QObject {
         QVERIFY(!isSurfaceAt(1.5f) && isSurfaceAt(4) && !isSurfaceAt(6.5f));
         scene.parts.curves[0].gradientFactor = {};
         QVERIFY(Flattener().prepare(scene)->parts.empty());
+    }
+
+    /// A part that is as opaque at all HU has its surface where its labels end, whatever the HU are there.
+    void aPartOfTheShapeOfItsLabelsHasTheirSurface() {
+        Scene scene =
+            test::plainScene(test::makeVolume(ivec3(12), dvec3(1), [](int, int j, int) { return 100 * j; }), 1);
+        scene.gradientFactor = 50;
+        scene.parts.map = test::labelled(*scene.volume, 1, [](ivec3 voxel) { return voxel.x >= 6 ? 1 : 0; });
+        scene.parts.curves = {{1, {0.5f, {{.hu = 0, .opacity = 1}, {.hu = 800, .opacity = 1}}}}};
+        const auto prepared = Flattener().prepare(scene);
+        const auto normalIn = [&](float x) {
+            return eventAt<kSurface>(prepared->flat, {x, 5, 5}, {-1, 0, 0}, 0.01f).normal;
+        };
+        QCOMPARE(normalIn(6.2f), vec3(-1, 0, 0));
+        QCOMPARE(normalIn(9), vec3(0));
+        QVERIFY(std::fabs(glm::dot(normalIn(2), vec3(0, 1, 0))) > 0.99f);  // the rest has that of the HU
+        scene.transferFunction.nodes = {{.hu = 0, .opacity = 0}};
+        scene.volume = test::makeVolume(ivec3(12), dvec3(1), [](int, int, int) { return 7; });
+        QVERIFY(has(Flattener().prepare(scene)->flat.features, kSurface));
     }
 
     void whatCannotBeShownIsRefused() {
