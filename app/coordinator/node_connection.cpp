@@ -16,10 +16,6 @@ constexpr std::uint32_t kHeartbeatMs = 1000;
 constexpr std::chrono::milliseconds kPace{4};
 static_assert(2 * std::chrono::seconds(1) / kPace <= remote::ChannelLimits{}.messages.perSecond);
 
-// Each lease must fit into a message.
-static_assert(pdr::kMostLeasePixels == wire::kMostLeasePixels && pdr::kMostDeepPixels == wire::kMostDeepPixels);
-static_assert(pdr::kMostDeepSamples == wire::kMostDeepSamples);
-
 /// Returns what a node is known by: the name of its certificate, which it cannot choose, if no other node has it; else
 /// the number of its run.
 std::string keyOf(const remote::Channel& channel, const wire::Nonce& boot) {

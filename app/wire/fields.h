@@ -116,7 +116,7 @@ void workFields(Fields& map, Work& work) {
     map.must(isInside(tile, {0, 0, kLongestSide, kLongestSide}), "its tile lies outside of all images");
     map.number(6, work.samples.first, 0, kLastSample);
     map.number(7, work.samples.count, 1, kMostDeepSamples);
-    const bool deep = isOfSeveralBlocks(work.samples);
+    const bool deep = isDeep(work.samples);
     map.must(std::uint64_t(tile.width) * tile.height <= (deep ? kMostDeepPixels : kMostLeasePixels),
              "its tile is too large");
     map.must(deep ? work.samples.first % kSamplesPerBlock == 0 && work.samples.count % kSamplesPerBlock == 0

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "render/base/health.h"
+#include "render/base/lease_limits.h"
 #include "render/base/portable.h"
 #include "render/base/text.h"
 #include "render/base/tile.h"
@@ -153,16 +154,8 @@ struct SceneRefused {
 /// First version with leases of several blocks.
 inline constexpr std::uint16_t kDeepVersion = 2;
 
-/// Limits on the pixels of a lease's tile, of one block and of several, and on the samples of the latter.
-inline constexpr std::size_t kMostLeasePixels = 1 << 18, kMostDeepPixels = kMostLeasePixels / 2;
-inline constexpr std::uint32_t kMostDeepSamples = 1 << 16;
-
-/// Returns whether a lease of these samples is of several blocks.
-inline bool isOfSeveralBlocks(SampleRange samples) {
-    return samples.count > kSamplesPerBlock;
-}
-
-/// Requests samples. The node answers by a Result or an Abandoned with the same number and nonce.
+/// Requests samples, within the limits of lease_limits.h. The node answers by a Result or an Abandoned with the same
+/// number and nonce.
 struct Lease {
     std::uint64_t number = 0;
     Nonce nonce{};

@@ -65,18 +65,18 @@ const char* givePayload(Chunk& chunk, Bytes payload) {
 const char* givePayload(Lease& lease, const Bytes& payload) {
     if (payload.empty())
         return nullptr;
-    if (lease.samples.first == 0 || (!isOfSeveralBlocks(lease.samples) && lease.samples.first % kSamplesPerBlock == 0))
+    if (lease.samples.first == 0 || (!isDeep(lease.samples) && lease.samples.first % kSamplesPerBlock == 0))
         return "sums of samples before the first one of a block";
     std::span<const std::byte> packed(payload);
-    const char* wrong = isOfSeveralBlocks(lease.samples) ? take(lease.moments, lease.tile, packed)
-                                                         : take(lease.before, lease.tile, packed);
+    const char* wrong =
+        isDeep(lease.samples) ? take(lease.moments, lease.tile, packed) : take(lease.before, lease.tile, packed);
     return wrong != nullptr ? wrong : lookForMore(packed);
 }
 
 const char* givePayload(Result& result, const Bytes& payload) {
     std::span<const std::byte> packed(payload);
     const char* wrong = take(result.sums, result.tile, packed);
-    if (wrong == nullptr && isOfSeveralBlocks(result.samples))
+    if (wrong == nullptr && isDeep(result.samples))
         wrong = take(result.moments, result.tile, packed);
     return wrong != nullptr ? wrong : lookForMore(packed);
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/base/lease_limits.h"
 #include "render/film/film.h"
 
 namespace pdr {
@@ -18,12 +19,6 @@ struct Portion {
     Tile tile;
     SampleRange samples;  ///< samples of one block, or of several whole ones
 };
-
-/// Returns whether these samples are those of several whole blocks: then moments are continued and returned, once for
-/// all blocks, instead of the sums of one block.
-inline bool isDeep(SampleRange samples) {
-    return samples.count > kSamplesPerBlock;
-}
 
 /// A portion as it is given to a renderer, with what it continues.
 struct Lease {
@@ -52,11 +47,6 @@ inline SampleRange fromBlockStart(SampleRange samples) {
     const std::uint64_t start = samples.first - samples.first % kSamplesPerBlock;
     return {start, std::uint32_t(samples.end() - start)};
 }
-
-/// Limits on the pixels of a lease, which bound the memory and the message of its result: of one block, and of several.
-inline constexpr int kMostLeasePixels = 512 * 512, kMostDeepPixels = kMostLeasePixels / 2;
-/// Limit on the samples of a deep lease.
-inline constexpr std::uint32_t kMostDeepSamples = 1 << 16;
 
 /// Returns the work: samples times pixels.
 inline double workOf(const Tile& tile, SampleRange samples) {

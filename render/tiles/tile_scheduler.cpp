@@ -35,6 +35,11 @@ void grow(int& side, int most, const std::function<bool()>& isTooMuch) {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
+/// Returns the first cell of a tile.
+Tile firstCell(const Tile& tile) {
+    return {tile.x, tile.y, std::min(tile.width, kFilmCell), std::min(tile.height, kFilmCell)};
+}
+
 }  // namespace
 
 TileScheduler::TileScheduler(const std::vector<TileGoal>& goals, Split split, std::uint64_t firstNumber,
@@ -57,9 +62,12 @@ std::optional<Portion> TileScheduler::cut(WorkerId worker, const Ability& abilit
     // Cut a tile from the first open goal and put the rest back
     const TileGoal from = open_.front();
     const SampleRange samples = nextSamples(from, ability);
+    if (costs_.ofSample(firstCell(from.tile)) * samples.count > ability.most)
+        return std::nullopt;
     open_.pop_front();
-    const Tile tile = part(from.tile, split_ == Split::tiles ? ability.cost / samples.count : kUnlimited,
-                           isDeep(samples) ? kMostDeepPixels : kMostLeasePixels);
+    const bool isCut = split_ == Split::tiles || ability.isLimited();
+    const double cost = isCut ? std::min(ability.cost, ability.most) : kUnlimited;
+    const Tile tile = part(from.tile, cost / samples.count, isDeep(samples) ? kMostDeepPixels : kMostLeasePixels);
     const Tile& all = from.tile;
     const int right = all.x + all.width - (tile.x + tile.width), below = all.y + all.height - (tile.y + tile.height);
     if (below > 0)
@@ -76,26 +84,30 @@ std::optional<Portion> TileScheduler::cut(WorkerId worker, const Ability& abilit
 }
 
 /// Returns the samples of the next portion of a goal: as many whole blocks as are left, since what comes back is as
-/// long as that of one block; else those of one block. Tiles are cut small rather than into few blocks, but a cell must
-/// not take too long. Blocks that are split among workers come back one by one.
+/// long as that of one block; else those of one block, or the part of it that a limited portion may have. Tiles are cut
+/// small rather than into few blocks, but a cell must not take too long. Blocks that are split among workers come back
+/// one by one.
 SampleRange TileScheduler::nextSamples(const TileGoal& goal, const Ability& ability) const {
     const std::uint64_t left = goal.goal - goal.next;
     const SampleRange inBlock =
         samplesInBlock(goal.next, std::uint32_t(std::min<std::uint64_t>(left, kSamplesPerBlock)));
-    if (split_ != Split::tiles || goal.next % kSamplesPerBlock != 0)
+    if (split_ != Split::tiles)
         return inBlock;
-    const Tile cell{goal.tile.x, goal.tile.y, std::min(goal.tile.width, kFilmCell),
-                    std::min(goal.tile.height, kFilmCell)};
-    const double most = std::min(ability.deepest / costs_.ofSample(cell), double(kMostDeepSamples));
+    const double cell = costs_.ofSample(firstCell(goal.tile));
+    if (ability.isLimited())
+        return {goal.next, std::uint32_t(std::clamp(ability.cost / cell, 1.0, double(inBlock.count)))};
+    if (goal.next % kSamplesPerBlock != 0)
+        return inBlock;
+    const double most = std::min(ability.deepest / cell, double(kMostDeepSamples));
     const std::uint64_t blocks = std::min(left, std::uint64_t(most)) / kSamplesPerBlock;
     return blocks > 1 ? SampleRange{goal.next, std::uint32_t(blocks * kSamplesPerBlock)} : inBlock;
 }
 
 /// Returns the top rows of cells or, if one row is too much, the left part of it: up to that cost and number of pixels,
 /// but at least one cell.
-Tile TileScheduler::part(const Tile& tile, double cost, int mostPixels) const {
+Tile TileScheduler::part(const Tile& tile, double cost, std::size_t mostPixels) const {
     const auto isTooMuch = [&](const Tile& some) {
-        return some.width * some.height > mostPixels || costs_.ofSample(some) > cost;
+        return std::size_t(some.width) * std::size_t(some.height) > mostPixels || costs_.ofSample(some) > cost;
     };
     Tile rows{tile.x, tile.y, tile.width, std::min(tile.height, kFilmCell)};
     if (isTooMuch(rows)) {
@@ -111,7 +123,8 @@ std::optional<Portion> TileScheduler::hedge(WorkerId worker, const Ability& abil
     Held* latest = nullptr;
     for (Held& held : held_) {
         const bool his = std::ranges::any_of(held.copies, [&](const Copy& copy) { return copy.worker == worker; });
-        const bool canTake = ability.deepest > 0 || !isDeep(held.portion.samples);
+        const bool canTake =
+            (ability.deepest > 0 || !isDeep(held.portion.samples)) && costOf(held.portion) <= ability.most;
         if (!his && canTake && isLate(held, worker, now) && (!latest || held.copies[0].since < latest->copies[0].since))
             latest = &held;
     }
@@ -230,6 +243,13 @@ std::vector<WorkerId> TileScheduler::expire(double now) {
             });
     removeFreed();
     return late;
+}
+
+double TileScheduler::leastCost() const {
+    if (open_.empty())
+        return 0;
+    const TileGoal& first = open_.front();
+    return costs_.ofSample(firstCell(first.tile)) * nextSamples(first, {.most = 0}).count;
 }
 
 double TileScheduler::openCost() const {

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <set>
 #include <vector>
@@ -28,6 +29,11 @@ struct Ability {
     double cost = 0;       ///< approximate cost of the next portion
     double perSecond = 0;  ///< expected speed; > 0
     double deepest = 0;  ///< limit on the cost of a single cell of a portion of several blocks; 0: one block at a time
+    /// Limit on the cost of the portion, which is cut to `cost` then, if need be to a cell and a part of a block; of
+    /// samples that are split among workers to a cell of a block. None is given where that costs more than the limit.
+    double most = std::numeric_limits<double>::infinity();
+
+    bool isLimited() const { return most < std::numeric_limits<double>::infinity(); }
 };
 
 class TileScheduler {
@@ -55,9 +61,15 @@ class TileScheduler {
 
     bool isDone() const { return open_.empty() && held_.empty(); }
     double costOf(const Portion& portion) const { return costs_.ofSample(portion.tile) * portion.samples.count; }
+    /// Returns the cost of what `worker` has been given and has not delivered.
+    double costHeldBy(WorkerId worker) const;
     /// Returns the cost of all samples that no worker has been given yet.
     double openCost() const;
     std::uint64_t nextNumber() const { return number_; }
+    /// Returns a number that no portion has or gets, for a lease that is none of the request's.
+    std::uint64_t newNumber() { return number_++; }
+    /// Returns the cost of the smallest portion that can be cut now; 0: there is none.
+    double leastCost() const;
 
     /// A portion is hedged after three times its expected time plus this time.
     static constexpr double kHedgeSeconds = 0.05;
@@ -84,10 +96,9 @@ class TileScheduler {
     std::optional<Portion> cut(WorkerId worker, const Ability& ability, double now);
     SampleRange nextSamples(const TileGoal& goal, const Ability& ability) const;
     std::optional<Portion> hedge(WorkerId worker, const Ability& ability, double now);
-    Tile part(const Tile& tile, double cost, int mostPixels) const;
+    Tile part(const Tile& tile, double cost, std::size_t mostPixels) const;
     void free(const TileGoal& goal, bool first);
     bool isLate(const Held& held, WorkerId whoAsks, double now) const;
-    double costHeldBy(WorkerId worker) const;
     Copy copyFor(WorkerId worker, const Portion& portion, const Ability& ability, double now) const;
     std::vector<Held>::iterator find(std::uint64_t number);
     /// Removes `worker`'s copy, unless the result has arrived.

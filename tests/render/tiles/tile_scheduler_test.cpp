@@ -127,8 +127,8 @@ class TileSchedulerTest : public QObject {
             TileScheduler scheduler({{{0, 0, 16384, 300}, 0, goal}, {{0, 300, 700, 700}, 0, goal}}, split, 1);
             int portions = 0;
             for (; const auto portion = scheduler.take(1, {1e30, 1e30, 1e30}, 0); ++portions) {
-                const int most = isDeep(portion->samples) ? kMostDeepPixels : kMostLeasePixels;
-                QVERIFY(portion->tile.width * portion->tile.height <= most);
+                const std::size_t most = isDeep(portion->samples) ? kMostDeepPixels : kMostLeasePixels;
+                QVERIFY(std::size_t(portion->tile.width) * std::size_t(portion->tile.height) <= most);
                 QVERIFY(portion->samples.count <= kMostDeepSamples);
             }
             QVERIFY(portions > 20);
