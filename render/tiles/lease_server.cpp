@@ -27,7 +27,7 @@ void LeaseServer::leave(WorkerId id) {
         const std::lock_guard lock(state_->mutex);
         state_->registry.leave(id);
         if (state_->request)
-            state_->request->scheduler().giveBackAll(id);
+            state_->request->giveBackAll(id);
         state_->changed.notify_all();
     }
     state_->notify();
@@ -48,7 +48,7 @@ void LeaseServer::setSuspect(WorkerId id, bool suspect) {
         worker->isSuspect = suspect;
         worker->updateState();
         if (state_->request)
-            state_->request->scheduler().setSuspect(id, suspect);
+            state_->request->setSuspect(id, suspect);
         state_->changed.notify_all();
     }
     state_->notify();
@@ -109,17 +109,13 @@ std::optional<Lease> LeaseServer::take(WorkerId id) {
     Worker* worker = state_->registry.find(id);
     if (!state_->isRequestCurrent() || !worker || !worker->takesWork(state_->request->scene()))
         return std::nullopt;
-    const bool probation = worker->trust.isOnProbation();
-    if (worker->inFlight >= (probation ? 1 : kInFlight))
+    if (worker->inFlight >= (worker->trust.isProved() ? kInFlight : 1))
         return std::nullopt;
     const double now = state_->clock();
-    const Ability ability = state_->abilityOf(worker->speed, probation, worker->status.isDeep);
-    const std::optional<Portion> portion = state_->request->scheduler().take(id, ability, now);
-    if (!portion)
-        return std::nullopt;
-    if (worker->inFlight++ == 0)
+    std::optional<Lease> lease = state_->leaseFor(*worker, now);
+    if (lease && worker->inFlight++ == 0)
         worker->lastResult = now;
-    return state_->request->leaseOf(*portion);
+    return lease;
 }
 
 void LeaseServer::deliver(WorkerId id, LeaseResult result) {
@@ -129,32 +125,40 @@ void LeaseServer::deliver(WorkerId id, LeaseResult result) {
         if (!worker)
             return;
         worker->inFlight = std::max(worker->inFlight - 1, 0);
-        const std::optional<Portion> portion =
-            state_->request ? state_->request->scheduler().heldBy(id, result.number) : std::nullopt;
-        if (portion) {
+        SharedRequest* request = state_->request.get();
+        if (!request)
+            late(*worker);
+        else if (const std::optional<Portion> portion = request->scheduler().heldBy(id, result.number))
             accept(*worker, *portion, std::move(result));
-        } else {
-            ++worker->status.late;
-            worker->lastResult = state_->clock();
-        }
+        else if (std::optional<Audit> audit = request->audits().takeFrom(id, result.number))
+            check(*worker, *std::move(audit), std::move(result));
+        else
+            late(*worker);
         state_->changed.notify_all();
     }
     state_->notify();
+}
+
+void LeaseServer::late(Worker& worker) {
+    ++worker.status.late;
+    worker.lastResult = state_->clock();
+}
+
+void LeaseServer::measure(Worker& worker, const Portion& portion, const LeaseResult& result) {
+    const double now = state_->clock(), seconds = now - worker.lastResult;
+    state_->addTime(worker.status.id, worker.speed, portion, seconds, result.seconds);
+    state_->times.add(workOf(result.tile, result.samples), seconds);
+    worker.lastResult = now;
+    worker.status.busySeconds += result.seconds;
 }
 
 void LeaseServer::accept(Worker& worker, const Portion& portion, LeaseResult result) {
     const int imageWidth = state_->scenes.current().scene->film.x;
     if (const std::string why = whatIsImpossible(result, portion, imageWidth); !why.empty())
         return state_->quarantine(worker.status.key, why);
-    // Measure the worker
-    const double now = state_->clock(), seconds = now - worker.lastResult;
-    state_->addTime(worker.status.id, worker.speed, portion, seconds, result.seconds);
-    state_->times.add(workOf(result.tile, result.samples), seconds);
-    worker.lastResult = now;
-    worker.status.busySeconds += result.seconds;
-    // Merge the result, now or after its audit
-    if (worker.trust.isOnProbation())
-        state_->request->withhold(worker.status, portion, std::move(result));
+    measure(worker, portion, result);
+    if (state_->checksAll || state_->request->isProof(portion.number))
+        state_->request->withhold(worker, portion, std::move(result));
     else
         merge(worker, portion, std::move(result));
 }
@@ -162,11 +166,25 @@ void LeaseServer::accept(Worker& worker, const Portion& portion, LeaseResult res
 void LeaseServer::merge(Worker& worker, const Portion& portion, LeaseResult result) {
     SharedRequest& request = *state_->request;
     if (const std::optional<Tile> part = worker.trust.partToAudit(result.tile))
-        request.auditPart(worker.status, portion, result, *part);
+        request.auditPart(worker, result, *part);
     if (Result<void> taken = request.take(std::move(result)); !taken)
         return state_->quarantine(worker.status.key, taken.error().what);
     request.addContributor(worker.status.key);
-    worker.count(portion);
+    state_->count(&worker, portion);
+}
+
+void LeaseServer::check(Worker& worker, Audit audit, LeaseResult result) {
+    const Portion portion{audit.lease.number, audit.lease.tile, audit.lease.samples};
+    const int imageWidth = state_->scenes.current().scene->film.x;
+    if (const std::string why = whatIsImpossible(result, portion, imageWidth); !why.empty()) {
+        state_->request->audits().add(std::move(audit));
+        return state_->quarantine(worker.status.key, why);
+    }
+    measure(worker, portion, result);
+    if (confirms(result, audit) && state_->conclude(audit, result))
+        return;
+    audit.second = Audit::Opinion{worker.status.key, std::move(result)};
+    state_->request->audits().add(std::move(audit));
 }
 
 void LeaseServer::abandon(WorkerId id, std::uint64_t lease) {
@@ -175,7 +193,7 @@ void LeaseServer::abandon(WorkerId id, std::uint64_t lease) {
         if (Worker* worker = state_->registry.find(id))
             worker->inFlight = std::max(worker->inFlight - 1, 0);
         if (state_->request)
-            state_->request->scheduler().giveBack(id, lease);
+            state_->request->giveBack(id, lease);
         state_->changed.notify_all();
     }
     state_->notify();
@@ -186,7 +204,7 @@ void LeaseServer::tick() {
         const std::lock_guard lock(state_->mutex);
         if (!state_->request)
             return;
-        for (const WorkerId id : state_->request->scheduler().expire(state_->clock()))
+        for (const WorkerId id : state_->request->expire(state_->clock()))
             if (Worker* worker = state_->registry.find(id))
                 ++worker->status.overdue;
         state_->changed.notify_all();

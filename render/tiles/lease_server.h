@@ -15,6 +15,7 @@
 namespace pdr {
 
 class PoolState;
+struct Audit;
 
 class LeaseServer {
   public:
@@ -58,10 +59,16 @@ class LeaseServer {
     ~LeaseServer();
 
   private:
+    /// Counts a result that comes too late to be used.
+    void late(Worker& worker);
+    /// Measures the worker by a result that it has sent for `portion`.
+    void measure(Worker& worker, const Portion& portion, const LeaseResult& result);
     /// Takes the result of a portion that the worker holds.
     void accept(Worker& worker, const Portion& portion, LeaseResult result);
-    /// Merges the result of a worker that has passed its probation.
+    /// Merges the result before it is audited.
     void merge(Worker& worker, const Portion& portion, LeaseResult result);
+    /// Takes what the worker has found for the samples of another one.
+    void check(Worker& worker, Audit audit, LeaseResult result);
 
     std::shared_ptr<PoolState> state_;
 };

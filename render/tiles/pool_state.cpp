@@ -1,6 +1,9 @@
 #include "render/tiles/pool_state.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "render/tiles/result_check.h"
 
 namespace pdr {
 namespace {
@@ -10,13 +13,42 @@ namespace {
 constexpr double kShare = 0.4;
 /// Cost of the first portion of a worker of unknown speed: some cells.
 constexpr double kFirstCost = 16 * kFilmCell * kFilmCell;
-/// Limits on the target duration of a portion [s]: minimum, maximum, maximum while the cost of cells is unknown,
-/// maximum on probation.
-constexpr double kShortestSeconds = 0.004, kLongestSeconds = 0.3, kUnknownSeconds = 0.1, kProbationSeconds = 0.01;
+/// Limits on the target duration of a portion [s]: minimum, maximum, maximum while the cost of cells is unknown.
+constexpr double kShortestSeconds = 0.004, kLongestSeconds = 0.3, kUnknownSeconds = 0.1;
 
 }  // namespace
 
-Ability PoolState::abilityOf(const WorkerSpeed& speed, bool isOnProbation, bool isDeep) const {
+bool PoolState::isAnyTaking() const {
+    if (!isRequestCurrent())
+        return false;
+    return std::ranges::any_of(registry.all(), [&](const auto& one) {
+        const Worker& worker = one.second;
+        return worker.takesWork(request->scene()) &&
+               (!worker.trust.isStranger() || worker.inFlight > 0 || request->affordsProof());
+    });
+}
+
+bool PoolState::mayAnyCheck(const Audit& audit) const {
+    return isRequestCurrent() && std::ranges::any_of(registry.all(), [&](const auto& one) {
+               return one.second.takesWork(request->scene()) && mayCheck(one.second, audit);
+           });
+}
+
+std::optional<Lease> PoolState::leaseFor(const Worker& worker, double now) {
+    const WorkerId id = worker.status.id;
+    const double held = request->scheduler().costHeldBy(id);
+    const Ability ability = abilityOf(worker.speed, worker.status.isDeep);
+    if (std::optional<Lease> audit = request->audits().give(worker, held / ability.perSecond, now))
+        return audit;
+    std::optional<Portion> portion;
+    if (!worker.trust.isProved())
+        portion = request->takeProof(id, ability, now);
+    if (!portion && !worker.trust.isStranger())
+        portion = request->scheduler().take(id, ability, now);
+    return portion ? std::optional(request->leaseOf(*portion)) : std::nullopt;
+}
+
+Ability PoolState::abilityOf(const WorkerSpeed& speed, bool isDeep) const {
     const double mine = speed.perSecond();
     if (mine <= 0)  // unknown: expect the own device's speed
         return {kFirstCost, std::max(own.speed.perSecond(), kFirstCost), 0};
@@ -24,7 +56,7 @@ Ability PoolState::abilityOf(const WorkerSpeed& speed, bool isOnProbation, bool 
     if (own.helps || !isAnyTaking())
         all += own.speed.perSecond();
     const double fair = request->scheduler().openCost() * mine / std::max(all, mine) * kShare;
-    const double longest = isOnProbation ? kProbationSeconds : costs.isKnown() ? kLongestSeconds : kUnknownSeconds;
+    const double longest = costs.isKnown() ? kLongestSeconds : kUnknownSeconds;
     return {std::clamp(fair, mine * kShortestSeconds, mine * longest), mine, isDeep ? mine * longest : 0};
 }
 
@@ -34,10 +66,44 @@ void PoolState::addTime(WorkerId worker, WorkerSpeed& speed, const Portion& port
     request->addTime({worker, portion.tile, portion.samples.count, std::min(busySeconds, seconds)});
 }
 
+void PoolState::count(Worker* worker, const Portion& portion) {
+    ++checks.results;
+    checks.work += workOf(portion.tile, portion.samples);
+    if (worker)
+        worker->count(portion);
+}
+
+Result<void> PoolState::conclude(const Audit& audit, LeaseResult truth) {
+    const LeaseResult& claimed = audit.claimed;
+    const Text lied = phrase("a tile of it was not what this machine found when it did it again");
+    const bool isConfirmed = confirms(truth, audit);
+    if (audit.second && !isSame(truth, audit.second->result))
+        quarantine(audit.second->key, lied);
+    if (!isConfirmed)
+        quarantine(audit.key, lied);
+    if (audit.isWithheld) {
+        truth.number = claimed.number;
+        if (Result<void> taken = request->take(std::move(truth)); !taken)
+            return taken;
+    }
+    if (!isConfirmed)
+        return {};
+    const Portion portion{claimed.number, claimed.tile, claimed.samples};
+    Worker* worker = registry.find(audit.worker);
+    if (audit.isWithheld)
+        count(worker, portion);
+    checks.checked += workOf(portion.tile, portion.samples);
+    if (worker) {
+        worker->trust.confirmed(audit.cost);
+        ++worker->status.audited;
+    }
+    return {};
+}
+
 void PoolState::quarantine(const std::string& key, const Text& reason) {
     for (const WorkerId worker : registry.quarantine(key, reason))
         if (request)
-            request->scheduler().giveBackAll(worker);
+            request->giveBackAll(worker);
 }
 
 void PoolState::setNotice(std::function<void()> notice) {

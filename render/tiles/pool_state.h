@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "render/tiles/lease_times.h"
+#include "render/tiles/node_checks.h"
 #include "render/tiles/published_scenes.h"
 #include "render/tiles/shared_request.h"
 #include "render/tiles/worker_registry.h"
@@ -51,18 +52,31 @@ class PoolState {
     LeaseTimes times;
     std::optional<Split> pinnedSplit;  ///< none: the cost model decides
     SplitChoice split;                 ///< split of the last request
+    bool checksAll = false;            ///< every result of a worker is withheld until it has been rendered again
+    NodeChecks checks;                 ///< what was checked for the scene that workers have
+    std::uint64_t checkedScene = 0;    ///< number of that scene
 
     // The caller of these holds `mutex`.
 
     /// Whether workers may sample the request: there is one, and no other scene has priority over its scene.
     bool isRequestCurrent() const { return request && request->scene() == scenes.current().number; }
-    /// Whether a worker takes leases of the request.
-    bool isAnyTaking() const { return isRequestCurrent() && registry.countTaking(request->scene()) > 0; }
+    /// Whether a worker takes leases of the request. A stranger takes none that the request cannot afford to prove.
+    bool isAnyTaking() const;
+    /// Whether a worker that takes leases of the request may check that one.
+    bool mayAnyCheck(const Audit& audit) const;
     /// Returns what to ask the scheduler of the request for.
-    Ability abilityOf(const WorkerSpeed& speed, bool isOnProbation, bool isDeep) const;
+    Ability abilityOf(const WorkerSpeed& speed, bool isDeep) const;
+    /// Returns the next lease of a worker that takes leases of the request: an audit before anything else.
+    std::optional<Lease> leaseFor(const Worker& worker, double now);
     /// Records the time of a portion of the request; `busySeconds`: the part of it that the worker reports as spent on
     /// samples.
     void addTime(WorkerId worker, WorkerSpeed& speed, const Portion& portion, double seconds, double busySeconds);
+    /// Counts a merged result of a worker; null: the worker has left.
+    void count(Worker* worker, const Portion& portion);
+    /// Ends an audit by `truth`, the samples as the own device or a second worker found them: rewards the worker that
+    /// sent the same, quarantines one that did not, and merges `truth` if the result was withheld. Error: the film
+    /// refuses the sums.
+    Result<void> conclude(const Audit& audit, LeaseResult truth);
     /// Quarantines all workers of that key and takes their portions back.
     void quarantine(const std::string& key, const Text& reason);
 

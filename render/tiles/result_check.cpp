@@ -17,6 +17,10 @@ bool sameFault(const FaultCount& a, const FaultCount& b) {
     return a.count == b.count && (a.count == 0 || (a.sample == b.sample && a.pixel == b.pixel));
 }
 
+bool sameNumbers(const LeaseResult& a, const LeaseResult& b) {
+    return sameBits(a.sums, b.sums) && sameBits(a.moments, b.moments);
+}
+
 /// Whether a result with the faults `whole` may have a part with the faults `part`.
 bool contains(const Health& whole, const Health& part) {
     for (int i = 0; i < kFaults; ++i)
@@ -43,10 +47,15 @@ bool sameHealth(const Health& a, const Health& b) {
     return true;
 }
 
-bool confirms(const LeaseResult& truth, const Audit& audit) {
-    const bool sameFaults = audit.isWithheld ? sameHealth(truth.health, audit.claimed.health)
-                                             : contains(audit.claimed.health, truth.health);
-    return sameFaults && sameBits(audit.claimed.sums, truth.sums) && sameBits(audit.claimed.moments, truth.moments);
+bool confirms(const LeaseResult& found, const Audit& audit) {
+    const LeaseResult& claimed = audit.claimed;
+    const bool sameFaults =
+        audit.isWithheld ? sameHealth(found.health, claimed.health) : contains(claimed.health, found.health);
+    return sameFaults && sameNumbers(claimed, found);
+}
+
+bool isSame(const LeaseResult& a, const LeaseResult& b) {
+    return sameHealth(a.health, b.health) && sameNumbers(a, b);
 }
 
 }  // namespace pdr

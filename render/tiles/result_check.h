@@ -12,10 +12,13 @@ namespace pdr {
 /// one lies in the portion. `imageWidth`: pixels.
 std::string whatIsImpossible(const LeaseResult& result, const Portion& portion, int imageWidth);
 
-/// Whether `truth`, the own device's result for the audit's samples, is what the worker claimed: the sums to the last
+/// Whether `found`, another machine's result for the audit's samples, is what the worker claimed: the sums to the last
 /// bit, and the faults. An audit of a part detects faults that were hidden, but not faults that were added outside of
 /// the part.
-bool confirms(const LeaseResult& truth, const Audit& audit);
+bool confirms(const LeaseResult& found, const Audit& audit);
+
+/// Whether both hold the same sums, to the last bit, and the same faults.
+bool isSame(const LeaseResult& a, const LeaseResult& b);
 
 /// Whether both report the same faults.
 bool sameHealth(const Health& a, const Health& b);

@@ -58,6 +58,9 @@ class SharedDevice final : public Device {
 /// stopped would be too uneven, and fewer messages would not matter any more.
 constexpr std::uint32_t kWholeSamples = 1024;
 
+/// What a device that is alone asks for: as much of a block as a lease may have.
+constexpr Ability kEverything{std::numeric_limits<double>::infinity(), 1};
+
 /// Returns all samples of a film, to be rendered again because they can no longer be trusted.
 std::vector<TileGoal> allOf(const TileProgress& progress) {
     std::vector<TileGoal> goals;
@@ -86,15 +89,11 @@ std::vector<TileGoal> SharedAccumulator::goalsOf(const Tile& region, std::uint32
     return goals;
 }
 
-Result<void> SharedAccumulator::take(const std::vector<TileGoal>& goals, const std::stop_token& stop,
-                                     const Extended& told) {
-    return work_.hasWorkers() ? together(goals, stop, told) : alone(goals, stop, told);
-}
-
 bool SharedAccumulator::discardUntrusted() {
     if (!work_.isAnyUntrusted(contributors_))
         return false;
     contributors_.clear();
+    work_.discarded();
     film_.restart(film_.area(), film_.revision());
     return true;
 }
@@ -102,7 +101,11 @@ bool SharedAccumulator::discardUntrusted() {
 Result<void> SharedAccumulator::accumulate(const Tile& region, std::uint32_t n, std::stop_token stop) {
     std::vector<TileGoal> goals = goalsOf(region, n);
     for (;;) {
-        if (Result<void> done = take(goals, stop); !done || stop.stop_requested())
+        const Result<bool> shared = together(goals, stop, {});
+        if (!shared)
+            return shared.error();
+        const Result<void> done = *shared ? Result<void>() : alone(goals, stop);
+        if (!done || stop.stop_requested())
             return done;
         goals = allOf(film_.progress());
         if (!discardUntrusted())
@@ -112,19 +115,35 @@ Result<void> SharedAccumulator::accumulate(const Tile& region, std::uint32_t n, 
 
 Result<std::uint64_t> SharedAccumulator::extend(std::uint64_t had, std::uint32_t n, std::stop_token stop,
                                                 const Extended& told) {
-    if (Result<void> done = take(goalsOf(film_.area(), n), stop, told); !done)
-        return done.error();
+    const std::vector<TileGoal> goals = goalsOf(film_.area(), n);
+    const Result<bool> shared = together(goals, stop, told);
+    if (!shared)
+        return shared.error();
+    if (!*shared)
+        if (Result<void> done = leaseByLease(goals, stop, told); !done)
+            return done.error();
     if (discardUntrusted())
         return 0;
     return stop.stop_requested() ? film_.samplesPerPixel() : had + n;
 }
 
-/// Works as the only one on a request, so that a stop leaves finished tiles alone.
-Result<void> SharedAccumulator::alone(const std::vector<TileGoal>& goals, const std::stop_token& stop,
-                                      const Extended& told) {
-    constexpr double kAll = std::numeric_limits<double>::infinity();
+Result<void> SharedAccumulator::alone(const std::vector<TileGoal>& goals, const std::stop_token& stop) {
+    TileScheduler scheduler(goals, Split::tiles, 1);
+    while (const std::optional<Portion> portion = scheduler.take(kOwnDevice, kEverything, 0)) {
+        if (Result<void> traced = own_.trace(portion->tile, portion->samples, film_.sums(portion->tile), stop); !traced)
+            return traced;
+        if (stop.stop_requested())
+            return {};
+        film_.commit(portion->tile, portion->samples);
+        scheduler.finish(portion->number);
+    }
+    return {};
+}
+
+Result<void> SharedAccumulator::leaseByLease(const std::vector<TileGoal>& goals, const std::stop_token& stop,
+                                             const Extended& told) {
     SharedRequest request(film_, scene_, goals, Split::tiles, 1, CellCosts());
-    while (const std::optional<Portion> portion = request.scheduler().take(kOwnDevice, {kAll, 1, 0}, 0)) {
+    while (const std::optional<Portion> portion = request.scheduler().take(kOwnDevice, kEverything, 0)) {
         Result<LeaseResult> result = traceLease(own_, request.leaseOf(*portion), stop);
         if (!result)
             return result.error();
@@ -138,13 +157,15 @@ Result<void> SharedAccumulator::alone(const std::vector<TileGoal>& goals, const 
     return {};
 }
 
-Result<void> SharedAccumulator::together(const std::vector<TileGoal>& goals, const std::stop_token& stop,
+Result<bool> SharedAccumulator::together(const std::vector<TileGoal>& goals, const std::stop_token& stop,
                                          const Extended& told) {
-    if (!work_.begin(film_, scene_, goals, stop))
-        return alone(goals, stop, told);
-    Result<void> done = takePart(stop, told);
+    if (!work_.hasWorkers() || !work_.begin(film_, scene_, goals, stop))
+        return false;
+    const Result<void> done = takePart(stop, told);
     contributors_.merge(work_.end());
-    return done;
+    if (!done)
+        return done.error();
+    return true;
 }
 
 Result<void> SharedAccumulator::takePart(const std::stop_token& stop, const Extended& told) {

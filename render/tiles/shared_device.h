@@ -37,11 +37,12 @@ class SharedAccumulator final : public HostAccumulator {
     std::vector<TileGoal> goalsOf(const Tile& region, std::uint32_t n) const;
     /// Empties the film if results of an untrusted node are merged into it. Returns whether it did.
     bool discardUntrusted();
-    Result<void> take(const std::vector<TileGoal>& goals, const std::stop_token& stop, const Extended& told = {});
-    /// Renders all goals on the own device.
-    Result<void> alone(const std::vector<TileGoal>& goals, const std::stop_token& stop, const Extended& told);
-    /// Renders all goals on the own device and the workers, if they serve this scene.
-    Result<void> together(const std::vector<TileGoal>& goals, const std::stop_token& stop, const Extended& told);
+    /// Renders all goals on the own device and the workers. False: there are none, or they serve another scene.
+    Result<bool> together(const std::vector<TileGoal>& goals, const std::stop_token& stop, const Extended& told);
+    /// Renders all goals on the own device. A stop leaves a worthless film.
+    Result<void> alone(const std::vector<TileGoal>& goals, const std::stop_token& stop);
+    /// Renders all goals on the own device, lease by lease. A stop leaves whole tiles.
+    Result<void> leaseByLease(const std::vector<TileGoal>& goals, const std::stop_token& stop, const Extended& told);
     /// Renders the own device's leases and audits until the request is done.
     Result<void> takePart(const std::stop_token& stop, const Extended& told);
 

@@ -76,14 +76,34 @@ Result<void> SharedRequest::merge(LeaseResult result) {
         {film_.revision(), result.tile, samples, std::move(result.sums), result.health, std::move(result.moments)});
 }
 
-void SharedRequest::withhold(const WorkerStatus& worker, const Portion& portion, LeaseResult result) {
-    scheduler_.arrived(portion.number);
-    audits_.push_back({worker.id, worker.key, std::move(result), leaseOf(portion), true});
+std::optional<Portion> SharedRequest::takeProof(WorkerId worker, const Ability& ability, double now) {
+    if (audits_.countOf(worker) >= kMostProofs)
+        return std::nullopt;
+    const Ability small{std::min(ability.cost, kProofCost), ability.perSecond, 0, proofCost_};
+    const std::optional<Portion> portion = scheduler_.take(worker, small, now);
+    if (portion) {
+        proofCost_ -= scheduler_.costOf(*portion);
+        proofs_.insert(portion->number);
+    }
+    return portion;
 }
 
-void SharedRequest::auditPart(const WorkerStatus& worker, const Portion& portion, const LeaseResult& result,
-                              const Tile& part) {
-    if (audits_.size() >= kMostAudits)
+Audit SharedRequest::auditOf(const Worker& worker, LeaseResult claimed) {
+    const Portion again{scheduler_.newNumber(), claimed.tile, claimed.samples};
+    Audit audit{worker.status.id, worker.status.key, std::move(claimed), leaseOf(again), scheduler_.costOf(again)};
+    audit.isProof = !worker.trust.isProved();
+    return audit;
+}
+
+void SharedRequest::withhold(const Worker& worker, const Portion& portion, LeaseResult result) {
+    scheduler_.arrived(portion.number);
+    Audit audit = auditOf(worker, std::move(result));
+    audit.isWithheld = true;
+    audits_.add(std::move(audit));
+}
+
+void SharedRequest::auditPart(const Worker& worker, const LeaseResult& result, const Tile& part) {
+    if (audits_.countOf(worker.status.id) >= kMostAudits)
         return;
     LeaseResult claimed{result.number,
                         part,
@@ -92,16 +112,30 @@ void SharedRequest::auditPart(const WorkerStatus& worker, const Portion& portion
                         result.health,
                         0,
                         partOf(result.moments, result.tile, part)};
-    audits_.push_back(
-        {worker.id, worker.key, std::move(claimed), leaseOf({portion.number, part, portion.samples}), false});
+    audits_.add(auditOf(worker, std::move(claimed)));
 }
 
-std::optional<Audit> SharedRequest::nextAudit() {
-    if (audits_.empty())
-        return std::nullopt;
-    Audit oldest = std::move(audits_.front());
-    audits_.pop_front();
-    return oldest;
+void SharedRequest::giveBack(WorkerId worker, std::uint64_t number) {
+    scheduler_.giveBack(worker, number);
+    audits_.giveBack(worker, number);
+}
+
+void SharedRequest::giveBackAll(WorkerId worker) {
+    scheduler_.giveBackAll(worker);
+    audits_.giveBackAll(worker);
+}
+
+void SharedRequest::setSuspect(WorkerId worker, bool suspect) {
+    scheduler_.setSuspect(worker, suspect);
+    if (suspect)
+        audits_.giveBackAll(worker);
+}
+
+std::vector<WorkerId> SharedRequest::expire(double now) {
+    std::vector<WorkerId> late = scheduler_.expire(now);
+    for (const WorkerId worker : audits_.expire(now))
+        late.push_back(worker);
+    return late;
 }
 
 }  // namespace pdr

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "render/tiles/pool_state.h"
-#include "render/tiles/result_check.h"
 
 namespace pdr {
 namespace {
@@ -54,9 +53,13 @@ void SharedWork::withdraw(std::uint64_t scene) {
 }
 
 void SharedWork::sceneChanged() {
+    if (const std::uint64_t current = state_->scenes.current().number; current != state_->checkedScene) {
+        state_->checkedScene = current;
+        state_->checks = {};
+    }
     if (state_->request && !state_->isRequestCurrent())
         for (const auto& [id, worker] : state_->registry.all())
-            state_->request->scheduler().giveBackAll(id);
+            state_->request->giveBackAll(id);
     state_->changed.notify_all();
 }
 
@@ -84,7 +87,7 @@ bool SharedWork::begin(Film& film, std::uint64_t scene, const std::vector<TileGo
         state_->request =
             std::make_unique<SharedRequest>(film, scene, goals, state_->split.split, state_->nextLease, state_->costs);
         for (const auto& [id, worker] : state_->registry.all())
-            state_->request->scheduler().setSuspect(id, worker.isSuspect);
+            state_->request->setSuspect(id, worker.isSuspect);
     }
     state_->notify();
     return true;
@@ -96,21 +99,31 @@ std::optional<SharedWork::OwnWork> SharedWork::nextOwn(const std::stop_token& st
     OwnDevice& own = state_->own;
     const double start = state_->clock();
     while (!request.isDone() && !stop.stop_requested()) {
-        if (std::optional<Audit> audit = request.nextAudit()) {
-            const Lease lease = audit->lease;
-            return OwnWork{std::move(audit), lease};
-        }
         own.taken = state_->clock();
-        if (own.helps || !state_->isAnyTaking()) {
-            const Ability ability = state_->abilityOf(own.speed, false, true);
-            if (const auto portion = request.scheduler().take(kOwnDevice, ability, own.taken))
-                return OwnWork{std::nullopt, request.leaseOf(*portion)};
-        }
+        if (std::optional<OwnWork> work = ownWork(request))
+            return work;
         if (own.taken - start > kIdleSeconds)
             return OwnWork{};
         state_->changed.wait_for(lock, kLookAgain);
     }
     return std::nullopt;
+}
+
+/// Returns first what only the own device can do, so that nobody waits for it; an audit that others may do last.
+std::optional<SharedWork::OwnWork> SharedWork::ownWork(SharedRequest& request) {
+    const auto isOurs = [&](const Audit& audit) { return !state_->mayAnyCheck(audit); };
+    std::optional<Audit> audit = request.audits().takeIf(isOurs);
+    if (!audit && (state_->own.helps || !state_->isAnyTaking())) {
+        const Ability ability = state_->abilityOf(state_->own.speed, true);
+        if (const auto portion = request.scheduler().take(kOwnDevice, ability, state_->own.taken))
+            return OwnWork{std::nullopt, request.leaseOf(*portion)};
+    }
+    if (!audit)
+        audit = request.audits().takeLate(state_->own.taken);
+    if (!audit)
+        return std::nullopt;
+    Lease lease = audit->lease;
+    return OwnWork{std::move(audit), std::move(lease)};
 }
 
 SampleCounts SharedWork::merged() const {
@@ -137,28 +150,21 @@ Result<void> SharedWork::deliverOwn(LeaseResult result) {
 Result<void> SharedWork::audited(const Audit& audit, LeaseResult truth) {
     {
         const std::lock_guard lock(state_->mutex);
-        judge(audit, truth);
-        if (!audit.isWithheld)
-            return {};
-        truth.number = audit.claimed.number;
-        if (Result<void> taken = state_->request->take(std::move(truth)); !taken)
-            return taken;
+        if (Result<void> concluded = state_->conclude(audit, std::move(truth)); !concluded)
+            return concluded;
     }
     state_->notify();
     return {};
 }
 
-void SharedWork::judge(const Audit& audit, const LeaseResult& truth) {
-    if (!confirms(truth, audit))
-        return state_->quarantine(audit.key,
-                                  phrase("a tile of it was not what this machine found when it did it again"));
-    Worker* worker = state_->registry.find(audit.worker);
-    if (!worker)
-        return;
-    worker->trust.passed();
-    ++worker->status.audited;
-    if (audit.isWithheld)
-        worker->count({truth.number, truth.tile, truth.samples});
+NodeChecks SharedWork::checks() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->checks;
+}
+
+void SharedWork::discarded() {
+    const std::lock_guard lock(state_->mutex);
+    state_->checks = {};
 }
 
 std::set<std::string> SharedWork::end() {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "render/tiles/node_checks.h"
 #include "render/tiles/published_scenes.h"
 #include "render/tiles/shared_request.h"
 
@@ -48,11 +49,15 @@ class SharedWork {
     SampleCounts merged() const;
     /// Merges a result of the own device, unless a worker was faster. Error: the film refuses the sums.
     Result<void> deliverOwn(LeaseResult result);
-    /// Compares an audited result with `truth`, the own device's result for the same samples, and merges `truth` if the
-    /// audited result was withheld. Error: the film refuses the sums.
+    /// Ends an audit by `truth`, the own device's result for the same samples, and merges `truth` if the audited result
+    /// was withheld. Error: the film refuses the sums.
     Result<void> audited(const Audit& audit, LeaseResult truth);
     /// Ends the request, done or not. Returns the keys of the workers whose results were merged without a full audit.
     std::set<std::string> end();
+    /// Returns what was checked of the results of workers for the scene that they have.
+    NodeChecks checks() const;
+    /// Records that all samples of that scene were discarded.
+    void discarded();
     /// Whether one of these workers has been quarantined for a wrong result.
     bool isAnyUntrusted(const std::set<std::string>& keys) const;
 
@@ -64,8 +69,8 @@ class SharedWork {
     /// Applies a change of the scenes to the request: takes back what workers hold of it if they now have another scene
     /// to render.
     void sceneChanged();
-    /// Rewards the worker for a passed audit, or quarantines it.
-    void judge(const Audit& audit, const LeaseResult& truth);
+    /// Returns the next work of the own device, if there is any now.
+    std::optional<OwnWork> ownWork(SharedRequest& request);
 
     std::shared_ptr<PoolState> state_;
 };

@@ -28,6 +28,7 @@ std::optional<Tile> Trust::partToAudit(const Tile& tile) {
 WorkerStatus Worker::statusNow() const {
     WorkerStatus now = status;
     now.workPerSecond = speed.perSecond();
+    now.isProved = trust.isProved();
     return now;
 }
 

@@ -32,6 +32,11 @@ void WorkerPool::setOwnHelps(bool helps) {
     state_->own.helps = helps;
 }
 
+void WorkerPool::setChecksAll(bool all) {
+    const std::lock_guard lock(state_->mutex);
+    state_->checksAll = all;
+}
+
 double WorkerPool::ownWork() const {
     const std::lock_guard lock(state_->mutex);
     return state_->own.work;

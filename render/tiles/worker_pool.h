@@ -33,6 +33,9 @@ class WorkerPool final : public LeaseServer, public SharedWork {
     SplitChoice split() const;
     /// Sets whether the own device renders, too. False: it only audits, unless no worker takes work.
     void setOwnHelps(bool helps);
+    /// Sets whether every result of a worker is rendered a second time, by another worker or by the own device, before
+    /// a film has it: twice the work.
+    void setChecksAll(bool all);
     /// Work that the own device has done for requests.
     double ownWork() const;
     /// Status of all connected workers, in the sequence in which they joined.

@@ -86,8 +86,7 @@ struct Crew {
         }
         film = *startFilm(*trial.device, scene);
         trial.awaitReady(count);
-        while (std::ranges::any_of(trial.pool->workers(),
-                                   [](const WorkerStatus& one) { return one.audited < Trust::kFirst; }))
+        while (std::ranges::any_of(trial.pool->workers(), [](const WorkerStatus& one) { return !one.isProved; }))
             if (!film->accumulate(1, {}))  // until they are trusted
                 qFatal("the nodes cannot be made ready");
     }

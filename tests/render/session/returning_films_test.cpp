@@ -266,7 +266,7 @@ class ReturningFilmsTest : public QObject {
         Rendering shown(shareDevice(makeCpuDevice(1), pool));
         shown.render(1, 1);
         // Until then every result has been checked, and the film can be trusted whatever becomes of the node.
-        QTRY_VERIFY_WITH_TIMEOUT(node.status().audited >= Trust::kFirst, test::kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(node.status().isProved, test::kPatience);
         const std::uint64_t checked = shown.last(1)->status.samplesPerPixel;
         QTRY_VERIFY_WITH_TIMEOUT(shown.last(1)->status.samplesPerPixel > checked + 10, test::kPatience);
         shown.render(2, 2);

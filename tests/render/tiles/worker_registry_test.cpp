@@ -26,12 +26,11 @@ class WorkerRegistryTest : public QObject {
     void trustOutlastsALeave() {
         WorkerRegistry registry(1);
         const WorkerId first = registry.join("key", "name");
-        for (std::uint64_t i = 0; i < Trust::kFirst; ++i)
-            registry.find(first)->trust.passed();
+        registry.find(first)->trust.confirmed(Trust::kProof);
         registry.leave(first);
         QVERIFY(!registry.find(first));
-        QVERIFY(!registry.find(registry.join("key", "name"))->trust.isOnProbation());
-        QVERIFY(registry.find(registry.join("another", "name"))->trust.isOnProbation());
+        QVERIFY(registry.find(registry.join("key", "name"))->trust.isProved());
+        QVERIFY(registry.find(registry.join("another", "name"))->trust.isStranger());
     }
 
     void quarantineHoldsForAllWorkersOfAKey() {

@@ -33,11 +33,13 @@ class WorkerTest : public QObject {
   private slots:
     void trustIsEarned() {
         Trust trust(1);
-        for (std::uint64_t i = 0; i < Trust::kFirst; ++i) {
-            QVERIFY(trust.isOnProbation());
-            trust.passed();
+        QVERIFY(trust.isStranger());
+        for (double confirmed = 0; confirmed < Trust::kProof; confirmed += 1024) {
+            QVERIFY(!trust.isProved());
+            trust.confirmed(1024);
+            QVERIFY(!trust.isStranger());
         }
-        QVERIFY(!trust.isOnProbation());
+        QVERIFY(trust.isProved());
     }
 
     void anyCellIsAuditedAsOftenAsAnyOther_data() {
