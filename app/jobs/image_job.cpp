@@ -57,7 +57,10 @@ FinalOrder orderOf(const ImageTask& task) {
 FinalSteps stepsOf(const ImageTask& task, const Device& device, const Progress& progress) {
     return {[&] { return checkFilmFits(task.scene.film, device.info(), phrase("Choose a smaller size.")); },
             [&](const BatchState& state) { progress(state.fraction, progressText(state)); },
-            [&] { progress(1, ImageJob::tr("writing the image").toStdString()); }};
+            [&] {
+                progress(1, ImageJob::tr("writing the image").toStdString());
+                return task.checks ? task.checks() : NodeChecks();
+            }};
 }
 
 /// Returns the error of an image that was rendered, if any.

@@ -3,11 +3,14 @@
 /// processor: the session gets about half of it, and while the session is stopped, this job gets all of it. Render
 /// nodes sample this image until it is done.
 
+#include <functional>
+
 #include "app/jobs/background_job.h"
 #include "render/accuracy/stop_rule.h"
 #include "render/film/display.h"
 #include "render/scene/scene.h"
 #include "render/session/session.h"
+#include "render/tiles/node_checks.h"
 #include "ui/annotation/annotations.h"
 
 namespace pdr::app {
@@ -21,6 +24,8 @@ struct ImageTask {
     StopRule stop;                               ///< when rendering stops
     QString file;                                ///< file name, ".png" or ".exr"
     DeviceOpener device;                         ///< called on the job's thread
+    /// Returns what was checked of the samples of render nodes; empty: there are none.
+    std::function<NodeChecks()> checks = {};
 };
 
 class ImageJob : public BackgroundJob {

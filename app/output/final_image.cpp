@@ -26,8 +26,8 @@ const char* denoisingNote(const FinalOrder& order, JudgedImage& image) {
 FinalImage finished(const FinalOrder& order, const TakenFilm& taken, Device& device, const std::stop_token& stop) {
     const BatchResult& result = taken.result;
     const auto bias = measureBias(order.scene, order.display, device, taken.biasSeconds, stop);
-    const Rendered rendered{result.film, order.display, result.seconds, device.info().name,
-                            bias ? *bias : MeasuredBiases()};
+    const Rendered rendered{
+        result.film, order.display, result.seconds, device.info().name, bias ? *bias : MeasuredBiases(), taken.checks};
     const bool keeps = order.whenStopped == WhenStopped::keep;
     const std::stop_token discarded = keeps ? std::stop_token() : stop;
     const Display display = order.display.withDenoised(order.display.denoised && anyPng(order.outputs));
@@ -35,7 +35,11 @@ FinalImage finished(const FinalOrder& order, const TakenFilm& taken, Device& dev
     const PaintOver paintOver = order.painter ? order.painter(image.shown()) : PaintOver();
     WrittenFiles written =
         writeFiles(order.outputs, [&](const auto& file) { return image.write(file, paintOver, discarded); });
-    return {result, image.biases(), denoisingNote(order, image), std::move(written),
+    return {result,
+            image.biases(),
+            denoisingNote(order, image),
+            std::move(written),
+            taken.checks,
             bias ? std::nullopt : std::optional(bias.error())};
 }
 
@@ -56,13 +60,13 @@ Result<TakenFilm> takenFilm(const FinalOrder& order, Device& device, const Final
         return result.error();
     if (order.whenStopped == WhenStopped::discard && stop.stop_requested())
         return cancelled();
-    steps.afterSamples();
+    const NodeChecks checks = steps.afterSamples();
     if (result->film.samplesPerPixel == 0)
         return Error{phrase("ended before the first sample: nothing was written"), "", ""};
     const auto known = (*film)->film();
     if (!known)
         return known.error();
-    return TakenFilm{*known, *result, kBiasTimeShare * result->seconds};
+    return TakenFilm{*known, *result, kBiasTimeShare * result->seconds, checks};
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "render/film/file/image_file.h"
 #include "render/scene/scene.h"
 #include "render/session/batch_render.h"
+#include "render/tiles/node_checks.h"
 
 namespace pdr::app {
 
@@ -23,6 +24,7 @@ struct TakenFilm {
     std::shared_ptr<const Film> film;  ///< never null
     BatchResult result;
     double biasSeconds = 0;  ///< rendering time that measuring the bias may take
+    NodeChecks checks = {};  ///< what was checked of the samples of render nodes
 };
 
 /// A request for a final render.
@@ -42,7 +44,9 @@ struct FinalOrder {
 struct FinalSteps {
     std::function<Result<void>()> beforeSamples;  ///< called when the device holds the scene; an error ends the render
     BatchRender::Report report;
-    std::function<void()> afterSamples;  ///< the remaining steps take a fraction of the time
+    /// Called after the last sample; the remaining steps take a fraction of the time. Returns what was checked of the
+    /// samples of render nodes.
+    std::function<NodeChecks()> afterSamples;
 };
 
 struct FinalImage {
@@ -52,6 +56,7 @@ struct FinalImage {
     /// neither applies.
     const char* denoisingNote = nullptr;
     WrittenFiles written;
+    NodeChecks checks;
     std::optional<Error> biasUnknown;  ///< why the bias could not be measured; the files are written all the same
 };
 

@@ -62,6 +62,7 @@ Provenance provenanceOf(const Scene& scene, const Rendered& rendered) {
             .extinctionPerMm = scene.transferFunction.extinctionPerMm,
             .program = "PD-Render " PDR_VERSION,
             .device = rendered.device,
+            .nodes = checksText(rendered.checks),
             .effects = effectsText(scene),
             .look = scene.lookName,
             .sky = skyText(scene.environment),

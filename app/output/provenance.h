@@ -7,6 +7,7 @@
 #include "render/film/display.h"
 #include "render/film/file/provenance.h"
 #include "render/scene/schedule.h"
+#include "render/tiles/node_checks.h"
 
 namespace pdr {
 struct Scene;
@@ -23,8 +24,9 @@ struct Rendered {
     FilmStatus status;  ///< status on a display of `tone`
     Tone tone;
     double seconds = 0;
-    std::string device;   ///< name of the device: "cpu"
-    MeasuredBiases bias;  ///< biases that are known only by measuring
+    std::string device;      ///< name of the device: "cpu"
+    MeasuredBiases bias;     ///< biases that are known only by measuring
+    NodeChecks checks = {};  ///< what was checked of the samples of render nodes
 };
 
 /// Returns the facts about bias of an image that is not denoised.

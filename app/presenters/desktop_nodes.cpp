@@ -60,6 +60,10 @@ QString DesktopNodes::splitText() const {
     return pool_->scene().purpose == Purpose::finalRender ? tr("For the image that is being saved. %1").arg(how) : how;
 }
 
+QString DesktopNodes::checksText() const {
+    return pool_ ? ui::inWords(pdr::checksText(pool_->checks())) : QString();
+}
+
 void DesktopNodes::add(const QString& address) {
     if (addresses().contains(address))
         return emit failed(tr("%1 is in the list already.").arg(address));
@@ -157,6 +161,15 @@ void DesktopNodes::setSplit(const std::optional<Split>& split) {
     emit wantedChanged();
 }
 
+void DesktopNodes::setChecksAll(bool all) {
+    if (all == checksAll_)
+        return;
+    checksAll_ = all;
+    if (pool_)
+        pool_->setChecksAll(checksAll_);
+    emit wantedChanged();
+}
+
 /// Shares the device with the first node or port that is requested, and ends sharing with the last.
 void DesktopNodes::beginOrEnd() {
     const bool any = !wanted_.empty() || port_;
@@ -165,6 +178,7 @@ void DesktopNodes::beginOrEnd() {
     pool_ = any ? std::make_shared<WorkerPool>(newSeed()) : nullptr;
     if (any) {
         pool_->setSplit(split_);
+        pool_->setChecksAll(checksAll_);
     } else {
         nodes_.reset();
         bits_.clear();

@@ -32,8 +32,12 @@ class DesktopNodes : public QObject {
     std::optional<quint16> port() const { return port_; }
     const QString& bundle() const { return bundle_; }
     std::optional<Split> wantedSplit() const { return split_; }
+    bool checksAll() const { return checksAll_; }
     /// Returns how the work is split between nodes, and why; empty without work or without nodes that can take it.
     QString splitText() const;
+    /// Returns how much of what nodes sent for this image was checked, and what that would have found; empty if they
+    /// sent nothing.
+    QString checksText() const;
 
   public slots:
     /// Requests a node, which is dialled from now on.
@@ -47,12 +51,14 @@ class DesktopNodes : public QObject {
     void setBundle(const QString& folder);
     /// Sets how the work is split; none: by its costs.
     void setSplit(const std::optional<pdr::Split>& split);
+    /// Sets whether all that nodes send is rendered twice, before it is used.
+    void setChecksAll(bool all);
 
   signals:
     /// Emitted when rows() or events() may have changed: when a node changes, and with each frame while there are
     /// nodes.
     void changed();
-    /// Emitted when addresses(), port(), bundle() or wantedSplit() have changed.
+    /// Emitted when addresses(), port(), bundle(), wantedSplit() or checksAll() have changed.
     void wantedChanged();
     /// Emitted when a request failed, with a sentence for the user.
     void failed(const QString& sentence);
@@ -83,6 +89,7 @@ class DesktopNodes : public QObject {
     std::optional<quint16> port_;
     QString bundle_;
     std::optional<Split> split_;
+    bool checksAll_ = false;
     quint64 nextId_ = 1;
     NodeFigures figures_;
     NodeEvents events_;

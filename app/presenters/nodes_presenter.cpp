@@ -11,6 +11,7 @@ NodesPresenter::NodesPresenter(const Workspace& workspace)
     connect(panel_, &ui::NodesPanel::pauseRequested, &job_, &DesktopNodes::setPaused);
     connect(panel_, &ui::NodesPanel::removeRequested, &job_, &DesktopNodes::remove);
     connect(panel_, &ui::NodesPanel::splitRequested, &job_, &DesktopNodes::setSplit);
+    connect(panel_, &ui::NodesPanel::checksAllRequested, &job_, &DesktopNodes::setChecksAll);
     connect(&job_, &DesktopNodes::failed, panel_, &ui::NodesPanel::setProblem);
     connect(&job_, &DesktopNodes::changed, this, &NodesPresenter::showNodes);
     connect(&job_, &DesktopNodes::wantedChanged, this, [this] {
@@ -23,6 +24,7 @@ NodesPresenter::NodesPresenter(const Workspace& workspace)
 void NodesPresenter::showNodes() {
     panel_->setNodes(job_.rows());
     panel_->setSplit(job_.splitText());
+    panel_->setChecks(job_.checksText());
     emit eventsChanged(job_.events());
 }
 
@@ -30,6 +32,7 @@ void NodesPresenter::showRequested() {
     panel_->setListening(job_.port());
     panel_->setBundle(job_.bundle());
     panel_->setWantedSplit(job_.wantedSplit());
+    panel_->setChecksAll(job_.checksAll());
 }
 
 /// Requests the nodes of the last run. All settings are read first, since each request saves them.
@@ -37,8 +40,10 @@ void NodesPresenter::requestAgain() {
     const QStringList addresses = settings().nodes();
     const std::optional<quint16> port = settings().listenedPort();
     const std::optional<Split> split = settings().nodeSplit();
+    const bool checksAll = settings().nodeChecksAll();
     job_.setBundle(settings().certificates());
     job_.setSplit(split);
+    job_.setChecksAll(checksAll);
     for (const QString& address : addresses)
         job_.add(address);
     if (port)
@@ -51,6 +56,7 @@ void NodesPresenter::keepRequested() {
     settings().keepListenedPort(job_.port());
     settings().keepCertificates(job_.bundle());
     settings().keepNodeSplit(job_.wantedSplit());
+    settings().keepNodeChecksAll(job_.checksAll());
 }
 
 }  // namespace pdr::app

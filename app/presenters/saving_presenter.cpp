@@ -95,7 +95,7 @@ void SavingPresenter::render(const ui::ImageOrder& order) {
     Scene scene = document().scene();
     scene.film = {order.size->width(), order.size->height()};
     job_.make({scene, document().display(), leaving(annotationsOf(workspace(), scene), order.annotate), order.stop,
-               order.file, bridge().finalRenderDevice()});
+               order.file, bridge().finalRenderDevice(), bridge().devices().nodeChecks()});
 }
 
 void SavingPresenter::save(const QString& file, ui::Annotate annotate) {

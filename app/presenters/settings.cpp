@@ -33,6 +33,7 @@ constexpr auto kNodes = "nodes/addresses";
 constexpr qsizetype kMostNodes = 256;
 constexpr auto kPort = "nodes/listenedPort";
 constexpr auto kSplit = "nodes/split";
+constexpr auto kChecksAll = "nodes/checksAll";
 constexpr auto kTiles = "tiles";
 constexpr auto kSamples = "samples";
 constexpr auto kCertificates = "nodes/certificates";
@@ -228,6 +229,10 @@ std::optional<Split> Settings::nodeSplit() const {
                               : std::nullopt;
 }
 
+bool Settings::nodeChecksAll() const {
+    return store_.value(kChecksAll, false).toBool();
+}
+
 QString Settings::certificates() const {
     return store_.value(kCertificates).toString();
 }
@@ -242,6 +247,10 @@ void Settings::keepListenedPort(std::optional<quint16> port) {
 
 void Settings::keepNodeSplit(std::optional<Split> split) {
     store_.setValue(kSplit, !split ? "" : *split == Split::tiles ? kTiles : kSamples);
+}
+
+void Settings::keepNodeChecksAll(bool all) {
+    store_.setValue(kChecksAll, all);
 }
 
 void Settings::keepCertificates(const QString& folder) {

@@ -62,10 +62,12 @@ class Settings {
     QStringList nodes() const;                    ///< addresses, "gpu-07:4743", each once
     std::optional<quint16> listenedPort() const;  ///< none: no node may dial in
     std::optional<Split> nodeSplit() const;       ///< none: by the costs of the work
+    bool nodeChecksAll() const;                   ///< whether all that nodes send is rendered twice
     QString certificates() const;                 ///< folder of this machine's certificates; empty: there are none
     void keepNodes(const QStringList& addresses);
     void keepListenedPort(std::optional<quint16> port);
     void keepNodeSplit(std::optional<Split> split);
+    void keepNodeChecksAll(bool all);
     void keepCertificates(const QString& folder);
     void keepPlanningSeconds(const QString& kind, double secondsPerPixel);
     void keepWindow(const QByteArray& geometry, const QByteArray& state);

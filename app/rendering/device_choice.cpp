@@ -68,4 +68,9 @@ DeviceOpener DeviceChoice::forFinalRender(std::string name, WhySpare told) const
     };
 }
 
+std::function<NodeChecks()> DeviceChoice::nodeChecks() const {
+    const std::lock_guard lock(mutex_);
+    return [pool = pool_] { return pool ? pool->checks() : NodeChecks(); };
+}
+
 }  // namespace pdr::app

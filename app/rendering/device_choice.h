@@ -37,6 +37,10 @@ class DeviceChoice : public QObject {
     /// bits sample that image first. May be called on any thread, as may the opener.
     DeviceOpener forFinalRender(std::string name, WhySpare told) const;
 
+    /// Returns a function that tells what was checked of the samples of the workers. May be called on any thread, as
+    /// may the function.
+    std::function<NodeChecks()> nodeChecks() const;
+
   signals:
     /// Emitted on this object's thread when a device that shares its work has been opened. `bits`: its
     /// referenceTiles(), which workers must reproduce.

@@ -60,6 +60,10 @@
         <translation>%1 % hell (%2 bis %3)</translation>
     </message>
     <message>
+        <source>%1 % of %2 tiles of render nodes were rendered twice; one false tile in %3 would have been found with a probability of %4 %</source>
+        <translation>%1 % von %2 Kacheln anderer Rechner wurden zweimal berechnet; eine falsche unter %3 wäre mit einer Wahrscheinlichkeit von %4 % gefunden worden</translation>
+    </message>
+    <message>
         <source>%1 % of the heartbeat</source>
         <translation>%1 % des Herzschlags</translation>
     </message>
@@ -1340,6 +1344,10 @@ Farbmarken ziehen; Strg und Klick fügt eine hinzu; Doppelklick wählt eine Farb
     <message>
         <source>Changes keyboard shortcuts.</source>
         <translation>Ändert die Tastenkürzel.</translation>
+    </message>
+    <message>
+        <source>Check all</source>
+        <translation>Alles prüfen</translation>
     </message>
     <message>
         <source>Check its permissions.</source>
@@ -3520,6 +3528,10 @@ Parallel: gleich groß in jeder Tiefe, wie zum Messen</translation>
     <message>
         <source>Render cost by effect</source>
         <translation>Rechenzeit je Effekt</translation>
+    </message>
+    <message>
+        <source>Render everything that render nodes send a second time, on another one or on this machine, before it is used: twice the work, and no false sample gets into the image</source>
+        <translation>Alles, was andere Rechner senden, ein zweites Mal berechnen, auf einem anderen oder auf diesem, bevor es verwendet wird: doppelte Arbeit, und kein falscher Wert gelangt ins Bild</translation>
     </message>
     <message>
         <source>Render node</source>

@@ -60,6 +60,10 @@
         <translation>%1 % de brillo (%2 a %3)</translation>
     </message>
     <message>
+        <source>%1 % of %2 tiles of render nodes were rendered twice; one false tile in %3 would have been found with a probability of %4 %</source>
+        <translation>El %1 % de %2 teselas de otros equipos se calculó dos veces; una falsa entre %3 se habría hallado con una probabilidad del %4 %</translation>
+    </message>
+    <message>
         <source>%1 % of the heartbeat</source>
         <translation>%1 % del latido</translation>
     </message>
@@ -1340,6 +1344,10 @@ Arrastre las marcas; Ctrl y clic añade una; doble clic elige un color</translat
     <message>
         <source>Changes keyboard shortcuts.</source>
         <translation>Cambia los atajos de teclado.</translation>
+    </message>
+    <message>
+        <source>Check all</source>
+        <translation>Comprobar todo</translation>
     </message>
     <message>
         <source>Check its permissions.</source>
@@ -3520,6 +3528,10 @@ Paralela: el mismo tamaño a cualquier profundidad, como para medir</translation
     <message>
         <source>Render cost by effect</source>
         <translation>Coste por efecto</translation>
+    </message>
+    <message>
+        <source>Render everything that render nodes send a second time, on another one or on this machine, before it is used: twice the work, and no false sample gets into the image</source>
+        <translation>Calcular por segunda vez, en otro equipo o en este, todo lo que envían los equipos antes de usarlo: el doble de trabajo, y ningún valor falso llega a la imagen</translation>
     </message>
     <message>
         <source>Render node</source>

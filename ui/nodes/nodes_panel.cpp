@@ -61,6 +61,12 @@ void NodesPanel::describe() {
     remove_.setToolTip(tr("Disconnect the selected nodes and erase the scan on them (Delete)"));
     for (QPushButton* button : {&pause_, &remove_})
         button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard focus with the image
+    checksAll_.setText(tr("Check all"));
+    checksAll_.setAccessibleName(checksAll_.text());
+    checksAll_.setToolTip(
+        tr("Render everything that render nodes send a second time, on another one or on this machine, "
+           "before it is used: twice the work, and no false sample gets into the image"));
+    checksAll_.setFocusPolicy(Qt::TabFocus);
     problem_.setAccessibleName(tr("What could not be done"));
     problem_.setWordWrap(true);
     problem_.setTextFormat(Qt::PlainText);
@@ -95,6 +101,7 @@ void NodesPanel::layOut() {
     lastLines_->setSpacing(4);
     auto* split = new QHBoxLayout;
     split->addWidget(&splitBox_);
+    split->addWidget(&checksAll_);
     split->addWidget(&notes_, 1);
     lastLines_->addLayout(split, 5);
     lastLines_->addWidget(&security_, 4);
@@ -113,6 +120,7 @@ void NodesPanel::connectControls() {
         emit bundleRequested(folder);
     });
     connect(&splitBox_, &SplitBox::splitRequested, this, &NodesPanel::splitRequested);
+    connect(&checksAll_, &QCheckBox::clicked, this, &NodesPanel::checksAllRequested);
     connect(table_.selectionModel(), &QItemSelectionModel::selectionChanged, this, &NodesPanel::enableWhatCounts);
     connect(&pause_, &QPushButton::clicked, this, &NodesPanel::pauseOrGoOn);
     connect(&remove_, &QPushButton::clicked, this, &NodesPanel::removeSelected);
@@ -131,6 +139,11 @@ void NodesPanel::setNodes(const QList<NodeRow>& nodes) {
 
 void NodesPanel::setSplit(const QString& sentence) {
     split_ = sentence;
+    showNotes();
+}
+
+void NodesPanel::setChecks(const QString& sentence) {
+    checks_ = sentence;
     showNotes();
 }
 
@@ -189,7 +202,7 @@ void NodesPanel::removeSelected() {
 }
 
 void NodesPanel::showNotes() {
-    QStringList notes{split_, bitsText(model_.nodes())};
+    QStringList notes{checks_, split_, bitsText(model_.nodes())};
     notes.removeAll({});
     if (model_.nodes().isEmpty())
         notes = QStringList{tr("No render nodes: other machines can render along, and the image becomes right sooner")};

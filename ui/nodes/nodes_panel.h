@@ -3,6 +3,7 @@
 /// are added by their address or dial in, and are paused and removed. Setters emit no signals.
 
 #include <QBoxLayout>
+#include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableView>
@@ -26,6 +27,10 @@ class NodesPanel : public QWidget {
     void setNodes(const QList<NodeRow>& nodes);
     /// Sets which split of the work is in use and why: "Tiles: an iteration takes 0.4 s". Empty: there is no work.
     void setSplit(const QString& sentence);
+    /// Sets what was checked of the image's tiles: "2.1 % of 4096 tiles were rendered twice". Empty: there are none.
+    void setChecks(const QString& sentence);
+    /// Sets whether all that nodes send is rendered twice.
+    void setChecksAll(bool all) { checksAll_.setChecked(all); }
     /// Sets the split that the user has chosen. None: chosen by cost.
     void setWantedSplit(std::optional<Split> split) { splitBox_.setSplit(split); }
     /// Sets the port on which nodes may dial in. None: none may.
@@ -51,6 +56,8 @@ class NodesPanel : public QWidget {
     void bundleRequested(const QString& folder);
     /// Requests a split of the work. None: chosen by cost.
     void splitRequested(const std::optional<pdr::Split>& split);
+    /// Requests that all that nodes send is rendered twice, or some of it.
+    void checksAllRequested(bool all);
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -74,12 +81,13 @@ class NodesPanel : public QWidget {
     QPushButton pause_;
     QPushButton remove_;
     SplitBox splitBox_;
+    QCheckBox checksAll_;
     QBoxLayout* controlGroups_;  ///< side by side where there is room
     QBoxLayout* lastLines_;      ///< side by side where there is room
     QLabel problem_;
     ElidedLabel security_;
     ElidedLabel notes_;
-    QString split_;
+    QString split_, checks_;
 };
 
 }  // namespace pdr::ui

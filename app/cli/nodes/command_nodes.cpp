@@ -28,6 +28,7 @@ CommandNodes::CommandNodes(const NodesWanted& wanted, const std::vector<std::byt
     : wanted_(wanted), pool_(std::make_shared<WorkerPool>(seed())), nodes_(pool_, bits) {
     listenToNews();
     pool_->setOwnHelps(!wanted.nodesOnly);
+    pool_->setChecksAll(wanted.checksAll);
     if (wanted.split)
         pool_->setSplit(*wanted.split);
     nodes_.setBundle(wanted.bundle);

@@ -22,6 +22,7 @@ struct NodesWanted {
     int await = 0;                  ///< number of nodes that must be ready before rendering begins
     int awaitSeconds = 120;         ///< longest wait for these nodes
     bool nodesOnly = false;         ///< true: this machine only checks what the nodes send
+    bool checksAll = false;         ///< true: all that nodes send is rendered twice
     std::optional<Split> split;     ///< null: chosen automatically
 
     bool any() const { return !nodes.isEmpty() || listen.has_value(); }
@@ -39,6 +40,8 @@ class CommandNodes {
     /// Returns one line for each node that was named or took part, with what it has done, and a line on how the work
     /// was divided.
     std::string report();
+    /// Returns what was checked of the samples of nodes.
+    NodeChecks checks() const { return pool_->checks(); }
 
   private:
     explicit CommandNodes(const NodesWanted& wanted, const std::vector<std::byte>& bits);

@@ -20,6 +20,7 @@ namespace {
 
 struct Finished {
     StopReason reason;
+    FilmStatus film;
     bool allInPlace;  ///< true: every image was written to its path
 };
 
@@ -45,9 +46,19 @@ FinalSteps stepsOf(const LoadedScene& work, const Device& device, CommandNodes* 
             [&line](const BatchState& state) { line.show(state); },
             [&line, crew] {
                 line.finish();
-                if (crew)
-                    std::fputs(crew->report().c_str(), stderr);
+                if (!crew)
+                    return NodeChecks();
+                std::fputs(crew->report().c_str(), stderr);
+                return crew->checks();
             }};
+}
+
+/// Returns that the samples are uneven, if they are.
+std::string unevenText(const FilmStatus& film) {
+    if (film.mostSamplesPerPixel <= film.samplesPerPixel)
+        return {};
+    return ", in finished tiles more than in others: " + std::to_string(film.samplesPerPixel) + " to " +
+           std::to_string(film.mostSamplesPerPixel) + " in a pixel";
 }
 
 /// Writes to standard error what the report does not contain: notes and files that could not be written.
@@ -89,8 +100,8 @@ Result<Finished> renderAll(const RenderOptions& options, const ImageRun& run, co
     if (image->biasUnknown)
         return *image->biasUnknown;
     run.say({image->written.files, work.scene.film, work.scene.seed, device.info(), image->result, warnings(work.scene),
-             image->biases});
-    return Finished{image->result.reason, image->written.troubles.empty()};
+             image->biases, image->checks});
+    return Finished{image->result.reason, image->result.film, image->written.troubles.empty()};
 }
 
 }  // namespace
@@ -101,7 +112,8 @@ int renderImages(const RenderOptions& options, const ImageRun& run, const Interr
         if (!finished)
             return failed(finished.error());
         if (finished->reason == StopReason::interrupted)
-            std::fprintf(stderr, "pdrender-cli: interrupted; the image holds the samples taken until then.\n");
+            std::fprintf(stderr, "pdrender-cli: interrupted; the image holds the samples taken until then%s.\n",
+                         unevenText(finished->film).c_str());
         return finished->reason != StopReason::interrupted && finished->allInPlace ? 0 : 1;
     } catch (const std::bad_alloc&) {
         return failed(notEnoughMemory("", options.scene.path.string(), "Take a smaller --size or volume."));

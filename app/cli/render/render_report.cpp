@@ -45,6 +45,15 @@ QJsonObject healthObject(const Health& health, int width) {
     return object;
 }
 
+QJsonValue nodesValue(const NodeChecks& checks) {
+    if (checks.results == 0)
+        return {};
+    return QJsonObject{{"tiles", double(checks.results)},
+                       {"checkedShare", checks.share()},
+                       {"foundOneIn20", checks.foundWith(20)},
+                       {"foundOneIn200", checks.foundWith(200)}};
+}
+
 std::string replayArguments(const FaultCount& fault, const RenderReport& report) {
     return "--size " + std::to_string(report.size.x) + "x" + std::to_string(report.size.y) + " --seed " +
            std::to_string(report.seed) + " --pixel " + std::to_string(fault.pixel % report.size.x) + "," +
@@ -76,6 +85,9 @@ std::string jsonText(const RenderReport& report) {
         {"width", report.size.x},
         {"height", report.size.y},
         {"samplesPerPixel", double(film.samplesPerPixel)},
+        {"meanSamplesPerPixel", film.meanSamplesPerPixel},
+        {"mostSamplesPerPixel", double(film.mostSamplesPerPixel)},
+        {"nodes", nodesValue(report.checks)},
         {"rejectedSamples", double(film.health.rejected())},
         {"warnings", warnings},
         {"biases", biasArray(report.biases)},
@@ -97,9 +109,11 @@ std::string jsonText(const RenderReport& report) {
 
 std::string plainText(const RenderReport& report) {
     const FilmStatus& film = report.result.film;
+    const std::uint64_t most = std::max(film.samplesPerPixel, film.mostSamplesPerPixel);
+    const std::string fewest = most > film.samplesPerPixel ? std::to_string(film.samplesPerPixel) + " to " : "";
     std::ostringstream out;
     out.precision(3);
-    out << report.size.x << " x " << report.size.y << " pixels, " << samplesText(film.samplesPerPixel) << " in "
+    out << report.size.x << " x " << report.size.y << " pixels, " << fewest << samplesText(most) << " in "
         << report.result.seconds << " s (" << samplesPerSecond(report) / 1e6 << " million samples per second) on "
         << report.device.name << ", " << report.device.details << "\n"
         << errorSentence(film) << "\n";
@@ -111,6 +125,8 @@ std::string plainText(const RenderReport& report) {
     }
     if (noneOfComputing(report.biases))
         out << "no known systematic error\n";
+    if (report.checks.results > 0)
+        out << checksText(report.checks) << "\n";
     for (const auto& path : report.outputs)
         out << "written: " << path.string() << "\n";
     return out.str();

@@ -37,8 +37,10 @@ std::string healthFact(const Health& health) {
 
 std::vector<Fact> factsOf(const Provenance& from) {
     const FilmStatus& status = from.status;
+    const bool isUneven = status.mostSamplesPerPixel > status.samplesPerPixel;
     std::vector<Fact> facts{
         {"pdrender/samplesPerPixel", double(status.samplesPerPixel)},
+        {"pdrender/mostSamplesPerPixel", isUneven ? std::to_string(status.mostSamplesPerPixel) : std::string()},
         {"pdrender/seconds", from.seconds},
         {"pdrender/relativeError", status.relativeError},
         {"pdrender/tissueWithinLevels", status.displayError},  // 95 % of the tissue, of 255 levels
@@ -53,6 +55,7 @@ std::vector<Fact> factsOf(const Provenance& from) {
         {"pdrender/extinctionPerMm", from.extinctionPerMm},
         {"pdrender/program", from.program},
         {"pdrender/device", from.device},
+        {"pdrender/nodes", from.nodes},
         {"pdrender/effects", from.effects},
         {"pdrender/look", from.look},
         {"pdrender/sky", from.sky},

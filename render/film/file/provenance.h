@@ -21,6 +21,7 @@ struct Provenance {
     double extinctionPerMm = 0;
     std::string program;  ///< "PD-Render 0.1.0"
     std::string device;   ///< device that rendered it: "cpu"
+    std::string nodes;    ///< what was checked of the samples of render nodes; empty: none had part in it
     std::string effects;  ///< simulated effects: "shadows, highlights"
     std::string look;     ///< name that the user gave the look
     /// The environment image that lights the scene: "2048 x 1024, turned by 30 degrees"; empty: none.

@@ -1,5 +1,8 @@
 #include <QtTest>
 
+#include <QJsonDocument>
+#include <cmath>
+
 #include "app/cli/render/render_options.h"
 #include "app/cli/render/render_report.h"
 #include "tests/support/places.h"
@@ -49,6 +52,37 @@ class CliOptionsTest : public QObject {
         for (const char* wrong : {"0%", "101%", "%", "1%%", "one%", "1.5"})
             QVERIFY2(!options({"--error", wrong}), wrong);
         QVERIFY(!options({"--seconds", "5%"}));
+    }
+
+    void nodesAreCheckedInPartOrAll() {
+        const auto read = [](const QStringList& more) { return options(QStringList{"--node", "localhost"} + more); };
+        QVERIFY(!read({})->nodes.checksAll);
+        QVERIFY(!read({"--check", "some"})->nodes.checksAll);
+        QVERIFY(read({"--check", "all"})->nodes.checksAll);
+        QVERIFY(!read({"--check", "none"}));
+        QVERIFY(!options({"--check", "all"}));
+    }
+
+    void reportSaysWhatWasCheckedOfNodes() {
+        RenderReport report{};
+        QVERIFY(QJsonDocument::fromJson(jsonText(report).c_str())["nodes"].isNull());
+        QVERIFY(plainText(report).find("tiles of render nodes") == std::string::npos);
+        report.checks = {4096, 1000, 21};
+        const QJsonValue nodes = QJsonDocument::fromJson(jsonText(report).c_str())["nodes"];
+        QCOMPARE(nodes["tiles"].toInt(), 4096);
+        QCOMPARE(nodes["checkedShare"].toDouble(), 0.021);
+        QVERIFY(std::abs(nodes["foundOneIn200"].toDouble() - (1 - std::pow(0.979, 20.48))) < 1e-9);
+        QVERIFY(plainText(report).find("2.1 % of 4096 tiles of render nodes were rendered twice") != std::string::npos);
+    }
+
+    void reportOfAnUnevenImageSaysSo() {
+        RenderReport report{};
+        report.result.film = {.samplesPerPixel = 1, .meanSamplesPerPixel = 30.5, .mostSamplesPerPixel = 64};
+        const QJsonDocument json = QJsonDocument::fromJson(jsonText(report).c_str());
+        QCOMPARE(json["samplesPerPixel"].toInt(), 1);
+        QCOMPARE(json["meanSamplesPerPixel"].toDouble(), 30.5);
+        QCOMPARE(json["mostSamplesPerPixel"].toInt(), 64);
+        QVERIFY(plainText(report).find(" 1 to 64 samples per pixel") != std::string::npos);
     }
 
     void oneSampleIsNoPlural() {

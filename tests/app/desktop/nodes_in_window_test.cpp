@@ -212,6 +212,7 @@ void TestNodesInWindow::theyAreWantedTheNextTime() {
         emit test::the<ui::NodesPanel>(desktop.window())
             .removeRequested(desktop.presenter<NodesPresenter>().job().rows()[1].id);
         emit test::the<ui::NodesPanel>(desktop.window()).splitRequested(Split::samples);
+        emit test::the<ui::NodesPanel>(desktop.window()).checksAllRequested(true);
     }
     Desktop desktop(*bundledLooks(), makeCpuDevice(1), file, 1);
     QCOMPARE(desktop.presenter<NodesPresenter>().job().addresses(), QStringList{address});
@@ -219,6 +220,7 @@ void TestNodesInWindow::theyAreWantedTheNextTime() {
     QVERIFY(test::named<QCheckBox>(test::the<ui::NodesPanel>(desktop.window()), "Listen on port").isChecked());
     QCOMPARE(test::named<QSpinBox>(test::the<ui::NodesPanel>(desktop.window()), "Port").value(), int(port));
     QVERIFY(desktop.presenter<NodesPresenter>().job().wantedSplit() == Split::samples);
+    QVERIFY(desktop.presenter<NodesPresenter>().job().checksAll());
     QCOMPARE(
         test::named<QComboBox>(test::the<ui::NodesPanel>(desktop.window()), "How nodes share the work").currentText(),
         QString("Always samples"));

@@ -8,7 +8,12 @@ using namespace pdr::test;
 namespace {
 
 constexpr int kRuns = 300;
-constexpr ivec2 kThousandCells{512, 512};
+/// Its cells are a thousand.
+constexpr int kSide = 512;
+
+Film square(int side) {
+    return Film(Tile{0, 0, side, side}, 0);
+}
 
 }  // namespace
 
@@ -29,9 +34,10 @@ class AuditsTest : public QObject {
         QFETCH(const int, oneIn);
         QFETCH(const double, room);
         int found = 0;
+        Film film = square(kSide);
         for (std::uint64_t run = 0; run < kRuns; ++run) {
             MadeUpNodes nodes(run, {{.liesOneIn = std::uint64_t(oneIn)}, {}});
-            (void)nodes.renders(kThousandCells, 64);
+            (void)nodes.renders(film, 64);
             found += nodes.worker(0).isQuarantined();
         }
         const double share = double(found) / kRuns;
@@ -48,10 +54,11 @@ class AuditsTest : public QObject {
     void liarIsAlwaysFoundWhereAllIsChecked() {
         QFETCH(const int, oneIn);
         QFETCH(const int, side);
+        Film film = square(side);
         for (std::uint64_t run = 0; run < kRuns; ++run) {
             MadeUpNodes nodes(run, {{.liesOneIn = std::uint64_t(oneIn)}, {}});
             nodes.state().checksAll = true;
-            QVERIFY2(!nodes.renders({side, side}, 64), "a lie is in the image");
+            QVERIFY2(!nodes.renders(film, 64), "a lie is in the image");
             QVERIFY(nodes.liesOf(0) > 0 && nodes.worker(0).isQuarantined());
             QVERIFY(!nodes.worker(1).isQuarantined());
             QCOMPARE(nodes.checks().share(), 1.0);
@@ -62,7 +69,8 @@ class AuditsTest : public QObject {
     void oneNodeIsCheckedByTheOwnDevice() {
         MadeUpNodes nodes(1, {{}});
         nodes.state().checksAll = true;
-        QVERIFY(!nodes.renders({256, 256}, 64));
+        Film film = square(256);
+        QVERIFY(!nodes.renders(film, 64));
         QCOMPARE(nodes.ownAudits(), nodes.checks().results);
     }
 
@@ -70,21 +78,23 @@ class AuditsTest : public QObject {
     void whoChecksWronglyIsFound() {
         MadeUpNodes nodes(1, {{}, {.checksWrongly = 100}, {}});
         nodes.state().checksAll = true;
-        QVERIFY(!nodes.renders(kThousandCells, 64));
+        Film film = square(kSide);
+        QVERIFY(!nodes.renders(film, 64));
         QVERIFY(nodes.worker(1).isQuarantined());
         QVERIFY(!nodes.worker(0).isQuarantined() && !nodes.worker(2).isQuarantined());
     }
 
     /// However many nodes there are, the own device has little to do, and as much is checked.
     void checksKeepUpWithManyNodes() {
+        Film film = square(1024);
         for (const std::size_t count : {16, 64}) {
             MadeUpNodes nodes(5, std::vector<MadeUpNodes::Nature>(count));
             for (int image = 0; image < 4; ++image)  // until all are proved
-                (void)nodes.renders({1024, 1024}, 64);
+                (void)nodes.renders(film, 64);
             for (std::size_t node = 0; node < count; ++node)
                 QVERIFY(nodes.worker(node).trust.isProved());
             const std::uint64_t before = nodes.ownAudits();
-            (void)nodes.renders({1024, 1024}, 64, 0);
+            (void)nodes.renders(film, 64, 0);
             QCOMPARE(nodes.ownAudits(), before);
             const double share = nodes.checks().share();  // of 4096 cells: 0.02 +- 0.0022
             QVERIFY2(std::abs(share - 0.02) < 0.009, qPrintable(QString::number(share)));
@@ -102,7 +112,7 @@ class AuditsTest : public QObject {
         QFETCH(const int, side);
         QFETCH(const int, samples);
         for (const std::size_t count : {1, 4, 16}) {
-            Film film(Tile{0, 0, side, side}, 0);
+            Film film = square(side);
             SharedRequest request(film, 1, {{film.area(), 0, std::uint64_t(samples)}}, Split::tiles, 1, {});
             double cost = 0;
             for (WorkerId worker = 1; worker <= count; ++worker)
@@ -130,9 +140,10 @@ class AuditsTest : public QObject {
     }
 
     void liarWhoIsNewIsFoundBeforeTheFilmHasALie() {
+        Film film = square(96);
         for (std::uint64_t run = 0; run < 20; ++run) {
             MadeUpNodes nodes(run, {{.liesOneIn = 1}, {}});
-            QVERIFY(!nodes.renders({96, 96}, 64));
+            QVERIFY(!nodes.renders(film, 64));
             QVERIFY(nodes.worker(0).isQuarantined());
             QCOMPARE(nodes.worker(0).status.results, 0u);
         }

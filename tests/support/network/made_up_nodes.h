@@ -34,12 +34,12 @@ class MadeUpNodes : public LeaseServer, public SharedWork {
     /// Number of audits that the own device did.
     std::uint64_t ownAudits() const { return ownAudits_; }
 
-    /// Renders `samples` of each pixel; the own device only audits, `ownAtATime` results in a round of all nodes.
+    /// Renders `samples` of each pixel anew; the own device only audits, `ownAtATime` results in a round of all nodes.
     /// Returns whether a sample of the film is false.
-    bool renders(ivec2 size, std::uint32_t samples, int ownAtATime = 1000) {
-        Film film(Tile{0, 0, size.x, size.y}, 0);
+    bool renders(Film& film, std::uint32_t samples, int ownAtATime = 1000) {
+        film.restart(film.area(), 0);
         Scene scene;
-        scene.film = size;
+        scene.film = {film.area().width, film.area().height};
         const std::uint64_t number = publish(Purpose::finalRender, std::make_shared<const Scene>(scene));
         for (const Node& node : nodes_)
             hasScene(node.id, number);
