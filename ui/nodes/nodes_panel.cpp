@@ -202,7 +202,7 @@ void NodesPanel::removeSelected() {
 }
 
 void NodesPanel::showNotes() {
-    QStringList notes{checks_, split_, bitsText(model_.nodes())};
+    QStringList notes{split_, checks_, bitsText(model_.nodes())};
     notes.removeAll({});
     if (model_.nodes().isEmpty())
         notes = QStringList{tr("No render nodes: other machines can render along, and the image becomes right sooner")};

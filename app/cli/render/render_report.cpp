@@ -66,7 +66,7 @@ QJsonValue known(double value) {
 }
 
 double samplesPerSecond(const RenderReport& report) {
-    const double samples = double(report.result.film.samplesPerPixel) * report.size.x * report.size.y;
+    const double samples = report.result.film.meanSamplesPerPixel * report.size.x * report.size.y;
     return samples / std::max(report.result.seconds, 1e-9);
 }
 
