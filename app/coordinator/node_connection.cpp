@@ -109,6 +109,7 @@ void NodeConnection::sendScene(const PublishedScene& scene) {
     stale_ += nonces_.size();
     nonces_.clear();
     sceneTrouble_ = {};
+    inLine_ = false;
     if (!scene.scene) {
         scene_.reset();
         coordinator_.scenes.forget();
@@ -136,6 +137,8 @@ const Content* NodeConnection::find(const wire::Hash& hash) const {
 }
 
 void NodeConnection::take(const wire::Need& need) {
+    sceneTrouble_ = {};  // a node that has waited for its turn, or for memory, has it now
+    inLine_ = false;
     transfer_ = Transfer{need.content, need.from};
     sendChunks();
 }
@@ -157,6 +160,8 @@ void NodeConnection::take(const wire::SceneReady& ready) {
     if (ready.revision != sent_ || !scene_)
         return;
     transfer_.reset();
+    sceneTrouble_ = {};
+    inLine_ = false;
     stale_ = 0;  // a node drops its leases before it loads a scene, and messages arrive in order
     coordinator_.leases->hasScene(*worker_, sent_);
     pump();
@@ -165,6 +170,7 @@ void NodeConnection::take(const wire::SceneReady& ready) {
 void NodeConnection::take(const wire::SceneRefused& refused) {
     if (refused.revision != sent_)
         return;
+    inLine_ = refused.place.has_value();
     cannotHave(refused.reason);
 }
 
@@ -264,6 +270,8 @@ void NodeConnection::end(const Text& reason) {
 NodeState NodeConnection::stateOf(WorkerState worker) const {
     switch (worker) {
         case WorkerState::waiting:
+            if (inLine_)
+                return NodeState::waiting;
             return scene_ && sceneTrouble_.empty() ? NodeState::sending : NodeState::ready;
         case WorkerState::ready:
             return NodeState::ready;

@@ -16,6 +16,7 @@ using NodeId = std::uint32_t;
 enum class NodeState {
     dialling,  ///< not reached yet; dialled again and again
     greeting,  ///< connected, in the handshake
+    waiting,   ///< waits in line: the node works for other coordinators
     sending,   ///< the scene is being sent
     ready,
     suspect,  ///< silent for some seconds

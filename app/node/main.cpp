@@ -36,7 +36,7 @@ int makeBundle(const QString& folder, int nodes) {
 }
 
 int work(const NodeOptions& options, const app::Interrupt& interrupt) {
-    // Open the device and render its reference tiles
+    // Open a device and render its reference tiles
     NodeService* running = nullptr;
     std::optional<Error> instead;
     const WhySpare goOnOnCpu = [&](const Error& why) {
@@ -48,14 +48,18 @@ int work(const NodeOptions& options, const app::Interrupt& interrupt) {
     const PreparationObserver preparing = [](bool begins) {
         std::fprintf(stderr, "pdrender-node: %s\n", begins ? "preparing the GPU..." : "the GPU is prepared");
     };
-    Result<std::unique_ptr<Device>> device = openDeviceToTheEnd(options.device, options.threads, goOnOnCpu, preparing);
+    const OpenDevice open = [&] {
+        return openDeviceToTheEnd(instead ? "cpu" : options.device, options.threads, goOnOnCpu, preparing);
+    };
+    Result<std::unique_ptr<Device>> device = open();
     if (!device)
         return ending(device.error(), ExitCode::configuration);
-    Result<wire::Hello> hello = introduction(options, **device, instead);
+    const Result<wire::Hello> hello = introduction(options, **device, instead);
     if (!hello)
         return ending(hello.error(), ExitCode::temporary);
+    device->reset();
     // Connect the service to the log, the exit code and signals
-    NodeService service(options, *hello, *std::move(device));
+    NodeService service(options, *hello, open);
     running = &service;
     QObject::connect(&service, &NodeService::said, [](const QString& line) {
         std::fprintf(stderr, "pdrender-node: %s\n", line.toUtf8().constData());

@@ -8,18 +8,6 @@
 
 namespace pdr::node {
 
-void NodeContents::setKey(const nodes::ContentKey& key) {
-    if (key_ && *key_ != key)
-        forget();
-    key_ = key;
-}
-
-void NodeContents::forget() {
-    kept_.clear();
-    coming_.reset();
-    order_.reset();
-}
-
 template <class T>
 std::shared_ptr<const T> NodeContents::find(const wire::Hash& hash) const {
     for (const Entry& entry : kept_)
@@ -35,6 +23,7 @@ bool NodeContents::isHere(const wire::Hash& hash) const {
 
 Result<void> NodeContents::order(const wire::SceneOrder& order) {
     order_ = order;
+    promised_ = 0;
     // Drop a volume and labels with the same voxels but another geometry
     const auto liesElsewhere = [&](const VolumeGeometry& geometry) { return !nodes::liesSo(geometry, order.volume); };
     std::erase_if(kept_, [&](const Entry& entry) {
@@ -51,10 +40,17 @@ Result<void> NodeContents::order(const wire::SceneOrder& order) {
     for (const nodes::WantedContent& wanted : nodes::wantedContents(order))
         if (!isHere(wanted.hash))
             missing += double(wanted.bytes);
-    if (missing * kSceneOverhead <= double(freeMemory_()))
+    const auto wanted = std::uint64_t(missing * kSceneOverhead);
+    const MemoryLeft left = memory_();
+    if (wanted <= left.bytes) {
+        promised_ = wanted;
         return {};
+    }
     coming_.reset();
-    return notEnoughMemory(phrase("for the scene: %1", bytesText(std::size_t(missing))), "", "");
+    const Text bytes = bytesText(std::size_t(missing));
+    return notEnoughMemory(left.hasOthers ? phrase("for the scene: %1, since others use this render node, too", bytes)
+                                          : phrase("for the scene: %1", bytes),
+                           "", "");
 }
 
 void NodeContents::beginNext() {
@@ -63,7 +59,7 @@ void NodeContents::beginNext() {
             continue;
         if (!coming_ || coming_->content() != wanted.hash) {
             coming_.reset();
-            coming_.emplace(*key_, wanted.hash, wanted.bytes);
+            coming_.emplace(key_, wanted.hash, wanted.bytes);
         }
         return;
     }

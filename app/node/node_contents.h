@@ -1,6 +1,6 @@
 #pragma once
-/// Stores the contents of scenes in a node's memory, never on disk. Assembles contents that arrive; an interrupted
-/// transfer is resumed.
+/// Stores the contents of one coordinator's scenes in a node's memory, never on disk. Assembles contents that arrive;
+/// an interrupted transfer is resumed.
 
 #include <cstdint>
 #include <functional>
@@ -15,13 +15,25 @@
 
 namespace pdr::node {
 
+/// The memory that a scene may take.
+struct MemoryLeft {
+    std::uint64_t bytes = 0;  ///< bytes that may still be allocated, and that nobody else was promised
+    bool hasOthers = false;   ///< whether other coordinators have some of this node's memory
+};
+
 class NodeContents {
   public:
-    /// `freeMemory`: returns the bytes that may still be allocated.
-    explicit NodeContents(std::function<std::uint64_t()> freeMemory = freeBytes) : freeMemory_(std::move(freeMemory)) {}
+    using AskMemory = std::function<MemoryLeft()>;
 
-    /// Sets the key of the coordinator whose contents arrive from now on; erases contents of another coordinator.
-    void setKey(const nodes::ContentKey& key);
+    /// `key`: that of the coordinator whose contents these are.
+    explicit NodeContents(
+        const nodes::ContentKey& key, AskMemory memory =
+                                          [] {
+                                              return MemoryLeft{freeBytes(), false};
+                                          })
+        : key_(key), memory_(std::move(memory)) {}
+
+    const nodes::ContentKey& key() const { return key_; }
 
     /// Begins to fetch the contents of `order` that are not here yet. Errors: not enough memory.
     Result<void> order(const wire::SceneOrder& order);
@@ -33,10 +45,11 @@ class NodeContents {
     /// Returns the scene of the last order(), once need() returns none. Errors: the contents do not make a scene.
     Result<Scene> scene() const;
 
-    /// Erases all contents.
-    void forget();
-    /// Whether no content is here, whole or in part.
-    bool empty() const { return kept_.empty() && !coming_; }
+    /// Returns the bytes that the last order() was promised, from then on until settle(): some of them are not
+    /// allocated yet.
+    std::uint64_t promised() const { return promised_; }
+    /// Records that the device has loaded the scene, and that no more memory will be taken for it.
+    void settle() { promised_ = 0; }
 
     /// Free memory that a scene needs, as a multiple of the bytes of its missing contents: a content exists twice while
     /// it is made of the bytes that have arrived (2.07 times, measured), and the device derives bounds from it.
@@ -57,8 +70,9 @@ class NodeContents {
     void beginNext();
     Result<void> keep(const wire::ContentAssembly& whole);
 
-    std::function<std::uint64_t()> freeMemory_;
-    std::optional<nodes::ContentKey> key_;
+    nodes::ContentKey key_;
+    AskMemory memory_;
+    std::uint64_t promised_ = 0;
     std::optional<wire::SceneOrder> order_;
     std::list<Entry> kept_;  ///< newest first
     std::optional<wire::ContentAssembly> coming_;

@@ -30,6 +30,10 @@ void describe(QCommandLineParser& parser) {
          "PDR_DEVICE.",
          "NAME"},
         {"threads", "Of the CPU; default: one per core. PDR_THREADS.", "N"},
+        {"coordinators",
+         "With --listen: work for N programs at a time, in equal shares; more wait in line. Default 4. "
+         "PDR_COORDINATORS.",
+         "N"},
         {"idle-minutes", "End after N minutes without work; default: never. PDR_IDLE_MINUTES.", "N"},
         {"drain-seconds",
          "When it is to end (SIGTERM, SIGINT), take so long at most to finish; default 8. "
@@ -48,8 +52,8 @@ void describe(QCommandLineParser& parser) {
 /// Returns the command line, followed by the environment's values of options that are not on it.
 QStringList withEnvironment(QStringList arguments, const QCommandLineParser& parser,
                             const std::function<QString(const char*)>& environment) {
-    for (const char* name : {"coordinator", "listen", "bundle", "name", "device", "threads", "idle-minutes",
-                             "drain-seconds", "give-up-seconds"}) {
+    for (const char* name : {"coordinator", "listen", "bundle", "name", "device", "threads", "coordinators",
+                             "idle-minutes", "drain-seconds", "give-up-seconds"}) {
         const QByteArray variable = "PDR_" + QByteArray(name).toUpper().replace('-', '_');
         const QString value = environment(variable.constData());
         const bool isRival = (QByteArray(name) == "listen" && parser.isSet("coordinator")) ||
@@ -87,6 +91,7 @@ NodeOptions read(const QCommandLineParser& parser) {
     options.name = reader.text("name").value_or(QSysInfo::machineHostName()).left(32);
     options.device = reader.text("device").value_or("auto").toStdString();
     options.threads = int(reader.whole("threads", 0, 1024).value_or(0));
+    options.coordinators = int(reader.whole("coordinators", 1, 64).value_or(std::uint64_t(options.coordinators)));
     options.idle = std::chrono::minutes(reader.whole("idle-minutes", 0, 100000).value_or(0));
     options.drain = std::chrono::seconds(reader.whole("drain-seconds", 0, 3600).value_or(8));
     options.giveUp = std::chrono::seconds(reader.whole("give-up-seconds", 1, 1000000).value_or(120));

@@ -19,6 +19,7 @@ struct NodeOptions {
     QString name;                                ///< name that users see; by default that of this machine
     std::string device = "auto";                 ///< device, as openDevice() takes it
     int threads = 0;                             ///< threads of the CPU; 0: one per core
+    int coordinators = 4;                        ///< coordinators with a scan at a time; more wait in line
     std::chrono::minutes idle{0};                ///< time without work after which the node ends; 0: never ends
     std::chrono::seconds drain{8};               ///< time to finish open leases when the node is to end
     std::chrono::seconds giveUp{120};            ///< time after which an unreachable coordinator is given up

@@ -6,37 +6,45 @@
 
 #include "app/node/introduction.h"
 #include "app/remote/steady_time.h"
+#include "render/device/device_list.h"
+#include "render/tiles/worker_pool.h"
 
 namespace pdr::node {
 namespace {
 
-/// Time for which contents are kept after a connection was lost, in case the coordinator comes back.
-constexpr std::chrono::seconds kMemory(60);
+/// Limit on coordinators that wait in line, or have no scan.
+constexpr std::size_t kMostWaiting = 64;
+
+/// Returns the time that turns are charged: on a GPU, a lease takes hardly any of the processors'.
+FairTurns::Clock clockOf(const wire::Hello& hello) {
+    return hello.device == "cpu" ? processorSeconds : poolSeconds;
+}
 
 }  // namespace
 
-NodeService::NodeService(const NodeOptions& options, const wire::Hello& hello, std::unique_ptr<Device> device,
-                         QObject* parent)
-    : QObject(parent), options_(options), hello_(hello), backoff_({.giveUp = options.giveUp}) {
-    for (QTimer* timer : {&again_, &memory_, &idle_, &patience_})
+NodeService::NodeService(const NodeOptions& options, const wire::Hello& hello, OpenDevice open,
+                         std::function<std::uint64_t()> freeMemory, QObject* parent)
+    : QObject(parent),
+      options_(options),
+      hello_(hello),
+      backoff_({.giveUp = options.giveUp}),
+      seats_(options.coordinators, std::move(open), clockOf(hello), std::move(freeMemory)) {
+    for (QTimer* timer : {&again_, &idle_, &patience_})
         timer->setSingleShot(true);
     connect(&again_, &QTimer::timeout, this, &NodeService::dial);
-    connect(&memory_, &QTimer::timeout, this, &NodeService::forget);
     connect(&idle_, &QTimer::timeout, this, [this] {
         emit said(tr("nothing to do: this node ends"));
         drain();
     });
     connect(&patience_, &QTimer::timeout, this, [this] { finish(ExitCode::done); });
-    // The renderer calls this on the render thread
-    renderer_ = std::make_unique<LeaseRenderer>(std::move(device), [this](LeaseAnswer answered) {
-        QMetaObject::invokeMethod(
-            this, [this, answered = std::move(answered)]() mutable { answer(std::move(answered)); },
-            Qt::QueuedConnection);
+    connect(&seats_, &NodeSeats::deviceLost, this, [this](const Error& error) {
+        emit said(QString::fromStdString(error.text()));
+        finish(ExitCode::temporary);
     });
 }
 
 NodeService::~NodeService() {
-    delete session_;
+    qDeleteAll(sessions_);
 }
 
 Result<void> NodeService::start() {
@@ -90,64 +98,51 @@ void NodeService::dialLater(const Error& error) {
 }
 
 void NodeService::begin(remote::Channel* channel) {
-    if (session_) {  // one at a time
+    if (sessions_.size() >= std::size_t(options_.coordinators) + kMostWaiting) {
         channel->send(wire::Bye{phrase("this node works for somebody else")});
         channel->close("busy");
         connect(channel, &remote::Channel::closed, channel, &QObject::deleteLater);
         return;
     }
-    session_ = new NodeSession(channel, hello_, contents_, *renderer_, this);
+    auto* session = new NodeSession(channel, hello_, seats_, this);
+    sessions_.push_back(session);
     if (dial_)
         std::exchange(dial_, nullptr)->deleteLater();
-    connect(session_, &NodeSession::welcome, this, [this, peer = channel->peerName()] {
+    connect(session, &NodeSession::welcome, this, [this, peer = channel->peerName()] {
         backoff_.succeeded();
-        memory_.stop();
         emit said(tr("works for %1").arg(peer));
     });
-    connect(session_, &NodeSession::worked, this, [this] {
+    connect(session, &NodeSession::worked, this, [this] {
         if (options_.idle.count() > 0)
             idle_.start(options_.idle);
     });
-    connect(session_, &NodeSession::drained, this, [this] { session_->leave({}); });
-    connect(session_, &NodeSession::over, this, &NodeService::ended);
+    connect(session, &NodeSession::drained, session, [session] { session->leave({}); });
+    connect(session, &NodeSession::over, this, [this, session](const Text& reason) { ended(session, reason); });
 }
 
-void NodeService::ended(const Text& reason) {
-    NodeSession* session = std::exchange(session_, nullptr);
+void NodeService::ended(NodeSession* session, const Text& reason) {
+    std::erase(sessions_, session);
     session->deleteLater();
-    if (draining_)
+    if (draining_ && sessions_.empty())
         return finish(ExitCode::done);
-    emit said(tr("the connection has ended: %1").arg(QString::fromStdString(reason)));
-    if (const std::optional<wire::Refused>& refusal = session->refusal()) {
-        if (!listener_)
-            return finish(refusal->why == wire::Refused::Why::version ? ExitCode::protocol : ExitCode::turnedAway);
-    }
-    if (session->wasDismissed())
-        forget();
-    else
-        memory_.start(kMemory);
-    if (!listener_)
-        dialLater({reason, options_.coordinator->text().toStdString(), ""});
-}
-
-void NodeService::answer(LeaseAnswer answered) {
-    if (const auto* lost = std::get_if<LeaseLost>(&answered); lost && lost->error.kind == ErrorKind::deviceLost) {
-        if (session_)
-            session_->answer(*lost);
-        emit said(QString::fromStdString(lost->error.text()));
-        finish(ExitCode::temporary);
-    } else if (session_) {
-        session_->answer(std::move(answered));
-    }
+    emit said(tr("the connection has ended: %1; it had the device for %2 s")
+                  .arg(QString::fromStdString(reason))
+                  .arg(session->seconds(), 0, 'f', 2));
+    if (listener_ || draining_)
+        return;
+    if (const std::optional<wire::Refused>& refusal = session->refusal())
+        return finish(refusal->why == wire::Refused::Why::version ? ExitCode::protocol : ExitCode::turnedAway);
+    dialLater({reason, options_.coordinator->text().toStdString(), ""});
 }
 
 void NodeService::goOnInstead(const Error& why) {
     QMetaObject::invokeMethod(
         this,
-        [this, now = renderer_->info(), why] {
-            nameDevice(hello_, now, why);
-            if (session_)
-                session_->leave(phrase("its GPU has failed, and its CPU goes on: %1", why.what));
+        [this, why] {
+            nameDevice(hello_, makeCpuDevice(options_.threads)->info(), why);
+            seats_.setDevice([threads = options_.threads] { return openDevice("cpu", threads); });
+            for (NodeSession* session : sessions_)
+                session->leave(phrase("its GPU has failed, and its CPU goes on: %1", why.what));
         },
         Qt::QueuedConnection);
 }
@@ -158,22 +153,19 @@ void NodeService::drain() {
     patience_.start(options_.drain);
     listener_.reset();
     again_.stop();
-    if (session_)
-        session_->drain();
-    else
-        finish(ExitCode::done);
-}
-
-void NodeService::forget() {
-    contents_.forget();
-    renderer_->forget();
+    if (sessions_.empty())
+        return finish(ExitCode::done);
+    for (NodeSession* session : std::vector(sessions_))
+        session->drain();
 }
 
 void NodeService::finish(ExitCode code) {
     draining_ = true;
-    if (session_)
-        session_->leave({});
-    forget();
+    for (NodeSession* session : sessions_) {
+        session->disconnect(this);
+        session->leave({});
+    }
+    seats_.clear();
     emit finished(code);
 }
 

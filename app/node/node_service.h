@@ -1,5 +1,5 @@
 #pragma once
-/// A running render node: dials a coordinator or waits for one, and renders its leases.
+/// A running render node: dials a coordinator or waits for several, and renders their leases.
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -9,8 +9,8 @@
 #include <random>
 
 #include "app/node/exit_codes.h"
-#include "app/node/node_contents.h"
 #include "app/node/node_options.h"
+#include "app/node/node_seats.h"
 #include "app/node/node_session.h"
 #include "app/remote/backoff.h"
 #include "app/remote/dial.h"
@@ -22,17 +22,18 @@ class NodeService : public QObject {
     Q_OBJECT
 
   public:
-    /// `hello`: first message to each coordinator. `device`: renders the leases.
-    NodeService(const NodeOptions& options, const wire::Hello& hello, std::unique_ptr<Device> device,
-                QObject* parent = nullptr);
+    /// `hello`: first message to each coordinator. `open`: opens the devices that render, one for each coordinator.
+    /// `freeMemory`: returns the bytes that scenes may still take.
+    NodeService(const NodeOptions& options, const wire::Hello& hello, OpenDevice open,
+                std::function<std::uint64_t()> freeMemory = freeBytes, QObject* parent = nullptr);
     ~NodeService() override;
 
     /// Starts to dial or to listen. Errors: certificates, or an address at which this machine cannot listen.
     Result<void> start();
     /// Finishes open leases within the drain time, sends a Bye and ends.
     void drain();
-    /// Leaves the coordinator, which counts on the speed of the GPU, and joins again as the device that has taken over.
-    /// Called on the render thread, by the device. `why`: the GPU's error.
+    /// Leaves the coordinators, which count on the speed of the GPU, and joins again as the CPU, which has taken over.
+    /// Called on a render thread, by the device. `why`: the GPU's error.
     void goOnInstead(const Error& why);
 
   signals:
@@ -45,26 +46,22 @@ class NodeService : public QObject {
     void dial();
     void dialLater(const Error& error);
     void begin(remote::Channel* channel);
-    void ended(const Text& reason);
+    void ended(NodeSession* session, const Text& reason);
     void finish(ExitCode code);
-    void forget();
-    void answer(LeaseAnswer answer);
 
     NodeOptions options_;
     wire::Hello hello_;
-    NodeContents contents_;
     remote::Identity identity_;
     remote::Backoff backoff_;
     remote::Dial* dial_ = nullptr;
     std::unique_ptr<remote::Listener> listener_;
-    NodeSession* session_ = nullptr;
+    NodeSeats seats_;
+    std::vector<NodeSession*> sessions_;
     QTimer again_;     ///< dials again
-    QTimer memory_;    ///< erases the contents after a connection was lost
     QTimer idle_;      ///< ends an idle node
     QTimer patience_;  ///< ends the draining
     bool draining_ = false;
     std::mt19937_64 random_{std::random_device()()};
-    std::unique_ptr<LeaseRenderer> renderer_;  ///< last member, so that it is destroyed first: its thread calls back
 };
 
 }  // namespace pdr::node

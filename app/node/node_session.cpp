@@ -19,14 +19,13 @@ constexpr int kMostSilentBeats = 10;
 
 }  // namespace
 
-NodeSession::NodeSession(remote::Channel* channel, const wire::Hello& hello, NodeContents& contents,
-                         LeaseRenderer& renderer, QObject* parent)
-    : QObject(parent), channel_(channel), contents_(contents), renderer_(renderer), versions_(hello.versions) {
+NodeSession::NodeSession(remote::Channel* channel, const wire::Hello& hello, NodeSeats& seats, QObject* parent)
+    : QObject(parent), channel_(channel), seats_(seats), versions_(hello.versions) {
     channel_->setParent(this);
     connect(channel_, &remote::Channel::received, this, [this](wire::Message& message) { take(message); });
     connect(channel_, &remote::Channel::closed, this, [this](const Text& reason) {
         beatTimer_.stop();
-        dropLeases();
+        leaveSeat(!dismissed_);
         emit over(reason);
     });
     connect(&beatTimer_, &QTimer::timeout, this, &NodeSession::beat);
@@ -45,7 +44,7 @@ void NodeSession::take(const wire::Welcome& welcome) {
     if (welcome.version < versions_.lowest || welcome.version > versions_.highest)
         return take(wire::Refused{wire::Refused::Why::version,
                                   phrase("the coordinator speaks a version of the protocol that it was not offered")});
-    contents_.setKey(welcome.key);
+    key_ = welcome.key;
     channel_->setAdmitted();
     listenToHeart(std::chrono::milliseconds(welcome.heartbeatMs));
     emit this->welcome();
@@ -83,24 +82,55 @@ void NodeSession::take(const wire::Ping& ping) {
 void NodeSession::take(const wire::SceneOrder& order) {
     dropLeases();
     revision_ = order.revision;
-    if (const Result<void> begun = contents_.order(order); !begun)
+    order_ = order;
+    told_.reset();
+    if (seat_)
+        beginScene();
+    else
+        seats_.ask(*this);
+}
+
+void NodeSession::sit(NodeSeat& seat) {
+    seat_ = &seat;
+    seconds_ -= seat.renderer->seconds();
+    beginScene();
+}
+
+void NodeSession::wait(std::uint32_t place) {
+    tell({revision_, phrase("number %1 in the line, since others use this render node", place), place});
+}
+
+void NodeSession::beginScene() {
+    const Result<void> begun = seat_->contents.order(order_);
+    lacksMemory_ = !begun;
+    if (!begun)
         return refuseScene(begun.error().what);
+    told_.reset();
     askOrRender();
 }
 
+void NodeSession::tryAgain() {
+    if (lacksMemory_)
+        beginScene();
+}
+
 void NodeSession::askOrRender() {
-    if (const std::optional<wire::Need> need = contents_.need()) {
+    if (const std::optional<wire::Need> need = seat_->contents.need()) {
         channel_->send(*need);
         return;
     }
-    Result<Scene> scene = contents_.scene();
-    if (!scene)
+    Result<Scene> scene = seat_->contents.scene();
+    if (!scene) {
+        seat_->contents.settle();
         return refuseScene(scene.error().what);
-    renderer_.setScene(revision_, std::make_shared<const Scene>(*std::move(scene)));
+    }
+    seat_->renderer->setScene(revision_, std::make_shared<const Scene>(*std::move(scene)));
 }
 
 void NodeSession::take(const wire::Chunk& chunk) {
-    const Result<bool> whole = contents_.add(chunk);
+    if (!seat_)
+        return;  // a chunk of a scene that was taken back
+    const Result<bool> whole = seat_->contents.add(chunk);
     if (!whole)
         channel_->close(whole.error().what);
     else if (*whole)
@@ -108,23 +138,20 @@ void NodeSession::take(const wire::Chunk& chunk) {
 }
 
 void NodeSession::take(wire::Lease& lease) {
-    if (draining_ || revision_ == 0 || lease.revision != revision_) {
+    if (draining_ || !seat_ || lease.revision != revision_) {
         channel_->send(wire::Abandoned{lease.number, lease.nonce, {}});
         return;
     }
     if (leases_.size() >= kMostLeases || leases_.contains(lease.number))
         return channel_->close(phrase("the coordinator gives out leases twice, or more than a node can have"));
     leases_[lease.number] = {lease.nonce, lease.revision};
-    renderer_.add(
+    seat_->renderer->add(
         {lease.number, lease.revision, lease.tile, lease.samples, std::move(lease.before), std::move(lease.moments)});
     emit worked();
 }
 
 void NodeSession::take(const wire::Forget&) {
-    dropLeases();
-    revision_ = 0;
-    contents_.forget();
-    renderer_.forget();
+    leaveSeat(false);
 }
 
 void NodeSession::take(const wire::Bye& bye) {
@@ -135,7 +162,18 @@ void NodeSession::take(const wire::Bye& bye) {
 /// Drops all leases: their scene is outdated, or the connection is over.
 void NodeSession::dropLeases() {
     leases_.clear();
-    renderer_.drop();
+    if (seat_)
+        seat_->renderer->drop();
+}
+
+void NodeSession::leaveSeat(bool isLost) {
+    dropLeases();
+    revision_ = 0;
+    order_ = {};
+    lacksMemory_ = false;
+    seconds_ = seconds();
+    seat_ = nullptr;
+    seats_.leave(*this, isLost);
 }
 
 void NodeSession::answer(LeaseAnswer answer) {
@@ -145,14 +183,24 @@ void NodeSession::answer(LeaseAnswer answer) {
 void NodeSession::say(const SceneTaken& taken) {
     if (taken.scene != revision_)
         return;
+    seat_->contents.settle();
     if (taken.error)
         refuseScene(taken.error->text());
     else
         channel_->send(wire::SceneReady{taken.scene});
+    seats_.advance();
 }
 
 void NodeSession::refuseScene(const Text& reason) {
-    channel_->send(wire::SceneRefused{revision_, reason});
+    tell({revision_, reason, std::nullopt});
+}
+
+/// Says it once, since scenes are tried again whenever another coordinator goes.
+void NodeSession::tell(wire::SceneRefused refused) {
+    if (told_ == refused)
+        return;
+    channel_->send(refused);
+    told_ = std::move(refused);
 }
 
 void NodeSession::say(LeaseResult result) {
@@ -190,7 +238,7 @@ void NodeSession::leave(const Text& reason) {
     for (const auto& [number, taken] : leases_)
         channel_->send(wire::Abandoned{number, taken.nonce, {}});
     channel_->send(wire::Bye{reason});
-    dropLeases();
+    leaveSeat(true);
     channel_->close(phrase("this node has said goodbye"));
 }
 

@@ -27,6 +27,8 @@ QString goneText(const ui::NodeRow& node) {
             return translated("%1 was paused").arg(name);
         case ui::NodeState::draining:
             return translated("%1 leaves").arg(name);
+        case ui::NodeState::waiting:
+            return translated("%1 works for others").arg(name);
         case ui::NodeState::sendingScan:
             return translated("%1 waits for the scan").arg(name);
         default:

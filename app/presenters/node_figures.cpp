@@ -13,6 +13,8 @@ ui::NodeState stateOf(nodes::NodeState state, bool rendering) {
             return ui::NodeState::dialling;
         case nodes::NodeState::greeting:
             return ui::NodeState::connecting;
+        case nodes::NodeState::waiting:
+            return ui::NodeState::waiting;
         case nodes::NodeState::sending:
             return ui::NodeState::sendingScan;
         case nodes::NodeState::ready:

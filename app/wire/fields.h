@@ -102,6 +102,8 @@ template <class Fields>
 void fields(Fields& map, SceneRefused& refused) {
     map.number(1, refused.revision);
     map.phrase(2, 3, refused.reason);
+    if (map.optional(4, refused.place))
+        map.number(4, *refused.place, 1);
 }
 
 /// Fields that a lease and its result share.

@@ -148,6 +148,9 @@ struct SceneReady {
 struct SceneRefused {
     std::uint64_t revision = 0;
     Text reason;  ///< reason, for the user
+    /// Place in the line of coordinators, from 1, if that is the reason: the node takes the scene when it is their
+    /// turn, and repeats this message as the line moves.
+    std::optional<std::uint32_t> place{};
     bool operator==(const SceneRefused&) const = default;
 };
 

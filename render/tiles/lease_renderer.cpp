@@ -6,8 +6,9 @@
 
 namespace pdr {
 
-LeaseRenderer::LeaseRenderer(std::unique_ptr<Device> device, Answered answered)
+LeaseRenderer::LeaseRenderer(std::unique_ptr<Device> device, FairTurns& turns, Answered answered)
     : device_(std::move(device)),
+      turns_(turns),
       answered_(std::move(answered)),
       thread_([this](const std::stop_token& ended) { run(ended); }) {}
 
@@ -31,12 +32,6 @@ void LeaseRenderer::dropLeases() {
     current_.request_stop();
 }
 
-void LeaseRenderer::forget() {
-    setScene(0, nullptr);
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return !isNew_ && !isBusy_; });
-}
-
 void LeaseRenderer::drop() {
     const std::lock_guard lock(mutex_);
     dropLeases();
@@ -45,39 +40,41 @@ void LeaseRenderer::drop() {
 void LeaseRenderer::run(const std::stop_token& ended) {
     const std::stop_callback end(ended, [this] {
         const std::lock_guard lock(mutex_);
+        isNew_ = false;
         dropLeases();
     });
     std::unique_lock lock(mutex_);
     while (changed_.wait(lock, ended, [this] { return isNew_ || !leases_.empty(); })) {
-        isBusy_ = true;
-        // Load the newest scene, or render the oldest lease
-        if (std::exchange(isNew_, false)) {
-            const std::shared_ptr<const Scene> scene = std::exchange(next_, nullptr);
-            const std::uint64_t number = number_;
-            lock.unlock();
-            takeScene(number, scene);
-        } else {
-            Lease lease = std::move(leases_.front());
-            leases_.pop_front();
-            current_ = {};
-            const std::stop_token stop = current_.get_token();
-            const bool isStale = lease.scene != number_;
-            lock.unlock();
-            if (!isStale)
-                take(std::move(lease), stop);
-        }
+        current_ = {};
+        const std::stop_token stop = current_.get_token();
+        lock.unlock();
+        (void)turns_.take(share_, stop, [this] { work(); });
         lock.lock();
-        isBusy_ = false;
-        changed_.notify_all();
     }
     lock.unlock();
     (void)device_->unload();  // an error can no longer be reported
 }
 
-void LeaseRenderer::takeScene(std::uint64_t number, const std::shared_ptr<const Scene>& scene) {
-    const Result<void> taken = scene ? device_->upload(*scene) : device_->unload();
-    if (!scene)
-        return;
+void LeaseRenderer::work() {
+    std::unique_lock lock(mutex_);
+    current_ = {};
+    const std::stop_token stop = current_.get_token();
+    const std::uint64_t number = number_;
+    if (std::exchange(isNew_, false)) {
+        const std::shared_ptr<const Scene> scene = std::exchange(next_, nullptr);
+        lock.unlock();
+        takeScene(number, *scene);
+    } else if (!leases_.empty()) {
+        Lease lease = std::move(leases_.front());
+        leases_.pop_front();
+        lock.unlock();
+        if (lease.scene == number)
+            take(std::move(lease), stop);
+    }
+}
+
+void LeaseRenderer::takeScene(std::uint64_t number, const Scene& scene) {
+    const Result<void> taken = device_->upload(scene);
     answered_(SceneTaken{number, taken ? std::optional<Error>() : taken.error()});
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The render thread of a node, which takes scenes and leases and returns results. Thread-safe.
+/// The render thread of one user of a device: takes scenes and leases, and returns results. Thread-safe.
 
 #include <condition_variable>
 #include <deque>
@@ -13,6 +13,7 @@
 
 #include "render/device/device.h"
 #include "render/scene/scene.h"
+#include "render/tiles/fair_turns.h"
 #include "render/tiles/lease.h"
 
 namespace pdr {
@@ -34,10 +35,9 @@ class LeaseRenderer {
     /// Receives answers; called on the render thread.
     using Answered = std::function<void(LeaseAnswer)>;
 
-    LeaseRenderer(std::unique_ptr<Device> device, Answered answered);
-
-    /// Returns the device that renders. To be called by the device, on the render thread.
-    DeviceInfo info() const { return device_->info(); }
+    /// Scenes are loaded and leases rendered in `turns`, which must outlive it. Its destructor unloads the scene and
+    /// does not wait for the turns of others.
+    LeaseRenderer(std::unique_ptr<Device> device, FairTurns& turns, Answered answered);
 
     /// Loads a scene, which must have passed its check(), and drops leases of earlier scenes.
     void setScene(std::uint64_t number, std::shared_ptr<const Scene> scene);
@@ -45,17 +45,21 @@ class LeaseRenderer {
     void add(Lease lease);
     /// Drops all leases: they get no answer.
     void drop();
-    /// Drops all leases and unloads the scene, from the device as well; waits until that is done.
-    void forget();
+    /// Returns the time that scenes and leases have taken so far, as `turns` counts it [s].
+    double seconds() const { return turns_.had(share_); }
 
   private:
     void run(const std::stop_token& ended);
-    void takeScene(std::uint64_t number, const std::shared_ptr<const Scene>& scene);
+    /// Loads the newest scene, or renders the oldest lease, if there still is one.
+    void work();
+    void takeScene(std::uint64_t number, const Scene& scene);
     void take(Lease lease, const std::stop_token& stop);
     /// Drops all leases; needs the lock.
     void dropLeases();
 
     std::unique_ptr<Device> device_;
+    FairTurns& turns_;
+    FairTurns::Share share_;
     Answered answered_;
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
@@ -63,9 +67,8 @@ class LeaseRenderer {
     std::shared_ptr<const Scene> next_;  ///< scene to load
     std::uint64_t number_ = 0;           ///< number of the newest scene
     bool isNew_ = false;                 ///< next_ is not loaded yet
-    bool isBusy_ = false;
-    std::stop_source current_;  ///< stops the lease that is being rendered
-    std::jthread thread_;       ///< last member: it uses all others
+    std::stop_source current_;           ///< ends the wait for a turn, and stops the lease that is being rendered
+    std::jthread thread_;                ///< last member: it uses all others
 };
 
 }  // namespace pdr

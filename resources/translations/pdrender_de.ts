@@ -444,6 +444,10 @@
         <translation>%1 wurde entfernt</translation>
     </message>
     <message>
+        <source>%1 works for others</source>
+        <translation>%1 arbeitet für andere</translation>
+    </message>
+    <message>
         <source>%1 x</source>
         <translation>%1 x</translation>
     </message>
@@ -4626,6 +4630,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Warten, bis es eines gibt.</translation>
     </message>
     <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
         <source>What can be done</source>
         <translation>Was getan werden kann</translation>
     </message>
@@ -5316,6 +5324,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>for the scene: %1</source>
         <translation>für die Szene: %1</translation>
+    </message>
+    <message>
+        <source>for the scene: %1, since others use this render node, too</source>
+        <translation>für die Szene: %1, da auch andere diesen Render-Rechner benutzen</translation>
     </message>
     <message>
         <source>from %1</source>
@@ -6444,6 +6456,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>now, %1</source>
         <translation>jetzt, %1</translation>
+    </message>
+    <message>
+        <source>number %1 in the line, since others use this render node</source>
+        <translation>Nummer %1 in der Schlange, da andere diesen Render-Rechner benutzen</translation>
     </message>
     <message>
         <source>on an image of %1 × %2 pixels on the CPU (%3)</source>

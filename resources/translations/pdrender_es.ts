@@ -444,6 +444,10 @@
         <translation>%1 se quitó</translation>
     </message>
     <message>
+        <source>%1 works for others</source>
+        <translation>%1 trabaja para otros</translation>
+    </message>
+    <message>
         <source>%1 x</source>
         <translation>%1 x</translation>
     </message>
@@ -4626,6 +4630,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>Espere a que haya una.</translation>
     </message>
     <message>
+        <source>Waiting</source>
+        <translation>En espera</translation>
+    </message>
+    <message>
         <source>What can be done</source>
         <translation>Qué se puede hacer</translation>
     </message>
@@ -5316,6 +5324,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>for the scene: %1</source>
         <translation>para la escena: %1</translation>
+    </message>
+    <message>
+        <source>for the scene: %1, since others use this render node, too</source>
+        <translation>para la escena: %1, porque otros usan también este equipo de render</translation>
     </message>
     <message>
         <source>from %1</source>
@@ -6444,6 +6456,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>now, %1</source>
         <translation>ahora, %1</translation>
+    </message>
+    <message>
+        <source>number %1 in the line, since others use this render node</source>
+        <translation>número %1 en la cola, porque otros usan este equipo de render</translation>
     </message>
     <message>
         <source>on an image of %1 × %2 pixels on the CPU (%3)</source>

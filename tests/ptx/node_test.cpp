@@ -38,13 +38,16 @@ class NodeTest : public QObject {
     void aNodeWhoseGpuIsLostGoesOnAsACpu() {
         // Start the node as its program does
         node::NodeService* running = nullptr;
-        auto device = *openDeviceToTheEnd("auto", 1, [&](const Error& why) { running->goOnInstead(why); });
+        const node::OpenDevice open = [&] {
+            return openDeviceToTheEnd("auto", 1, [&](const Error& why) { running->goOnInstead(why); });
+        };
         node::NodeOptions options;
         options.listen = remote::Address{"127.0.0.1", 0};
         options.name = "gpu-07";
-        const auto hello = node::introduction(options, *device);
+        options.threads = 1;
+        const auto hello = node::introduction(options, **open());
         QVERIFY(hello && hello->device == "cuda");
-        node::NodeService service(options, *hello, std::move(device));
+        node::NodeService service(options, *hello, open);
         running = &service;
         QString log;
         connect(&service, &node::NodeService::said, this, [&](const QString& line) { log += line + "\n"; });

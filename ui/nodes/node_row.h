@@ -11,6 +11,7 @@ namespace pdr::ui {
 enum class NodeState {
     dialling,     ///< no answer yet; retried
     connecting,   ///< both sides authenticate
+    waiting,      ///< waits in line: it works for other users; see `reason`
     sendingScan,  ///< the scan and the scene are being sent
     ready,        ///< has all data, and nothing to do
     rendering,

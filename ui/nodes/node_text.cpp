@@ -19,6 +19,8 @@ QString stateWord(const NodeRow& node) {
             return translated("Dialling");
         case NodeState::connecting:
             return translated("Connecting");
+        case NodeState::waiting:
+            return translated("Waiting");
         case NodeState::sendingScan:
             return translated("Sending the scan, %1 %").arg(number(100 * node.scanSent, 0));
         case NodeState::ready:

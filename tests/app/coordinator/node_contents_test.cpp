@@ -53,8 +53,7 @@ class NodeContentsTest : public QObject {
 #endif
         const nodes::OutgoingScene going = largeScene();
         const nodes::Content& voxels = going.contents.at(0);
-        node::NodeContents contents;
-        contents.setKey(kKey);
+        node::NodeContents contents(kKey);
         QVERIFY(bool(contents.order(going.order)));
         if (!resetPeak())
             QSKIP("the system does not let the peak be measured");
@@ -75,8 +74,7 @@ class NodeContentsTest : public QObject {
             scene.parts = {anyParts(*scene.volume, 2, 3), {{2, {3, {{.hu = 0, .opacity = 1}}}}}};
             return scene;
         };
-        node::NodeContents contents;
-        contents.setKey(kKey);
+        node::NodeContents contents(kKey);
         for (const double spacing : {1.0, 1.0, 2.0}) {
             const Scene scene = sceneWith(spacing);
             const nodes::OutgoingScene going = *nodes::outgoingScene(5, scene, hashOf);
@@ -104,14 +102,18 @@ class NodeContentsTest : public QObject {
         QFETCH(const bool, fits);
         const nodes::OutgoingScene going = largeScene();
         const auto bytes = std::uint64_t(free * double(going.contents.at(0).bytes.size()));
-        node::NodeContents contents([bytes] { return bytes; });
-        contents.setKey(kKey);
-        const Result<void> ordered = contents.order(going.order);
-        QCOMPARE(bool(ordered), fits);
-        QCOMPARE(contents.need().has_value(), fits);
-        if (!fits)
-            QVERIFY2(ordered.error().what.find("not enough memory for the scene") != std::string::npos,
-                     ordered.error().what.c_str());
+        for (const bool hasOthers : {false, true}) {
+            node::NodeContents contents(kKey, [=] { return node::MemoryLeft{bytes, hasOthers}; });
+            const Result<void> ordered = contents.order(going.order);
+            QCOMPARE(bool(ordered), fits);
+            QCOMPARE(contents.need().has_value(), fits);
+            QCOMPARE(contents.promised() > 0, fits);
+            contents.settle();
+            QCOMPARE(contents.promised(), std::uint64_t(0));
+            const std::string what = fits ? "" : ordered.error().what;
+            QVERIFY2(fits || what.find("not enough memory for the scene") != std::string::npos, what.c_str());
+            QCOMPARE(what.find("others use this render node") != std::string::npos, !fits && hasOthers);
+        }
     }
 };
 

@@ -22,14 +22,17 @@ namespace {
 class NodeWithAGpu {
   public:
     NodeWithAGpu() {
-        auto device = withSpare(
-            std::make_unique<GpuDevice<FaultyGpu>>(DeviceInfo{"faulty", "a GPU", false}, plan),
-            [] { return makeCpuDevice(1); }, [this](const Error& why) { service_->goOnInstead(why); });
+        const node::OpenDevice open = [this] {
+            return withSpare(
+                std::make_unique<GpuDevice<FaultyGpu>>(DeviceInfo{"faulty", "a GPU", false}, plan),
+                [] { return makeCpuDevice(1); }, [this](const Error& why) { service_->goOnInstead(why); });
+        };
         node::NodeOptions options;
         options.listen = remote::Address{"127.0.0.1", 0};
         options.name = "gpu-07";
-        const wire::Hello hello = *node::introduction(options, *device);
-        service_ = std::make_unique<node::NodeService>(options, hello, std::move(device));
+        options.threads = 1;
+        const wire::Hello hello = *node::introduction(options, **open());
+        service_ = std::make_unique<node::NodeService>(options, hello, open);
         QObject::connect(service_.get(), &node::NodeService::said, [this](const QString& line) { log += line + "\n"; });
         if (!service_->start())
             qFatal("a render node cannot listen");

@@ -55,6 +55,7 @@ void TestNodeEvents::theReasonOfGoingIsTold_data() {
     QTest::addColumn<QString>("text");
     QTest::newRow("paused") << int(NodeState::paused) << "gpu-1 was paused";
     QTest::newRow("leaving") << int(NodeState::draining) << "gpu-1 leaves";
+    QTest::newRow("in line") << int(NodeState::waiting) << "gpu-1 works for others";
     QTest::newRow("lost") << int(NodeState::lost) << "gpu-1 was lost";
     QTest::newRow("dialled again") << int(NodeState::dialling) << "gpu-1 was lost";
     QTest::newRow("refused") << int(NodeState::refused) << "gpu-1 was lost";

@@ -84,11 +84,12 @@ void TestNodeFigures::whatIsCountedAnewBeginsAnew() {
 void TestNodeFigures::everyStateHasItsOwn() {
     const NodeFigures figures;
     QSet<int> states;
-    for (const auto state : {nodes::NodeState::dialling, nodes::NodeState::greeting, nodes::NodeState::sending,
-                             nodes::NodeState::ready, nodes::NodeState::suspect, nodes::NodeState::paused,
-                             nodes::NodeState::draining, nodes::NodeState::refused, nodes::NodeState::lost})
+    for (const auto state :
+         {nodes::NodeState::dialling, nodes::NodeState::greeting, nodes::NodeState::waiting, nodes::NodeState::sending,
+          nodes::NodeState::ready, nodes::NodeState::suspect, nodes::NodeState::paused, nodes::NodeState::draining,
+          nodes::NodeState::refused, nodes::NodeState::lost})
         states << int(figures.rowOf(node(1, 0, 0, state)).state);
-    QCOMPARE(states.size(), 9);
+    QCOMPARE(states.size(), 10);
     nodes::NodeStatus other = node(1, 0, 0, nodes::NodeState::quarantined);
     QCOMPARE(figures.rowOf(other).state, ui::NodeState::refused);
     QVERIFY(figures.rowOf(other).sameBits);

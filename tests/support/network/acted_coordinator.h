@@ -1,7 +1,5 @@
 #pragma once
-/// A coordinator that dials a node, welcomes it like any other and then does what a test says.
-
-#include <algorithm>
+/// A coordinator that does what a test says, at a node of this machine.
 
 #include "app/coordinator/scene_order.h"
 #include "app/remote/dial.h"
@@ -12,62 +10,59 @@ namespace pdr::test {
 
 class ActedCoordinator {
   public:
-    /// Dials a node at that port of this machine.
-    explicit ActedCoordinator(quint16 port) : dial_(remote::Address{"127.0.0.1", port}, kCoordinator) {
+    /// Dials the node at that port, and welcomes it with this key.
+    explicit ActedCoordinator(quint16 port, std::byte key = std::byte{1})
+        : key_{key}, dial_({"127.0.0.1", port}, {remote::Role::coordinator, std::nullopt}) {
         QObject::connect(&dial_, &remote::Dial::failed, &dial_, [this] { isOver_ = true; });
-        QObject::connect(&dial_, &remote::Dial::connected, &dial_, [this](remote::Channel* channel) { meet(channel); });
-    }
-
-    bool isHeard() const { return heard_; }  ///< whether the node has introduced itself, and was welcomed
-    bool isOver() const { return isOver_; }
-    bool say(wire::Message message) { return channel_->send(std::move(message)); }
-    void leave() { channel_->close("it goes"); }
-    qint64 waits() const { return channel_->queuedBytes(); }
-    /// Orders a scene, and sends its contents when the node asks for them.
-    void order(const nodes::OutgoingScene& scene) {
-        scene_ = scene;
-        say(scene.order);
-    }
-    /// Returns `scene` as it is sent to this node.
-    static nodes::OutgoingScene outgoing(const Scene& scene) {
-        return *nodes::outgoingScene(scene.revision, scene, [](const auto&, std::span<const std::byte> bytes) {
-            return wire::contentHash(wire::Welcome{}.key, bytes);
+        QObject::connect(&dial_, &remote::Dial::connected, &dial_, [this](remote::Channel* channel) {
+            channel_ = channel;
+            QObject::connect(channel, &remote::Channel::received, &dial_,
+                             [this](wire::Message& message) { take(message); });
+            QObject::connect(channel, &remote::Channel::closed, &dial_, [this] { isOver_ = true; });
         });
     }
+
+    bool hasNode() const { return channel_ && channel_->isAdmitted(); }
+    bool isOver() const { return isOver_; }  ///< whether there is no connection, or none any longer
+    /// Returns the bytes of messages that are queued and not sent yet.
+    qint64 waits() const { return channel_->queuedBytes(); }
+    void say(wire::Message message) { channel_->send(std::move(message)); }
+    /// Orders `scene` under that number, whose contents have hashes with `key`, by default its own.
+    nodes::OutgoingScene order(std::uint64_t number, const Scene& scene, std::optional<std::byte> key = {}) {
+        const nodes::ContentKey keyOfHashes = key ? nodes::ContentKey{*key} : key_;
+        const auto hashOf = [&](const std::shared_ptr<const void>&, std::span<const std::byte> bytes) {
+            return wire::contentHash(keyOfHashes, bytes);
+        };
+        nodes::OutgoingScene going = *nodes::outgoingScene(number, scene, hashOf);
+        say(going.order);
+        return going;
+    }
+    void send(const nodes::Content& content) {
+        for (std::uint32_t i = 0; i < wire::chunksOf(content.bytes.size()); ++i)
+            say(wire::packChunk(content.hash, content.bytes, i));
+    }
+    /// Returns all messages of a kind that have arrived.
     template <class Kind>
-    bool hasHeard() const {
-        return std::ranges::any_of(received_, [](const auto& one) { return std::holds_alternative<Kind>(one); });
+    std::vector<Kind> heard() const {
+        std::vector<Kind> all;
+        for (const wire::Message& message : received_)
+            if (const auto* one = std::get_if<Kind>(&message))
+                all.push_back(*one);
+        return all;
     }
 
   private:
-    static inline const remote::Identity kCoordinator{remote::Role::coordinator, std::nullopt};
-
-    void meet(remote::Channel* channel) {
-        channel_ = channel;
-        QObject::connect(channel, &remote::Channel::received, &dial_,
-                         [this](wire::Message& message) { take(message); });
-        QObject::connect(channel, &remote::Channel::closed, &dial_, [this] { isOver_ = true; });
-    }
     void take(wire::Message& message) {
-        if (std::holds_alternative<wire::Hello>(message) && !heard_) {
+        if (std::holds_alternative<wire::Hello>(message)) {
             channel_->setAdmitted();
-            say(wire::Welcome{});
-            heard_ = true;
+            channel_->send(wire::Welcome{.version = 2, .heartbeatMs = 60000, .key = key_});
         }
-        if (const auto* need = std::get_if<wire::Need>(&message))
-            serve(*need);
         received_.push_back(std::move(message));
     }
-    void serve(const wire::Need& need) {
-        for (const nodes::Content& content : scene_.contents)
-            if (content.hash == need.content)
-                for (std::uint32_t i = need.from; i < wire::chunksOf(content.bytes.size()); ++i)
-                    say(wire::packChunk(content.hash, content.bytes, i));
-    }
 
+    nodes::ContentKey key_{};
     std::vector<wire::Message> received_;
-    nodes::OutgoingScene scene_;
-    bool heard_ = false, isOver_ = false;
+    bool isOver_ = false;
     remote::Channel* channel_ = nullptr;
     remote::Dial dial_;
 };

@@ -99,7 +99,7 @@ void TestNodesPanel::statesAreWordsWithTheirReason() {
         row.state = NodeState(state);
         words << nodeStateText(row);
     }
-    QCOMPARE(words.size(), 10);
+    QCOMPARE(words.size(), 11);
 }
 
 void TestNodesPanel::updatesKeepTheSelectionAndTheOrder() {
