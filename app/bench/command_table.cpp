@@ -116,7 +116,7 @@ constexpr Command kCommands[] = {
      "                            [--samples N] [--per-launch N] [--nodes N] [--tiles N] [--launch S]\n"
      "                            [--sample S] [--pixel S] [--serial S] [--latency S] [--bandwidth B] [--message S]\n"
      "                            [--pixel-bytes B] [--order-bytes B] [--sum-bytes B] [--checked P]\n"
-     "                            [--coordinator N] [--relays N] [--scan-bytes B] [--json] [--plots DIR]\n"
+     "                            [--relays N] [--scan-bytes B] [--json] [--plots DIR]\n"
      "                            [--measured FILE]",
      "Says what many render nodes would make of this machine's times: frames a second, latency, efficiency and bytes "
      "of\n"
@@ -142,8 +142,7 @@ constexpr Command kCommands[] = {
      "  --pixel-bytes B  of a finished pixel from a node; default 25\n"
      "  --order-bytes B  of requests, per finished pixel; default 7\n"
      "  --sum-bytes B    of a pixel's 64 samples, to which others add; default 18\n"
-     "  --checked P      part of the samples that the coordinator takes again; default 0.02\n"
-     "  --coordinator N  speed of the coordinator, in nodes; default 1\n"
+     "  --checked P      part of the samples that a second node takes, to check the first; default 0.02\n"
      "  --relays N       between coordinator and nodes; default 0\n"
      "  --scan-bytes B   of a scan on its way to a node; default 72000000\n"
      "  --json           print JSON instead of tables\n"

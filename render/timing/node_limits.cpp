@@ -16,13 +16,13 @@ double nodesOfMessages(const ScalingFacts& facts, double frameSeconds) {
 }  // namespace
 
 std::vector<LimitedNodes> limitsOf(const ScalingFacts& facts) {
-    const double seconds = frameSeconds(facts.node, facts.work);
+    constexpr double kMany = 2;  // nodes, so that they check each other
+    const double seconds = frameSeconds(facts.withChecks(kMany).node, facts.work);
     const double linkPixels = facts.link.bytesPerSecond * seconds / facts.work.pixels;  // a frame's, byte by byte
     std::vector<LimitedNodes> limits{
         {NodeLimit::results, linkPixels / facts.pixelBytes},
         {NodeLimit::orders, linkPixels / facts.orderBytes},
         {NodeLimit::messages, nodesOfMessages(facts, seconds)},
-        {NodeLimit::checks, std::max(1.0, facts.relays) * facts.coordinatorNodes / facts.checkedPart},
         {NodeLimit::tiles, std::floor(facts.work.pixels / facts.leastTilePixels)},
     };
     std::ranges::sort(limits, {}, &LimitedNodes::nodes);

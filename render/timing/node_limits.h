@@ -12,7 +12,6 @@ enum class NodeLimit {
     results,   ///< pixels from the nodes fill the coordinator's link
     orders,    ///< requests to the nodes fill it the other way
     messages,  ///< the coordinator does nothing but take in results
-    checks,    ///< the coordinator does nothing but render again what nodes have sent
     tiles,     ///< no tile is left for another node
 };
 

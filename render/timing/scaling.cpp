@@ -177,7 +177,7 @@ TileCut tileCut(const ScalingFacts& facts, double nodes) {
 }
 
 ScaledFrames scaled(const ScalingFacts& facts, Distribution how, double nodes) {
-    ScaledFrames frames = framesOf(facts, how, nodes);
+    ScaledFrames frames = framesOf(facts.withChecks(nodes), how, nodes);
     frames.nodes = nodes;
     frames.efficiency = facts.work.iterations * facts.node.sample * facts.work.pixels * frames.framesPerSecond / nodes;
     frames.paper = efficiencyOfManyNodes(frames.framesPerSecond, facts.node.communication);

@@ -36,10 +36,16 @@ struct ScalingFacts {
     double pixelBytes = 25;     ///< a finished pixel from a node: mean and variance of up to 1024 samples, packed; > 0
     double orderBytes = 7;      ///< requests and what goes with them, per finished pixel; > 0
     double sumBytes = 18;       ///< a pixel's sums of a block, to which others add, packed
-    double checkedPart = 0.02;  ///< part of the samples that the coordinator takes again; from 0 to 1
-    double coordinatorNodes = 1;  ///< speed of the coordinator, in nodes; > 0
-    double relays = 0;            ///< machines between coordinator and nodes, which pass on the scan and check; 0: none
-    double scanBytes = 72e6;      ///< a scan on the wire: 512 x 512 x 600 voxels, packed; >= 0
+    double checkedPart = 0.02;  ///< part of the samples that a second node takes, to check the first; from 0 to 1
+    double relays = 0;          ///< machines between coordinator and nodes, which pass on the scan; 0: none
+    double scanBytes = 72e6;    ///< a scan on the wire: 512 x 512 x 600 voxels, packed; >= 0
+
+    /// Returns the facts of one of `nodes` nodes, whose samples include those that it takes to check others.
+    ScalingFacts withChecks(double nodes) const {
+        ScalingFacts facts = *this;
+        facts.node.sample *= nodes > 1 ? 1 + checkedPart : 1;
+        return facts;
+    }
 };
 
 struct ScaledFrames {

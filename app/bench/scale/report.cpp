@@ -25,8 +25,7 @@ constexpr std::array<Way, kDistributions> kWays{{
 }};
 
 constexpr std::array kLimits{"results fill the link", "requests fill the link",
-                             "messages take all of the coordinator's time", "checks take all of the coordinator's time",
-                             "no tile is left"};
+                             "messages take all of the coordinator's time", "no tile is left"};
 
 std::vector<double> nodeCounts(double most) {
     std::set<double> counts{1, most};
@@ -69,7 +68,6 @@ Json factsJson(const ScalingFacts& facts) {
             {"orderBytes", facts.orderBytes},
             {"sumBytes", facts.sumBytes},
             {"checkedPart", facts.checkedPart},
-            {"coordinatorNodes", facts.coordinatorNodes},
             {"relays", facts.relays},
             {"scanBytes", facts.scanBytes}};
 }

@@ -11,11 +11,11 @@ namespace pdr::bench::scale {
 
 namespace {
 
-constexpr const char* kNames[] = {"--device",      "--threads",     "--seconds",     "--width",   "--height",
-                                  "--samples",     "--per-launch",  "--launch",      "--sample",  "--pixel",
-                                  "--serial",      "--latency",     "--bandwidth",   "--message", "--tiles",
-                                  "--nodes",       "--pixel-bytes", "--sum-bytes",   "--plots",   "--measured",
-                                  "--order-bytes", "--checked",     "--coordinator", "--relays",  "--scan-bytes"};
+constexpr const char* kNames[] = {"--device",      "--threads",     "--seconds",   "--width",     "--height",
+                                  "--samples",     "--per-launch",  "--launch",    "--sample",    "--pixel",
+                                  "--serial",      "--latency",     "--bandwidth", "--message",   "--tiles",
+                                  "--nodes",       "--pixel-bytes", "--sum-bytes", "--plots",     "--measured",
+                                  "--order-bytes", "--checked",     "--relays",    "--scan-bytes"};
 
 /// Reads values by their names, and keeps the first error.
 class Reader {
@@ -82,7 +82,6 @@ Result<void> readNumbers(const Options& options, Settings& settings) {
     reader.positive("--order-bytes", facts.orderBytes);
     reader.positive("--sum-bytes", facts.sumBytes);
     reader.positive("--checked", facts.checkedPart);
-    reader.positive("--coordinator", facts.coordinatorNodes);
     reader.whole("--relays", 0, facts.relays);
     reader.positive("--scan-bytes", facts.scanBytes);
     facts.work.pixels = double(width) * height;

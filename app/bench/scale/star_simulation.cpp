@@ -110,13 +110,14 @@ StarTimes play(const StarWork& work) {
 
 std::optional<ScaledFrames> simulated(const ScalingFacts& facts, Distribution how, std::int64_t nodes,
                                       std::uint32_t seed) {
+    const ScalingFacts checking = facts.withChecks(double(nodes));
     switch (how) {
         case Distribution::sortFirst:
-            return inParts(facts, tiles(facts, nodes, seed), double(nodes));
+            return inParts(facts, tiles(checking, nodes, seed), double(nodes));
         case Distribution::sampleFirst:
-            return inParts(facts, blocks(facts, nodes), double(nodes));
+            return inParts(facts, blocks(checking, nodes), double(nodes));
         case Distribution::alternateFrames:
-            return inParts(facts, alternating(facts, nodes), double(nodes));
+            return inParts(facts, alternating(checking, nodes), double(nodes));
         case Distribution::sampleFirstInTree:
         case Distribution::sortLast:
             break;

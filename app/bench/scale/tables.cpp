@@ -68,8 +68,8 @@ std::string factsText(const Report& report) {
            " ms a message; " + plain(facts.pixelBytes) + " bytes a finished pixel, " + plain(facts.sumBytes) +
            " of sums; " + plain(facts.orderBytes) +
            " bytes of requests for each\nChecks: " + plain(100 * facts.checkedPart) +
-           " % of the samples by a coordinator as fast as " + plain(facts.coordinatorNodes) + " nodes; " +
-           whole(facts.relays) + " relays; a scan of " + bytes(facts.scanBytes) + "\n";
+           " % of the samples, by another node; " + whole(facts.relays) + " relays; a scan of " +
+           bytes(facts.scanBytes) + "\n";
 }
 
 /// Returns sentences about where the paper's limit for many nodes is wrong, and why.

@@ -153,8 +153,12 @@ class HostileCoordinatorTest : public QObject {
             }),
             Answer::refusesScene);
         row("other voxels than announced", ordering([](auto& scene) {
-                static const std::vector<std::byte> zeros(scene.contents[0].bytes.size());
-                scene.contents[0].bytes = zeros;
+                for (nodes::Content& content : scene.contents)
+                    if (content.hash == scene.order.volume.content) {
+                        content.hash[0] ^= std::byte{1};
+                        scene.order.volume.content = content.hash;
+                        return;
+                    }
             }),
             Answer::parts);
         row(

@@ -19,7 +19,7 @@ ScalingFacts facts() {
     facts.link = {1e-3, 1e8, 1e-4};
     facts.pixelBytes = 20;
     facts.orderBytes = 4;
-    facts.checkedPart = 0.02;
+    facts.checkedPart = 0;
     facts.scanBytes = 2e8;
     return facts;
 }
@@ -44,7 +44,6 @@ class NodeLimitsTest : public QObject {
     void eachLimitIsWhereAllIsTaken() {
         QVERIFY(near(nodesOf(facts(), NodeLimit::results), 500));   // 20 MB each 100 s, of 100 MB/s
         QVERIFY(near(nodesOf(facts(), NodeLimit::orders), 2500));   // 4 MB
-        QVERIFY(near(nodesOf(facts(), NodeLimit::checks), 50));     // a coordinator as fast as a node
         QVERIFY(near(nodesOf(facts(), NodeLimit::tiles), 10'000));  // of 100 pixels
         // 316 nodes: 3162 results a frame, 3.16 frames a second, 0.1 ms each
         QVERIFY(near(nodesOf(facts(), NodeLimit::messages), std::sqrt(1e5)));
@@ -52,25 +51,27 @@ class NodeLimitsTest : public QObject {
 
     void theLowestIsFirst() {
         const std::vector<LimitedNodes> limits = limitsOf(facts());
-        QCOMPARE(limits.size(), 5u);
-        QCOMPARE(limits.front().limit, NodeLimit::checks);
+        QCOMPARE(limits.size(), 4u);
+        QCOMPARE(limits.front().limit, NodeLimit::messages);
         QCOMPARE(limits.back().limit, NodeLimit::tiles);
     }
 
     void whatIsFreeIsNoLimit() {
         ScalingFacts free = facts();
-        free.checkedPart = 0;
         free.link.messageSeconds = 0;
-        QVERIFY(std::isinf(nodesOf(free, NodeLimit::checks)));
         QVERIFY(std::isinf(nodesOf(free, NodeLimit::messages)));
     }
 
-    void fasterCoordinatorsAndRelaysCheckMoreNodes() {
-        ScalingFacts more = facts();
-        more.coordinatorNodes = 4;
-        QVERIFY(near(nodesOf(more, NodeLimit::checks), 200));
-        more.relays = 5;
-        QVERIFY(near(nodesOf(more, NodeLimit::checks), 1000));
+    /// Nodes that check each other are slower, so more of them fit on a link; a node alone checks nobody.
+    void checksTakeTimeOfNodes() {
+        ScalingFacts checking = facts();
+        checking.checkedPart = 0.25;
+        QVERIFY(near(nodesOf(checking, NodeLimit::results), 625));
+        const auto rate = [](const ScalingFacts& facts, double nodes) {
+            return scaled(facts, Distribution::alternateFrames, nodes).framesPerSecond;
+        };
+        QVERIFY(near(rate(checking, 1), rate(facts(), 1)));
+        QVERIFY(std::fabs(rate(facts(), 4) / rate(checking, 4) - 1.25) < 0.01);
     }
 
     /// The limit of the link is where frames cease to come more often.

@@ -17,6 +17,7 @@ ScalingFacts paperFacts(std::uint32_t perLaunch = 1) {
     facts.link = {0, 1e30, 0};
     facts.pixelBytes = 4;
     facts.sumBytes = 16;
+    facts.checkedPart = 0;
     return facts;
 }
 
