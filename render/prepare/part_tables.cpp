@@ -80,8 +80,9 @@ void PartTables::take(const Scene& scene, const PartTables* last) {
         return;
     map = scene.parts.map;
     std::vector<TransferTables> tables;
+    std::vector<std::size_t> lookUps;
     for (const Curve& curve : different)
-        add(tables.emplace_back(*curve.function));
+        lookUps.push_back(add(tables.emplace_back(*curve.function)));
     // Light from within is summed up curve by curve: none is shared there.
     const bool shared = scene.model != Model::emission && scene.model != Model::emissionAbsorption;
     curveOf = materialOf;
@@ -96,7 +97,7 @@ void PartTables::take(const Scene& scene, const PartTables* last) {
         FlatTransferFunction curve = one.flat();
         curve.pieces = pieces.data() + first;
         curve.materials = materials.data() + 2 * std::ptrdiff_t(first);
-        curve.pieceAt = pieceAt.data() + curves.size() * one.pieceAt.size();
+        curve.pieceAt = pieceAt.data() + lookUps[curves.size()];
         curve.firstPiece = first;
         const Curve& drawn = different[curves.size()];
         const bool byLabels = !curves.empty() && hasShapeOfLabels(*drawn.function);
@@ -107,10 +108,14 @@ void PartTables::take(const Scene& scene, const PartTables* last) {
     cells = last && last->map == map && last->curveOf == curveOf ? last->cells : cellCurves(*map, curveOf);
 }
 
-void PartTables::add(const TransferTables& tables) {
+std::size_t PartTables::add(const TransferTables& tables) {
     pieces.insert(pieces.end(), tables.pieces.begin(), tables.pieces.end());
     materials.insert(materials.end(), tables.materials.begin(), tables.materials.end());
+    for (std::size_t known = 0; known < pieceAt.size(); known += tables.pieceAt.size())
+        if (std::equal(tables.pieceAt.begin(), tables.pieceAt.end(), pieceAt.begin() + std::ptrdiff_t(known)))
+            return known;
     pieceAt.insert(pieceAt.end(), tables.pieceAt.begin(), tables.pieceAt.end());
+    return pieceAt.size() - tables.pieceAt.size();
 }
 
 FlatParts PartTables::flat() const {

@@ -47,11 +47,12 @@ class PartTables {
     std::shared_ptr<const CellCurves> cells;     ///< null without a map
     std::vector<OpacityPiece> pieces;            ///< pieces of all curves
     std::vector<Material> materials;             ///< two per piece
-    std::vector<std::uint16_t> pieceAt;          ///< 65536 / 16 entries for each curve
+    std::vector<std::uint16_t> pieceAt;          ///< look-up tables: curves whose pieces begin at the same HU share one
     std::vector<FlatTransferFunction> curves;    ///< the scene's own first
 
   private:
-    void add(const TransferTables& tables);
+    /// Adds what a curve reads and returns where its look-up table begins.
+    std::size_t add(const TransferTables& tables);
 };
 
 }  // namespace pdr

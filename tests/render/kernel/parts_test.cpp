@@ -214,6 +214,7 @@ class PartsTest : public QObject {
         }
         const auto prepared = Flattener().prepare(scene);
         QCOMPARE(prepared->parts.curves.size(), std::size_t(3));
+        QCOMPARE(prepared->parts.pieceAt.size(), std::size_t(65536 / 16));  // of all curves: their borders are the same
         for (int x = 0; x < 7; ++x)
             QCOMPARE(onlyCurve(prepared->flat, ivec3(x, 3, 3)), 0);
         const auto share = [&](float x) {  // of the second part
