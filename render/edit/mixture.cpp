@@ -10,7 +10,10 @@ using denoise::Plane;
 
 constexpr int kRadius = 12;  ///< radius of the square [pixels]
 /// Squared standard deviations that are subtracted from what the halves tell: below them nothing is mixed.
-constexpr float kSure = 4;
+constexpr float kSure = 9;
+/// Radius of the box that smooths a change, twice, before the halves are compared [pixels]: single pixels agree on less
+/// than surfaces do, and what the eye sees of an edit is surfaces.
+constexpr int kSurface = 8;
 
 /// Returns the sum over the channels of (second - first) * (judge - first), by `importance`.
 Plane agreementOf(const denoise::Colours& first, const denoise::Colours& second, const denoise::Colours& judge,
@@ -21,6 +24,11 @@ Plane agreementOf(const denoise::Colours& first, const denoise::Colours& second,
             [](float so_far, float a, float b, float raw, float i) { return so_far + i * (b - a) * (raw - a); }, sum,
             first[c], second[c], judge[c], importance);
     return sum;
+}
+
+Plane changeOfSurfaces(const Plane& from, const Plane& to) {
+    const Plane change = combined([](float a, float b) { return b - a; }, from, to);
+    return denoise::boxed(denoise::boxed(change, kSurface), kSurface);
 }
 
 Plane sumOf(const Plane& a, const Plane& b) {
@@ -67,8 +75,8 @@ Plane shareOfChange(const SmoothHalves& old, const SmoothHalves& laid, float dim
         denoise::luminance(old.even), denoise::luminance(old.odd));
     Plane agreement(importance.size()), apart = agreement;
     for (std::size_t c = 0; c < 3; ++c) {
-        const Plane even = combined([](float a, float b) { return b - a; }, old.even[c], laid.even[c]);
-        const Plane odd = combined([](float a, float b) { return b - a; }, old.odd[c], laid.odd[c]);
+        const Plane even = changeOfSurfaces(old.even[c], laid.even[c]);
+        const Plane odd = changeOfSurfaces(old.odd[c], laid.odd[c]);
         agreement = combined([](float sum, float i, float a, float b) { return sum + i * a * b; }, agreement,
                              importance, even, odd);
         apart = combined([](float sum, float i, float a, float b) { return sum + i * (a + b) * (a + b) / 4; }, apart,

@@ -15,9 +15,9 @@ namespace pdr {
 denoise::Plane shareOfSecond(const SmoothHalves& first, const SmoothHalves& second, const denoise::Colours& even,
                              const denoise::Colours& odd, float dim, float alike = 1);
 
-/// Returns the part of the change from `old` to `laid` whose squared error over a square of pixels around each is
-/// least, [0, 1]: what both halves of the samples agree on is the change, the rest is chance (a Wiener filter). `dim`:
-/// as above, of `old`.
+/// Returns the part of the change from `old` to `laid` whose squared error, over surfaces in a square around each
+/// pixel, is least, [0, 1]: what both halves of the samples agree on is the change, the rest is chance (a Wiener
+/// filter). `dim`: as above, of `old`.
 denoise::Plane shareOfChange(const SmoothHalves& old, const SmoothHalves& laid, float dim);
 
 /// Returns first + share * (second - first).

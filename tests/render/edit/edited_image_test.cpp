@@ -22,6 +22,24 @@ double errorOf(const denoise::Colours& image, const Truth& truth, double unit = 
     return std::sqrt(squares / (kSize.x * kSize.y));
 }
 
+/// Returns the error of the change from `old`, over tiles of 16 x 16 pixels, in parts of the mean change to `wanted`.
+double changeErrorOf(const denoise::Colours& shown, const denoise::Colours& old, const Truth& wanted) {
+    constexpr int kTile = 16;
+    double off = 0, change = 0;
+    for (int top = 0; top < kSize.y; top += kTile)
+        for (int left = 0; left < kSize.x; left += kTile) {
+            double tileOff = 0, tileChange = 0;
+            for (int y = top; y < top + kTile; ++y)
+                for (int x = left; x < left + kTile; ++x) {
+                    tileOff += double(shown[1].row(y)[x]) - wanted(x, y);
+                    tileChange += wanted(x, y) - double(old[1].row(y)[x]);
+                }
+            off += std::fabs(tileOff);
+            change += std::fabs(tileChange);
+        }
+    return off / change;
+}
+
 double errorOfFresh(const Growing& now) {
     const NoisyFilm noisy = noisyFilm(now.film);
     return errorOf(pdr::smoothRadiance(noisy), now.truth, noisy.unit);
@@ -145,7 +163,29 @@ class EditedImageTest : public QObject {
         QVERIFY2(with < most * alone, qPrintable(QString::number(with / alone)));
     }
 
-    /// An old image that has nothing in common with the new one does no harm.
+    /// Light that is a little brighter on one side is so after few samples, although single pixels hardly agree on it.
+    void aSmallEditIsThere_data() {
+        QTest::addColumn<int>("samples");
+        QTest::addColumn<double>("most");  // error over tiles, in parts of the mean change
+        QTest::newRow("16") << 16 << 0.45;
+        QTest::newRow("64") << 64 << 0.3;
+    }
+    void aSmallEditIsThere() {
+        QFETCH(int, samples);
+        QFETCH(double, most);
+        const auto brighter = [](int x, int y) { return discs(x, y) * (x < 80 ? 1 : 1.02); };
+        double sum = 0;
+        for (const std::uint64_t seed : {11, 5023, 90017}) {
+            Growing then{discs, seed}, now{brighter, seed, 0.1};
+            EditedImage image(kept(then.to(256)));
+            const denoise::Colours old = image.old().all, shown = imageOf(image, now.to(std::uint64_t(samples)));
+            const auto wanted = [&](int x, int y) { return double(old[1].row(y)[x]) * brighter(x, y) / discs(x, y); };
+            sum += changeErrorOf(shown, old, wanted) / 3;
+        }
+        qInfo("%d samples: the change is off by %.3f", samples, sum);
+        QVERIFY2(sum < most, qPrintable(QString::number(sum)));
+    }
+
     /// A stop leaves the planes of a film unfinished, some of them empty.
     void whatIsStoppedHasTheSizeOfTheImage() {
         Growing then{discs, 3}, now{edited, 3};
@@ -156,6 +196,7 @@ class EditedImageTest : public QObject {
         QCOMPARE(image.radiance(now.film, now.first, stopped.get_token())[0].size(), kSize);
     }
 
+    /// An old image that has nothing in common with the new one does no harm.
     void aForeignImageDoesNoHarm_data() {
         QTest::addColumn<int>("samples");
         for (const int samples : {4, 16, 64})
@@ -211,24 +252,23 @@ class EditedImageTest : public QObject {
     }
 
     /// What is said of the image bounds its error to 95 %, whether the edit is small or large and the old image good or
-    /// not: of 36 images at most five are worse, which chance would bring once in a hundred tests. It is no idle bound.
+    /// not: of 36 images at most five are worse, which chance would bring once in a hundred tests. Each has random
+    /// numbers of its own: with those of another it would be judged by the same noise. It is no idle bound.
     void whatIsSaidHolds() {
         int holds = 0, all = 0;
         double slack = 0;
         for (const int old : {16, 64, 256})
-            for (const std::uint64_t seed : {21, 4041}) {
-                Growing then{discs, seed};
-                const std::shared_ptr<const KeptImage> before = kept(then.to(std::uint64_t(old)));
-                for (const double own : {0.02, 0.3}) {
-                    Growing now{edited, seed, own};
-                    for (const int samples : {4, 16, 48}) {
-                        const auto [error, said] = errorAndBound(before, now.to(std::uint64_t(samples)));
+            for (const double own : {0.02, 0.3})
+                for (const int samples : {4, 16, 48})
+                    for (int i = 0; i < 2; ++i) {
+                        const std::uint64_t seed = 21 + 4020 * std::uint64_t(all);
+                        Growing then{discs, seed}, now{edited, seed, own};
+                        const auto [error, said] =
+                            errorAndBound(kept(then.to(std::uint64_t(old))), now.to(std::uint64_t(samples)));
                         holds += error <= said;
                         slack += said / error;
                         ++all;
                     }
-                }
-            }
         qInfo("%d of %d, said over true %.2f", holds, all, slack / all);
         QVERIFY2(holds >= all - 5, qPrintable(QString::number(holds)));
         QVERIFY2(slack / all < 2, qPrintable(QString::number(slack / all)));
