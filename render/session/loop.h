@@ -134,7 +134,7 @@ class Session::Loop {
     Text notShown_;               ///< what its image does not show; many frames state it
     std::uint64_t revision_ = 0;  ///< revision of the scene submitted last, even if it failed
     bool moving_ = false;
-    FrameTimes times_;        ///< of the scene and of its image in progress
+    FrameTimes times_;        ///< those of the scene and of its image in progress
     bool brightens_ = false;  ///< the display of a denoised image has just changed
 
     FrameScheduler scheduler_{clock_};
