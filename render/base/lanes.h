@@ -39,6 +39,9 @@ PDR_HD inline float toFloat(int x) {
 PDR_HD inline bool any(bool mask) {
     return mask;
 }
+PDR_HD inline bool unfolded(bool mask) {
+    return mask;
+}
 /// Returns the number of lanes in which `mask` holds.
 PDR_HD inline int count(bool mask) {
     return mask;
@@ -144,10 +147,31 @@ inline IntLanes permuted(IntLanes lanes, IntLanes from) {
     return permutedAny(lanes, from);
 }
 inline BitsLanes permuted(BitsLanes lanes, IntLanes from) {
-    return permutedAny(lanes, __builtin_convertvector(from, BitsLanes));
+    const BitsLanes places = __builtin_convertvector(from, BitsLanes);
+#if defined(__clang__)
+    return permutedAny(lanes, places);
+#else
+    // Register by register: GCC permutes what fills two of them number by number.
+    using Half = std::uint64_t __attribute__((vector_size(4 * kLanes)));
+    struct Halves {
+        Half low, high;
+    };
+    const Halves of = std::bit_cast<Halves>(lanes), at = std::bit_cast<Halves>(places);
+    return std::bit_cast<BitsLanes>(
+        Halves{__builtin_shuffle(of.low, of.high, at.low), __builtin_shuffle(of.low, of.high, at.high)});
+#endif
 }
 inline BitsLanes selected(IntLanes mask, BitsLanes yes, BitsLanes no) {
-    return __builtin_convertvector(mask, SignedBitsLanes) ? yes : no;
+    const BitsLanes where = BitsLanes(__builtin_convertvector(mask, SignedBitsLanes));
+    return (yes & where) | (no & ~where);
+}
+/// Returns `mask`, but keeps the compiler from merging it with the masks that it is made of. GCC 12 takes some of those
+/// apart bit by bit for AVX-512, in 120 instructions (-Wvector-operation-performance: "expanded piecewise").
+inline IntLanes unfolded(IntLanes mask) {
+#if defined(__AVX512F__)
+    asm("" : "+v"(mask));
+#endif
+    return mask;
 }
 
 /// Returns from[index] in each lane, by one load after the other.

@@ -46,12 +46,14 @@ class LightFlight {
 
     /// Looks where the last step said, then takes the next step of lanes that need not look again.
     PDR_HD_INLINE void step(const FlatScene& scene) {
+        // The bound ahead is read first, so that neither read waits for the other. Few lanes then do not need it.
+        const Stretch ahead = stretchAhead(scene.majorants);
         const Mask looks = looking();
         if (any(looks))
             look(scene, looks);
         const Mask onward = (t_ < end_) & !looking();
         if (any(onward))
-            goOn(scene.majorants, onward);
+            goOn(ahead, onward);
         prefetchNext(scene);
     }
 
@@ -105,10 +107,19 @@ class LightFlight {
             return extinctionOf(scene.transferFunction, hu);
     }
 
-    /// Takes the next step: through the largest cell that promises little, or else as far as kThinDepth allows.
-    PDR_HD_INLINE void goOn(const FlatMajorants& grid, Mask onward) {
-        Real bound = gather(grid.coarse, ray_.template cellIndex<16>(grid.coarseSize, onward));
-        Mask thick = onward & (bound > 0.25f * wholeBound_);
+    /// The part of a ray that one step passes.
+    struct Stretch {
+        Real bound;          ///< on the extinction [1/mm]
+        Int within;          ///< its cell is within + 1 voxels wide
+        Vec3<Real> borders;  ///< distances to the borders of that cell [mm]
+        Real leave;          ///< its end [mm from the ray's origin]
+    };
+
+    /// Returns the part ahead: through the largest cell that promises little, or else as far as kThinDepth allows.
+    PDR_HD_INLINE Stretch stretchAhead(const FlatMajorants& grid) const {
+        const Mask flying = t_ < end_;
+        Real bound = gather(grid.coarse, ray_.template cellIndex<16>(grid.coarseSize, flying));
+        Mask thick = flying & (bound > 0.25f * wholeBound_);
         const Int within = thick ? Int{} + 3 : Int{} + 15;
         if (any(thick))
             bound = thick ? gather(grid.fine, ray_.template cellIndex<4>(grid.fineSize, thick)) : bound;
@@ -117,17 +128,22 @@ class LightFlight {
         Real leave = greater(lesser(nearest(borders), end_), t_);
         if (any(thick))
             leave = thick ? lesser(leave, t_ + kThinDepth / bound) : leave;
-        const Mask tissue = onward & (bound > 0.0f);
-        looks_.begin(tissue, t_, leave - t_, bound, next_);
+        return {bound, within, borders, leave};
+    }
+
+    /// Passes the part ahead, and says where to look in it.
+    PDR_HD_INLINE void goOn(const Stretch& ahead, Mask onward) {
+        const Mask tissue = onward & (ahead.bound > 0.0f);
+        looks_.begin(tissue, t_, ahead.leave - t_, ahead.bound, next_);
         looking_ = tissue ? Real{} + 1.0f : looking_;
-        ray_.advance(onward, within, borders, leave);
-        t_ = onward ? leave : t_;
+        ray_.advance(onward, ahead.within, ahead.borders, ahead.leave);
+        t_ = onward ? ahead.leave : t_;
     }
 
     /// Prefetches what the next step reads.
     PDR_HD_INLINE void prefetchNext(const FlatScene& scene) const {
         const FlatMajorants& grid = scene.majorants;
-        prefetch(grid.fine, ray_.template cellIndex<4>(grid.fineSize, (t_ < end_) & !looking()));
+        prefetch(grid.fine, ray_.template cellIndex<4>(grid.fineSize, t_ < end_));
         prefetchCell(scene.volume, nearestCorner(scene.volume, voxelAt(ray_.at(looks_.place)), looking()));
     }
 

@@ -123,7 +123,7 @@ class PieceWalk {
         const float rounding = scene.optics.rounding;
         const Mask fits = (before.lowest() >= piece.start - rounding) & (before.highest() <= piece.end + rounding);
         // Shorten it to the border of the piece, if it crosses one.
-        const Mask crosses = inCell & !fits & before.monotone();
+        const Mask crosses = unfolded(inCell & !fits & before.monotone());
         Real reach = reach_;
         if (any(crosses)) {
             const Real border = before.b3 < before.b0 ? piece.start : piece.end;

@@ -48,7 +48,7 @@ class NestedLooks {
         taken = mask ? taken + term : taken;
         term_ = mask ? term : term_;
         const Real before = place - begin_;
-        const Mask again = mask & (extinction > 0.0f) & (u < bound_ * before);
+        const Mask again = unfolded(mask & (extinction > 0.0f) & (u < bound_ * before));
         place = again ? begin_ + before * v : place;
         return again;
     }
@@ -93,7 +93,7 @@ class ThinWalk {
     PDR_HD_INLINE Mask step(const FlatScene& scene, Mask mask, Way& way) {
         const FlatMajorants& grid = scene.majorants;
         const Mask again = mask & looksAgain();
-        const Mask onward = mask & !again;
+        const Mask onward = unfolded(mask & !again);
         // Find the largest cell that is thin.
         Real bound = gather(grid.coarse, ray_.template cellIndex<16>(grid.coarseSize, onward));
         Mask thick = onward & (bound > 0.25f * thinBound_);

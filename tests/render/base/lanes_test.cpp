@@ -40,6 +40,23 @@ class LanesTest : public QObject {
             }
         }
     }
+
+    /// A lane may take the 64 bits of any other, and keeps its own where it does not.
+    void lanesTakeWordsOfOtherLanes() {
+        std::mt19937_64 random(11);
+        for (int round = 0; round < 1000; ++round) {
+            BitsLanes mine{}, theirs{};
+            IntLanes from{}, mask{};
+            for (int lane = 0; lane < kLanes; ++lane) {
+                mine[lane] = random(), theirs[lane] = random();
+                from[lane] = int(random() % kLanes);
+                mask[lane] = random() % 2 ? -1 : 0;
+            }
+            const BitsLanes taken = selected(mask, permuted(theirs, from), mine);
+            for (int lane = 0; lane < kLanes; ++lane)
+                QCOMPARE(taken[lane], mask[lane] ? theirs[from[lane]] : mine[lane]);
+        }
+    }
 };
 
 QTEST_GUILESS_MAIN(LanesTest)
