@@ -6,6 +6,9 @@
 #include <QPainter>
 #include <QSignalSpy>
 #include <QTest>
+#include <functional>
+#include <initializer_list>
+#include <utility>
 
 #include "app/presenters/saving_presenter.h"
 #include "app/presenters/series_presenter.h"
@@ -48,7 +51,6 @@ class TestImageOnScreen : public QObject {
 
   private slots:
     void initTestCase();
-    void anEditNamesNothingNewBeforeItsImageIsThere_data();
     void anEditNamesNothingNewBeforeItsImageIsThere();
     void theLettersAreThoseOfTheFrame();
     void whatIsSavedIsWhatWasSeen();
@@ -72,50 +74,31 @@ void TestImageOnScreen::initTestCase() {
     QVERIFY2(written, written ? "" : written.error().text().c_str());
 }
 
-void TestImageOnScreen::anEditNamesNothingNewBeforeItsImageIsThere_data() {
-    QTest::addColumn<int>("edit");
-    const char* edits[] = {"view", "reset", "undo", "redo", "look", "estimator", "turned"};
-    for (int i = 0; i < 7; ++i)
-        QTest::newRow(edits[i]) << i;
-}
-
 void TestImageOnScreen::anEditNamesNothingNewBeforeItsImageIsThere() {
-    QFETCH(int, edit);
     Trial trial(test::failing(slow(0.05)));
     trial.openAndWait(series_);
     Document& document = trial.desktop.document();
-    document.setView(StandardView::left);
-    document.setView(StandardView::superior);
-    document.undo();
-    trial.waitForNewest();
-    const QImage before = margins(trial);
-    const QString status = trial.said();
-    switch (edit) {
-        case 0:
-            document.setView(StandardView::posterior);
-            break;
-        case 1:
-            trial.desktop.window().menuActions().firstView->trigger();
-            break;
-        case 2:
-            document.undo();
-            break;
-        case 3:
-            document.redo();
-            break;
-        case 4:
-            document.chooseLook(1);
-            break;
-        case 5:
-            document.setEstimator(Estimator::kroesMarch);
-            break;
-        case 6:
-            QTest::keyClick(&trial.desktop.window().viewport(), Qt::Key_Right);
-            break;
+    ui::MainWindow& window = trial.desktop.window();
+    const std::initializer_list<std::pair<const char*, std::function<void()>>> edits{
+        {"view", [&] { document.setView(StandardView::posterior); }},
+        {"reset", [&] { window.menuActions().firstView->trigger(); }},
+        {"undo", [&] { document.undo(); }},
+        {"redo", [&] { document.redo(); }},
+        {"look", [&] { document.chooseLook(1); }},
+        {"estimator", [&] { document.setEstimator(Estimator::kroesMarch); }},
+        {"turned", [&] { QTest::keyClick(&window.viewport(), Qt::Key_Right); }}};
+    for (const auto& [name, edit] : edits) {
+        document.setView(StandardView::left);
+        document.setView(StandardView::superior);
+        document.undo();
+        trial.waitForNewest();
+        const QImage before = margins(trial);
+        const QString status = trial.said();
+        edit();
+        QVERIFY2(margins(trial) == before, name);
+        emit trial.desktop.bridge().pausedChanged(false);  // the status is written anew
+        QVERIFY2(trial.said() == status, name);
     }
-    QVERIFY(margins(trial) == before);
-    emit trial.desktop.bridge().pausedChanged(false);  // the status is written anew
-    QCOMPARE(trial.said(), status);
 }
 
 /// The letters belong to the frame for every frame that is shown, while the user makes all kinds of edits faster than
