@@ -9,11 +9,13 @@
 
 #include "app/node/introduction.h"
 #include "app/node/node_service.h"
+#include "app/node/relay.h"
 #include "app/program/interrupt.h"
 #include "app/program/program.h"
 #include "app/remote/certificates.h"
 #include "render/base/version.h"
 #include "render/device/device_list.h"
+#include "render/tiles/reference_tiles.h"
 
 namespace pdr::node {
 namespace {
@@ -33,6 +35,24 @@ int makeBundle(const QString& folder, int nodes) {
         "Keep the keys secret: who has one can take part.\n",
         where.constData(), where.constData(), ofNodes.constData());
     return 0;
+}
+
+void log(const QString& line) {
+    std::fprintf(stderr, "pdrender-node: %s\n", line.toUtf8().constData());
+}
+
+/// Returns the relay that the options ask for, which waits for nodes; null: they ask for none.
+Result<std::unique_ptr<Relay>> relayFor(const NodeOptions& options, Device& device) {
+    if (options.relay.isEmpty())
+        return std::unique_ptr<Relay>();
+    const Result<std::vector<std::byte>> tiles = referenceTiles(device);
+    if (!tiles)
+        return tiles.error();
+    auto relay = std::make_unique<Relay>(*tiles);
+    QObject::connect(relay.get(), &Relay::said, log);
+    if (const Result<void> listens = relay->listen(options); !listens)
+        return listens.error();
+    return relay;
 }
 
 int work(const NodeOptions& options, const app::Interrupt& interrupt) {
@@ -57,13 +77,14 @@ int work(const NodeOptions& options, const app::Interrupt& interrupt) {
     const Result<wire::Hello> hello = introduction(options, **device, instead);
     if (!hello)
         return ending(hello.error(), ExitCode::temporary);
+    const Result<std::unique_ptr<Relay>> relay = relayFor(options, **device);
+    if (!relay)
+        return ending(relay.error(), ExitCode::configuration);
     device->reset();
     // Connect the service to the log, the exit code and signals
-    NodeService service(options, *hello, open);
+    NodeService service(options, *hello, *relay ? (*relay)->sharing(open) : open);
     running = &service;
-    QObject::connect(&service, &NodeService::said, [](const QString& line) {
-        std::fprintf(stderr, "pdrender-node: %s\n", line.toUtf8().constData());
-    });
+    QObject::connect(&service, &NodeService::said, log);
     int code = int(ExitCode::internal);
     QObject::connect(&service, &NodeService::finished, [&code](ExitCode why) {
         code = int(why);

@@ -24,6 +24,10 @@ void describe(QCommandLineParser& parser) {
          "The folder with this node's ca.pem, certificate.pem and key.pem. Without it only this machine can "
          "be talked to. PDR_BUNDLE.",
          "DIR"},
+        {"relay", "Share all work with nodes that dial this address, and check what they send. PDR_RELAY.",
+         "[HOST:]PORT"},
+        {"relay-bundle", "With --relay: the folder of a coordinator's certificates, for them. PDR_RELAY_BUNDLE.",
+         "DIR"},
         {"name", "What users see; default: the name of this machine. PDR_NAME.", "NAME"},
         {"device",
          "What renders: auto (default; a GPU where there is one, else the CPU), cpu, cuda, cuda:1, ... "
@@ -52,8 +56,8 @@ void describe(QCommandLineParser& parser) {
 /// Returns the command line, followed by the environment's values of options that are not on it.
 QStringList withEnvironment(QStringList arguments, const QCommandLineParser& parser,
                             const std::function<QString(const char*)>& environment) {
-    for (const char* name : {"coordinator", "listen", "bundle", "name", "device", "threads", "coordinators",
-                             "idle-minutes", "drain-seconds", "give-up-seconds"}) {
+    for (const char* name : {"coordinator", "listen", "bundle", "name", "relay", "relay-bundle", "device", "threads",
+                             "coordinators", "idle-minutes", "drain-seconds", "give-up-seconds"}) {
         const QByteArray variable = "PDR_" + QByteArray(name).toUpper().replace('-', '_');
         const QString value = environment(variable.constData());
         const bool isRival = (QByteArray(name) == "listen" && parser.isSet("coordinator")) ||
@@ -88,10 +92,18 @@ NodeOptions read(const QCommandLineParser& parser) {
     if (options.coordinator.has_value() == options.listen.has_value())
         usageError("--coordinator", "either this or --listen is needed");
     options.bundle = reader.text("bundle").value_or("");
+    options.relay = reader.text("relay").value_or("");
+    options.relayBundle = reader.text("relay-bundle").value_or("");
+    if (!options.relayBundle.isEmpty() && options.relay.isEmpty())
+        usageError("--relay-bundle", "is for the nodes that --relay waits for");
     options.name = reader.text("name").value_or(QSysInfo::machineHostName()).left(32);
     options.device = reader.text("device").value_or("auto").toStdString();
     options.threads = int(reader.whole("threads", 0, 1024).value_or(0));
     options.coordinators = int(reader.whole("coordinators", 1, 64).value_or(std::uint64_t(options.coordinators)));
+    if (!options.relay.isEmpty() && parser.isSet("coordinators") && options.coordinators > 1)
+        usageError("--coordinators", "must be 1 with --relay", "A relay works for one program at a time.");
+    if (!options.relay.isEmpty())
+        options.coordinators = 1;
     options.idle = std::chrono::minutes(reader.whole("idle-minutes", 0, 100000).value_or(0));
     options.drain = std::chrono::seconds(reader.whole("drain-seconds", 0, 3600).value_or(8));
     options.giveUp = std::chrono::seconds(reader.whole("give-up-seconds", 1, 1000000).value_or(120));

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "render/scene/scene.h"
+#include "render/tiles/own_part.h"
 #include "render/tiles/trace_lease.h"
 
 namespace pdr {
@@ -39,7 +40,8 @@ class SharedDevice final : public Device {
         return std::unique_ptr<Accumulator>(std::make_unique<SharedAccumulator>(*own_, *work_, scene_, area, revision));
     }
     Result<void> trace(const Tile& tile, SampleRange samples, TileSums sums, const std::stop_token& stop) override {
-        return own_->trace(tile, samples, sums, stop);
+        return isShared_ && work_->hasWorkers() ? traceTogether(*own_, *work_, scene_, tile, samples, sums, stop)
+                                                : own_->trace(tile, samples, sums, stop);
     }
     std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) override {
         return own_->guide(finer, stop);
@@ -161,30 +163,11 @@ Result<bool> SharedAccumulator::together(const std::vector<TileGoal>& goals, con
                                          const Extended& told) {
     if (!work_.hasWorkers() || !work_.begin(film_, scene_, goals, stop))
         return false;
-    const Result<void> done = takePart(stop, told);
+    const Result<void> done = takeOwnPart(own_, work_, stop, told);
     contributors_.merge(work_.end());
     if (!done)
         return done.error();
     return true;
-}
-
-Result<void> SharedAccumulator::takePart(const std::stop_token& stop, const Extended& told) {
-    while (const std::optional<SharedWork::OwnWork> work = work_.nextOwn(stop)) {
-        if (told)
-            told(work_.merged());
-        if (!work->lease)
-            continue;
-        Result<LeaseResult> result = traceLease(own_, *work->lease, stop);
-        if (!result)
-            return result.error();
-        if (stop.stop_requested())
-            return {};
-        Result<void> taken =
-            work->audit ? work_.audited(*work->audit, *std::move(result)) : work_.deliverOwn(*std::move(result));
-        if (!taken)
-            return taken;
-    }
-    return {};
 }
 
 Result<void> SharedAccumulator::restart(const Tile& area, std::uint64_t revision) {

@@ -43,8 +43,6 @@ class SharedAccumulator final : public HostAccumulator {
     Result<void> alone(const std::vector<TileGoal>& goals, const std::stop_token& stop);
     /// Renders all goals on the own device, lease by lease. A stop leaves whole tiles.
     Result<void> leaseByLease(const std::vector<TileGoal>& goals, const std::stop_token& stop, const Extended& told);
-    /// Renders the own device's leases and audits until the request is done.
-    Result<void> takePart(const std::stop_token& stop, const Extended& told);
 
     Device& own_;
     SharedWork& work_;

@@ -68,6 +68,8 @@ bool SharedRequest::isNext(const LeaseResult& result) const {
 }
 
 Result<void> SharedRequest::merge(LeaseResult result) {
+    if (merged_)
+        merged_(result);
     // A film that began within a block has none of the block's earlier samples.
     const SampleRange block = fromBlockStart(result.samples);
     const std::uint64_t first = std::max(block.first, film_.progress().first());

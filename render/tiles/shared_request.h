@@ -3,9 +3,11 @@
 /// device would have rendered the samples, so that the film is the same to the last bit. Not thread-safe: see
 /// pool_state.h.
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/film/film.h"
@@ -15,14 +17,18 @@
 
 namespace pdr {
 
+/// Receives each result that a request merges, in the order of its samples.
+using Merged = std::function<void(const LeaseResult& result)>;
+
 class SharedRequest {
   public:
-    /// `film` must outlive it.
+    /// `film` must outlive it. `merged` may be empty.
     SharedRequest(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals, Split split,
-                  std::uint64_t firstNumber, const CellCosts& costs)
+                  std::uint64_t firstNumber, const CellCosts& costs, Merged merged = {})
         : film_(film),
           scene_(scene),
           scheduler_(goals, split, firstNumber, costs),
+          merged_(std::move(merged)),
           proofCost_(kMostProof * scheduler_.openCost()) {}
 
     TileScheduler& scheduler() { return scheduler_; }
@@ -81,6 +87,7 @@ class SharedRequest {
     Film& film_;
     std::uint64_t scene_;
     TileScheduler scheduler_;
+    Merged merged_;
     std::vector<LeaseResult> early_;  ///< results whose preceding blocks are not merged yet
     Audits audits_;
     double proofCost_;                ///< what proofs may still cost

@@ -73,8 +73,8 @@ bool SharedWork::hasWorkers() const {
     return state_->registry.hasTrusted();
 }
 
-bool SharedWork::begin(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals,
-                       const std::stop_token& stop) {
+bool SharedWork::begin(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals, const std::stop_token& stop,
+                       const Merged& merged) {
     {
         std::unique_lock lock(state_->mutex);
         const auto isServed = [&] { return state_->scenes.current().number == scene; };
@@ -84,8 +84,8 @@ bool SharedWork::begin(Film& film, std::uint64_t scene, const std::vector<TileGo
                                             : chooseSplit(factsOf(*state_, goals));
         if (state_->costs.area() != film.area())
             state_->costs = state_->costs.stretchedOver(film.area());
-        state_->request =
-            std::make_unique<SharedRequest>(film, scene, goals, state_->split.split, state_->nextLease, state_->costs);
+        state_->request = std::make_unique<SharedRequest>(film, scene, goals, state_->split.split, state_->nextLease,
+                                                          state_->costs, merged);
         for (const auto& [id, worker] : state_->registry.all())
             state_->request->setSuspect(id, worker.isSuspect);
     }

@@ -35,8 +35,10 @@ class SharedWork {
     bool hasWorkers() const;
 
     /// Begins a request for `film` with that scene; waits until an earlier request has ended. False: the workers are
-    /// needed for another scene, or `stop` was requested; the own device then renders alone.
-    bool begin(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals, const std::stop_token& stop);
+    /// needed for another scene, or `stop` was requested; the own device then renders alone. `merged` is called under
+    /// the lock of the pool.
+    bool begin(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals, const std::stop_token& stop,
+               const Merged& merged = {});
     /// Work for the own device.
     struct OwnWork {
         std::optional<Audit> audit;  ///< none: the lease is no audit

@@ -73,6 +73,42 @@ class SharedDeviceTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// A lease is the same whether the device that takes it shares it with others or not.
+    void leaseIsTheSameWhoeverMakesIt_data() {
+        QTest::addColumn<quint32>("first");
+        QTest::addColumn<quint32>("count");
+        QTest::newRow("begins a block") << 0u << 30u;
+        QTest::newRow("fills a block") << 0u << 64u;
+        QTest::newRow("ends a block") << 94u << 34u;
+        QTest::newRow("within a block") << 70u << 3u;
+        QTest::newRow("several blocks") << 64u << 192u;
+    }
+    void leaseIsTheSameWhoeverMakesIt() {
+        QFETCH(const quint32, first);
+        QFETCH(const quint32, count);
+        const Scene scene = sceneToShare();
+        const Tile tile{16, 0, scene.film.x - 16, 32};
+        const auto one = makeCpuDevice(1);
+        QVERIFY(bool(one->upload(scene)));
+        Lease lease{1, 1, tile, {first, count}, {}, {}};
+        if (const std::uint32_t before = first % kSamplesPerBlock; before > 0)
+            lease.before = traceLease(*one, {1, 1, tile, {first - before, before}, {}, {}}, {})->sums;
+        const LeaseResult alone = *traceLease(*one, lease, {});
+        const auto pool = newPool();
+        pool->setOwnHelps(false);
+        const auto device = shareDevice(makeCpuDevice(1), pool);
+        QVERIFY(bool(device->upload(scene)));
+        const NearbyWorker worker(pool, "a"), other(pool, "b"), liar(pool, "c", NearbyWorker::Nature::lies);
+        while (worker.status().results + other.status().results < 3 ||
+               liar.status().state != WorkerState::quarantined) {
+            const Result<LeaseResult> shared = traceLease(*device, lease, {});
+            QVERIFY(sameBits(std::span<const PixelSums>(shared->sums), alone.sums));
+            QVERIFY(sameBits(std::span<const Moments>(shared->moments), alone.moments));
+            for (int i = 0; i < kFaults; ++i)
+                QCOMPARE(shared->health.faults[i].count, alone.health.faults[i].count);
+        }
+    }
+
     void imageIsTheSameWhoeverMakesIt_data() {
         QTest::addColumn<int>("workers");
         QTest::addColumn<bool>("bySamples");

@@ -1,0 +1,48 @@
+#include "app/node/relay.h"
+
+#include <random>
+#include <utility>
+
+#include "render/tiles/shared_device.h"
+
+namespace pdr::node {
+namespace {
+
+std::uint64_t seed() {
+    std::random_device random;
+    return std::uint64_t(random()) << 32 | random();
+}
+
+}  // namespace
+
+Relay::Relay(const std::vector<std::byte>& bits) : pool_(std::make_shared<WorkerPool>(seed())), nodes_(pool_, bits) {
+    using nodes::NodeStatus;
+    using nodes::RenderNodes;
+    connect(&nodes_, &RenderNodes::joined, this,
+            [this](const NodeStatus& node) { emit said(tr("below: %1 is there").arg(node.name)); });
+    connect(&nodes_, &RenderNodes::lost, this, [this](const NodeStatus& node) {
+        emit said(tr("below: %1 is gone: %2").arg(node.name, QString::fromStdString(node.reason)));
+    });
+    connect(&nodes_, &RenderNodes::turnedAway, this,
+            [this](const QString& peer, const QString& reason) { emit said(peer + ": " + reason); });
+}
+
+Result<void> Relay::listen(const NodeOptions& options) {
+    nodes_.setBundle(options.relayBundle);
+    const auto address = nodes_.listen(options.relay);
+    if (!address)
+        return address.error();
+    emit said(tr("relays to nodes at %1").arg(address->text()));
+    return {};
+}
+
+OpenDevice Relay::sharing(OpenDevice own) const {
+    return [own = std::move(own), pool = pool_]() -> Result<std::unique_ptr<Device>> {
+        Result<std::unique_ptr<Device>> device = own();
+        if (!device)
+            return device;
+        return shareDevice(*std::move(device), pool);
+    };
+}
+
+}  // namespace pdr::node
