@@ -24,7 +24,7 @@ void append(std::vector<const void*>& kernels, const std::vector<const void*>& o
 template <FlatModel Model>
 std::vector<const void*> projectionKernels(const FlatScene& scene) {
     return forProjectedTissue<Model>(
-        scene, []<Tissue Kind>() { return queuedKernelsOf<TraceKernel<ProjectionSampler<Model, Kind>>>(); });
+        scene, [&]<Tissue Kind>() { return queuedKernelsOf<TraceKernel<ProjectionSampler<Model, Kind>>>(); });
 }
 
 /// Returns the kernels that traceLaunchFor() launches, except those of pathProgram().

@@ -105,7 +105,7 @@ TraceLaunch<G> pathLaunch(std::uint32_t needed) {
 template <Gpu G, FlatModel Model>
 TraceLaunch<G> projectionLaunch(const FlatScene& scene) {
     return forProjectedTissue<Model>(
-        scene, []<Tissue Kind>() { return TraceLaunch<G>(launchTrace<G, ProjectionSampler<Model, Kind>>); });
+        scene, [&]<Tissue Kind>() { return TraceLaunch<G>(launchTrace<G, ProjectionSampler<Model, Kind>>); });
 }
 
 template <Gpu G>
