@@ -125,12 +125,15 @@ void LeaseServer::deliver(WorkerId id, LeaseResult result) {
         if (!worker)
             return;
         worker->inFlight = std::max(worker->inFlight - 1, 0);
-        SharedRequest* request = state_->request.get();
-        if (!request)
-            late(*worker);
-        else if (const std::optional<Portion> portion = request->scheduler().heldBy(id, result.number))
+        std::optional<Portion> portion;
+        std::optional<Audit> audit;
+        if (state_->request) {
+            portion = state_->request->scheduler().heldBy(id, result.number);
+            audit = state_->request->audits().takeFrom(id, result.number);
+        }
+        if (portion)
             accept(*worker, *portion, std::move(result));
-        else if (std::optional<Audit> audit = request->audits().takeFrom(id, result.number))
+        else if (audit)
             check(*worker, *std::move(audit), std::move(result));
         else
             late(*worker);

@@ -106,7 +106,7 @@ Result<void> SharedAccumulator::accumulate(const Tile& region, std::uint32_t n, 
         const Result<bool> shared = together(goals, stop, {});
         if (!shared)
             return shared.error();
-        const Result<void> done = *shared ? Result<void>() : alone(goals, stop);
+        Result<void> done = *shared ? Result<void>() : alone(goals, stop);
         if (!done || stop.stop_requested())
             return done;
         goals = allOf(film_.progress());
