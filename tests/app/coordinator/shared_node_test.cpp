@@ -146,7 +146,7 @@ class SharedNodeTest : public QObject {
         std::jthread other = small.render(scene);
         const auto isTrusted = [](const User& user) {
             const std::vector<WorkerStatus> workers = user.pool->workers();
-            return !workers.empty() && workers[0].audited >= Trust::kFirst;
+            return !workers.empty() && workers[0].isProved;
         };
         QTRY_VERIFY_WITH_TIMEOUT(isTrusted(large) && isTrusted(small), kPatience);
         const double start = processorTimeOf(process.id()), had = large.workOfNodes(), had2 = small.workOfNodes();
