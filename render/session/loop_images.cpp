@@ -122,7 +122,7 @@ Result<void> Session::Loop::timeDisplay(const Display& display, std::uint32_t n,
 
 void Session::Loop::send(DisplayPipeline::Images images, std::uint32_t n) {
     for (DisplayedImage& image : images) {
-        const std::shared_ptr<Frame> frame = frameOf(std::move(image), n);
+        std::shared_ptr<Frame> frame = frameOf(std::move(image), n);
         frame->times = times_;
         frame->times.made = clock_();
         if (!frame->coarse) {
