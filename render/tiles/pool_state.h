@@ -47,6 +47,7 @@ class PoolState {
     PublishedScenes scenes;
     std::unique_ptr<SharedRequest> request;  ///< null: there is none
     std::uint64_t nextLease = 1;             ///< number of the next request's first lease
+    double unspentProofs = 0;                ///< what earlier requests have left for proofs
     OwnDevice own;
     CellCosts costs;
     LeaseTimes times;

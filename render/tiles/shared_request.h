@@ -3,6 +3,7 @@
 /// device would have rendered the samples, so that the film is the same to the last bit. Not thread-safe: see
 /// pool_state.h.
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <set>
@@ -22,14 +23,14 @@ using Merged = std::function<void(const LeaseResult& result)>;
 
 class SharedRequest {
   public:
-    /// `film` must outlive it. `merged` may be empty.
+    /// `film` must outlive it. `merged` may be empty. `unspent`: what the request before has left for proofs.
     SharedRequest(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals, Split split,
-                  std::uint64_t firstNumber, const CellCosts& costs, Merged merged = {})
+                  std::uint64_t firstNumber, const CellCosts& costs, Merged merged = {}, double unspent = 0)
         : film_(film),
           scene_(scene),
           scheduler_(goals, split, firstNumber, costs),
           merged_(std::move(merged)),
-          proofCost_(kMostProof * scheduler_.openCost()) {}
+          proofCost_(unspent + kMostProof * scheduler_.openCost()) {}
 
     TileScheduler& scheduler() { return scheduler_; }
     const TileScheduler& scheduler() const { return scheduler_; }
@@ -47,10 +48,13 @@ class SharedRequest {
     Audits& audits() { return audits_; }
     /// Returns the next portion of a worker that is not proved, which is audited as a whole before it is merged; none:
     /// nothing is left, kMostProofs of its results wait for their audit, or the request affords no more: all proofs
-    /// together cost at most kMostProof of it.
+    /// together cost at most kMostProof of it, and what was left before.
     std::optional<Portion> takeProof(WorkerId worker, const Ability& ability, double now);
     /// Whether the request affords another proof.
     bool affordsProof() const { return scheduler_.leastCost() <= proofCost_; }
+    /// Returns what is left for proofs, for the next request: no more than one of them costs. Requests that are too
+    /// small for a proof would never prove anybody.
+    double unspent() const { return std::min(proofCost_, kProofCost); }
     /// Whether takeProof() has given out the portion of that number.
     bool isProof(std::uint64_t number) const { return proofs_.contains(number); }
     /// Stores the result until it has been audited.

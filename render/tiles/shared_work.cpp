@@ -85,7 +85,7 @@ bool SharedWork::begin(Film& film, std::uint64_t scene, const std::vector<TileGo
         if (state_->costs.area() != film.area())
             state_->costs = state_->costs.stretchedOver(film.area());
         state_->request = std::make_unique<SharedRequest>(film, scene, goals, state_->split.split, state_->nextLease,
-                                                          state_->costs, merged);
+                                                          state_->costs, merged, state_->unspentProofs);
         for (const auto& [id, worker] : state_->registry.all())
             state_->request->setSuspect(id, worker.isSuspect);
     }
@@ -171,6 +171,7 @@ std::set<std::string> SharedWork::end() {
     const std::lock_guard lock(state_->mutex);
     const std::unique_ptr<SharedRequest> ended = std::exchange(state_->request, nullptr);
     state_->nextLease = ended->scheduler().nextNumber();
+    state_->unspentProofs = ended->unspent();
     state_->costs.learn(ended->times());
     state_->changed.notify_all();
     return ended->contributors();

@@ -119,6 +119,8 @@ class PartsInWindowTest : public QObject {
         QCOMPARE(small.size(), 1);  // no other look shows vessels
         QCOMPARE(small[0][0].toInt(), last);
         trial.document.setModel(Model::absorption);
+        QVERIFY(trial.document.scene().parts.map && !trial.notes().contains("shows no parts"));
+        trial.document.setModel(Model::maximumIntensity);
         QVERIFY(!trial.document.scene().parts.map && trial.notes().contains("shows no parts"));
     }
 
