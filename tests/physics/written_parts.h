@@ -79,7 +79,7 @@ class Materials {
 
     const Scene& scene_;
     std::vector<TransferNode> nodes_;
-    std::vector<std::shared_ptr<const Shape>> shapes_;  ///< of each part
+    std::vector<std::shared_ptr<const Shape>> shapes_;  ///< shape of each part
 };
 
 }  // namespace pdr::test::written
