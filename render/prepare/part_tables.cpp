@@ -83,10 +83,8 @@ void PartTables::take(const Scene& scene, const PartTables* last) {
     std::vector<std::size_t> lookUps;
     for (const Curve& curve : different)
         lookUps.push_back(add(tables.emplace_back(*curve.function)));
-    // Light from within is summed up curve by curve: none is shared there.
-    const bool shared = scene.model != Model::emission && scene.model != Model::emissionAbsorption;
     curveOf = materialOf;
-    for (int label = 0; label < 256 && shared; ++label) {
+    for (int label = 0; label < 256; ++label) {
         const TransferTables& mine = tables[materialOf[std::size_t(label)]];
         const auto first = std::ranges::find_if(tables, [&](const auto& other) { return other.sameOpacity(mine); });
         curveOf[std::size_t(label)] = std::uint8_t(first - tables.begin());

@@ -82,11 +82,11 @@ PartStyles withStyle(PartStyles styles, PartStyle style) {
 }
 
 bool showsParts(Model model) {
-    return model != Model::maximumIntensity;
+    return !isProjection(model) || model == Model::absorption;
 }
 
 Scene withParts(Scene scene, std::shared_ptr<const LabelMap> map, const PartStyles& styles) {
-    if (!map)
+    if (!map || !showsParts(scene.model))
         return scene;
     const TransferFunction common = std::exchange(scene.transferFunction, inState(scene.transferFunction, styles.rest));
     Parts parts;

@@ -52,11 +52,11 @@ PartStyle styleOf(const PartStyles& styles, const std::string& part);
 /// Returns `styles` with that style in place of the one of the same part, which is left out where it says nothing.
 PartStyles withStyle(PartStyles styles, PartStyle style);
 
-/// Returns whether images of that model show the curves of parts: all but maximumIntensity, which shows none.
+/// Returns whether images of that model show the curves of parts: absorption and the scattering ones do.
 bool showsParts(Model model);
 
 /// Returns `scene`, which has the look's own curve, with the parts of `map` in their styles, and the rest in its. The
-/// same scene where `map` is null, or where all have the common curve.
+/// same scene where `map` is null, where its model shows no parts, or where all have the common curve.
 Scene withParts(Scene scene, std::shared_ptr<const LabelMap> map, const PartStyles& styles);
 
 }  // namespace pdr

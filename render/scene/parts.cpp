@@ -51,6 +51,9 @@ Result<void> checkParts(const Scene& scene) {
     const Parts& parts = scene.parts;
     if (!parts.map && parts.curves.empty())
         return {};
+    if (scene.model == Model::emission || scene.model == Model::emissionAbsorption)
+        return Error{phrase("the model %1 knows no materials of parts", std::string(modelName(scene.model))), "parts",
+                     phrase("Take absorption, singleScattering or multipleScattering, or leave the parts out.")};
     if (parts.map && scene.volume)
         if (Result<void> checked = checkMap(*parts.map, *scene.volume); !checked)
             return checked;

@@ -32,8 +32,9 @@ struct Scene;
 /// Returns the highest gradient factor of any tissue of a scene.
 float highestGradientFactor(const Scene& scene);
 
-/// Checks the parts of a scene: the map lies on the volume's grid, labels ascend, and curves are valid. `where` of an
-/// error begins with "parts".
+/// Checks the parts of a scene: the map lies on the volume's grid, labels ascend, curves are valid, and the model is
+/// not one of light from within, where sums over mixtures need too many steps; maximumIntensity, which shows no curve,
+/// is the same with them. `where` of an error begins with "parts".
 Result<void> checkParts(const Scene& scene);
 
 }  // namespace pdr

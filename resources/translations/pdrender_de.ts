@@ -4064,6 +4064,10 @@ Das braucht noch einmal so viel Speicher wie die Voxel der Aufnahme.</translatio
         <translation>Nehmen Sie eine Aufnahme mit Kontrastmittel oder die Labelkarte eines anderen Programms.</translation>
     </message>
     <message>
+        <source>Take absorption, singleScattering or multipleScattering, or leave the parts out.</source>
+        <translation>Nehmen Sie absorption, singleScattering oder multipleScattering, oder lassen Sie die Teile weg.</translation>
+    </message>
+    <message>
         <source>Take the model singleScattering, or the estimator unbiased.</source>
         <translation>Das Modell singleScattering nehmen oder den Schätzer unbiased.</translation>
     </message>
@@ -7184,6 +7188,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
     <message>
         <source>the memory of the GPU is taken: %1 are free</source>
         <translation>der Speicher der GPU ist belegt: %1 sind frei</translation>
+    </message>
+    <message>
+        <source>the model %1 knows no materials of parts</source>
+        <translation>das Modell %1 kennt keine Materialien von Teilen</translation>
     </message>
     <message>
         <source>the model asks for no light</source>

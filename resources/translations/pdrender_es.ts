@@ -4064,6 +4064,10 @@ Requiere otra vez tanta memoria como los vóxeles del estudio.</translation>
         <translation>Tome un estudio con medio de contraste, o un mapa de etiquetas de otro programa.</translation>
     </message>
     <message>
+        <source>Take absorption, singleScattering or multipleScattering, or leave the parts out.</source>
+        <translation>Use absorption, singleScattering o multipleScattering, o deje fuera las partes.</translation>
+    </message>
+    <message>
         <source>Take the model singleScattering, or the estimator unbiased.</source>
         <translation>Elija el modelo singleScattering o el estimador unbiased.</translation>
     </message>
@@ -7184,6 +7188,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
     <message>
         <source>the memory of the GPU is taken: %1 are free</source>
         <translation>la memoria de la GPU está ocupada: quedan libres %1</translation>
+    </message>
+    <message>
+        <source>the model %1 knows no materials of parts</source>
+        <translation>el modelo %1 no conoce materiales de partes</translation>
     </message>
     <message>
         <source>the model asks for no light</source>

@@ -135,16 +135,15 @@ class KernelsTest : public QObject {
     }
 
     void sumsOverPartsGiveTheCpusBits() {
-        for (const Model model : {Model::absorption, Model::emission, Model::emissionAbsorption})
-            for (const bool masked : {false, true}) {
-                Scene scene = sceneOf(0);
-                scene.model = model;
-                scene.parts.map = test::anyParts(*scene.volume, 3, 1);
-                test::giveCurves(scene, 1);
-                if (masked)
-                    scene.mask = test::anyMask(*scene.volume, 1);
-                QVERIFY2(agree(scene), modelName(model));
-            }
+        for (const bool masked : {false, true}) {
+            Scene scene = sceneOf(0);
+            scene.model = Model::absorption;
+            scene.parts.map = test::anyParts(*scene.volume, 3, 1);
+            test::giveCurves(scene, 1);
+            if (masked)
+                scene.mask = test::anyMask(*scene.volume, 1);
+            QVERIFY(agree(scene));
+        }
     }
 
     /// Where no light is parallel and no tissue dense, light flies by looks alone.

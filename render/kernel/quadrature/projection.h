@@ -19,14 +19,13 @@ struct RayWalkOf<Real, FlatModel::maximumIntensity, Kind> {
 template <class Real, FlatModel Model, Tissue Kind>
 using RayWalk = typename RayWalkOf<Real, Model, Kind>::Type;
 
-/// Returns call.operator()<Kind>() for the kind of tissue that a model sees: maximumIntensity shows no curve, and so
-/// no parts.
+/// Returns call.operator()<Kind>() for the kind of tissue that a model sees: of these, absorption alone shows parts.
 template <FlatModel Model, class Call>
 PDR_HD_INLINE auto forProjectedTissue(const FlatScene& scene, Call&& call) {
-    if constexpr (Model == FlatModel::maximumIntensity)
-        return isMasked(scene) ? call.template operator()<Tissue::masked>() : call.template operator()<Tissue::whole>();
-    else
+    if constexpr (Model == FlatModel::absorption)
         return forTissue(scene, call);
+    else
+        return isMasked(scene) ? call.template operator()<Tissue::masked>() : call.template operator()<Tissue::whole>();
 }
 
 struct Projected {

@@ -7,11 +7,10 @@
 /// A step goes through one cell between voxels and one linear piece of the curve (piece_walk.h). In it sigma and c are
 /// cubic polynomials of the distance, so the optical depth and int sigma c ds are exact. Only the attenuation of a
 /// step's light within the step is approximated, within a bound (layer.h). Steps whose bounds add up to more than the
-/// tolerance are halved. Where curves of parts meet, the source has a bound of its own (parted_source.h). Rounding is
-/// not part of the bounds.
+/// tolerance are halved. Rounding is not part of the bound.
 
 #include "render/kernel/quadrature/layer.h"
-#include "render/kernel/quadrature/parted_source.h"
+#include "render/kernel/walk/piece_walk.h"
 
 namespace pdr {
 
@@ -24,9 +23,11 @@ struct RayResult {
     Real exceeded{};            ///< 1: a step could not be made short enough for the tolerance
 };
 
-/// Accumulates the sum along one ray, or along several in lanes. Kind: the scene's tissue.
+/// Accumulates the sum along one ray, or along several in lanes. Kind: the scene's tissue; parts only for absorption.
 template <class Real, FlatModel Model, Tissue Kind>
 class RayIntegral {
+    static_assert(Kind != Tissue::parted || Model == FlatModel::absorption);
+
   public:
     using Int = typename SimdTraits<Real>::Int;
     using Mask = typename SimdTraits<Real>::Mask;
@@ -85,20 +86,12 @@ class RayIntegral {
             depth_ = ready ? depth_ + depth : depth_;
             return ready;
         } else {
-            [[maybe_unused]] CornerLight<Real> corners;  // known where a cell has several curves
-            if constexpr (Kind == Tissue::parted)
-                if (any(way.mixed.several))
-                    findCornerLight(scene, way.corner, way.mixed.several, way.hu, corners);
             const Layer<Real> layer = layerOn(along, way, depth);
             const Real taken = Model == FlatModel::emission ? depth : sum_.left * layer.behind.taken;
             Light light[3];
             Mask close = ready;
             for (int channel = 0; channel < 3; ++channel) {
                 light[channel] = ofPiece(scene.optics, way.piece, layer, channel, taken);
-                if constexpr (Kind == Tissue::parted)
-                    if (any(way.mixed.several))
-                        takeMixture(light[channel], mixedSource(corners, channel, way, meanExtinction), taken,
-                                    sum_.left * corners.chord[channel], way);
                 light[channel].radiance = sum_.value[channel] + light[channel].radiance;
                 light[channel].bound = bound_[channel] + light[channel].bound;
                 close = close & (light[channel].bound <= scene.optics.quadrature * light[channel].radiance);
@@ -125,9 +118,7 @@ class RayIntegral {
     }
 
     PDR_HD_INLINE static SourceAlong<Real> sourceOn(const OpticsAlong<Real>& along, const Way& way) {
-        if constexpr (Kind == Tissue::parted)
-            return way.masked ? sourceAlong(along, way.weight) : sourceAlong(along);
-        else if constexpr (Kind == Tissue::masked)
+        if constexpr (Kind == Tissue::masked)
             return sourceAlong(along, way.weight);
         else
             return sourceAlong(along);
@@ -154,16 +145,6 @@ class RayIntegral {
         const Real begin = opticsColumn<Real>(optics, int(OpticsColumn::source) + channel, piece.index);
         const Real rise = opticsColumn<Real>(optics, int(OpticsColumn::sourceRise) + channel, piece.index);
         return {taken * (begin + rise * layer.fraction), abs(rise) * taken * layer.bound};
-    }
-
-    /// Replaces `light` by that of a mixture, where there is one. `chord`: bound on what its source is off [1/mm].
-    PDR_HD_INLINE static void takeMixture(Light& light, const MixedSource<Real>& source, Real taken, Real chord,
-                                          const Way& way) {
-        Real bound = way.length * chord;
-        if constexpr (Model == FlatModel::emissionAbsorption)
-            bound = bound + 0.5f * taken * way.length * source.uneven;
-        light.radiance = way.mixed.several ? taken * source.mean : light.radiance;
-        light.bound = way.mixed.several ? bound : light.bound;
     }
 
     /// Returns the lanes in which the rest of the ray can add no more than FlatOptics::cutOff.

@@ -28,8 +28,6 @@ template <class Real>
 struct PartedPieceOfWay : MaskedPieceOfWay<Real> {
     bool masked;  ///< whether there is a mask; without one `weight` is not set
     MixedAlong<Real> mixed;
-    Vec3<typename SimdTraits<Real>::Int> corner;  ///< lowest corner of a cell with several curves
-    Vec3<Real> from, to;                          ///< ends of the segment there, as fractions of the cell
 };
 
 /// The segments of a walk, of a cell and of a piece, in tissue of a kind.
@@ -153,9 +151,6 @@ class PieceWalk {
             if (any(several)) {
                 middle = between(inCell_.begin, inCell_.end, reach);
                 mix(corners, several, inCell_.begin, middle, way.mixed);
-                way.corner = inCell_.corner;
-                way.from = inCell_.begin;
-                way.to = middle;
             }
         }
         const Mask gone = ready & pass(way, ready, exceeded());

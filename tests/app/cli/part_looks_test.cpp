@@ -49,7 +49,7 @@ class PartLooksTest : public QObject {
     }
 
     void sumsAlongRaysShowIt() {
-        const QStringList sum{"--model", "emissionAbsorption"};
+        const QStringList sum{"--model", "absorption"};
         QCOMPARE(render("sum.png", sum).code, 0);
         const ProgramRun made =
             render("sum-part.png", sum + QStringList{"--labels", labels_, "--part", "upper=Muscles"});
@@ -172,6 +172,10 @@ class PartLooksTest : public QObject {
         QCOMPARE(unknown.code, 1);
         QVERIFY2(unknown.err.contains("no part has the name \"lower\"") && unknown.err.contains("There are: upper."),
                  unknown.err.constData());
+        const ProgramRun sums =
+            render("a.png", {"--labels", labels_, "--part", "upper=Muscles", "--model", "emissionAbsorption"});
+        QCOMPARE(sums.code, 1);
+        QVERIFY2(sums.err.contains("knows no materials of parts"), sums.err.constData());
         const ProgramRun sourceless = render("a.png", {"--part", "upper=Muscles"});
         QCOMPARE(sourceless.code, 2);
         QVERIFY2(sourceless.err.contains("needs to know where the parts come from"), sourceless.err.constData());

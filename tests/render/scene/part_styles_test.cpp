@@ -88,14 +88,16 @@ class PartStylesTest : public QObject {
         QVERIFY(scene.parts.curves[1].transferFunction.nodes[1].opacity == 1);
     }
 
-    void everyModelHasParts() {
+    void modelsOfLightFromWithinHaveNone() {
         Parted parted;
         for (const Model model : kModels) {
             parted.scene.model = model;
             const Scene scene = parted.with({.rest = PartState::hidden});
-            QVERIFY2(scene.parts.map && bool(scene.check()), modelName(model));
-            QCOMPARE(showsParts(model), model != Model::maximumIntensity);
+            QVERIFY2(bool(scene.check()), modelName(model));
+            QCOMPARE(bool(scene.parts.map), showsParts(model));
         }
+        QVERIFY(showsParts(Model::absorption) && showsParts(Model::singleScattering));
+        QVERIFY(!showsParts(Model::emissionAbsorption) && !showsParts(Model::maximumIntensity));
     }
 
     void aStyleThatSaysNothingIsLeftOut() {
