@@ -95,7 +95,8 @@ SampleRange TileScheduler::nextSamples(const TileGoal& goal, const Ability& abil
         return inBlock;
     const double cell = costs_.ofSample(firstCell(goal.tile));
     if (ability.isLimited())
-        return {goal.next, std::uint32_t(std::clamp(ability.cost / cell, 1.0, double(inBlock.count)))};
+        return {goal.next,
+                std::uint32_t(std::clamp(std::min(ability.cost, ability.most) / cell, 1.0, double(inBlock.count)))};
     if (goal.next % kSamplesPerBlock != 0)
         return inBlock;
     const double most = std::min(ability.deepest / cell, double(kMostDeepSamples));

@@ -69,6 +69,17 @@ class TileSchedulerTest : public QObject {
         QCOMPARE(rest->tile, (Tile{2 * kFilmCell, 0, 250 - 2 * kFilmCell, kFilmCell}));
     }
 
+    /// Whoever can afford the least portion gets one: who waits for others to take it would wait for ever.
+    void whatIsAffordedIsGivenOut() {
+        TileScheduler scheduler({{kArea, 0, 64}}, Split::tiles, 1);
+        const double least = scheduler.leastCost();
+        QVERIFY(!scheduler.take(1, {1e9, 1, 0, 0.99 * least}, 0));
+        for (const double most : {least, 2.5 * least, 100 * least}) {
+            const auto portion = scheduler.take(1, {1e9, 1, 0, most}, 0);
+            QVERIFY(portion && scheduler.costOf(*portion) <= most);
+        }
+    }
+
     void blocksOfATileGoTogether_data() {
         QTest::addColumn<int>("next");
         QTest::addColumn<int>("goal");
