@@ -81,6 +81,7 @@ void PartTables::take(const Scene& scene, const PartTables* last) {
     map = scene.parts.map;
     std::vector<TransferTables> tables;
     std::vector<std::size_t> lookUps;
+    lookUps.reserve(different.size());
     for (const Curve& curve : different)
         lookUps.push_back(add(tables.emplace_back(*curve.function)));
     curveOf = materialOf;

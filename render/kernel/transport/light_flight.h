@@ -7,6 +7,7 @@
 
 #include "render/kernel/attenuation.h"
 #include "render/kernel/medium.h"
+#include "render/kernel/ray.h"
 #include "render/kernel/walk/thin_walk.h"
 
 namespace pdr {
