@@ -47,7 +47,7 @@ Effect effect(Text name, bool needed, Text yes, Text no, std::uint32_t features 
 /// Returns an effect that is off for `reason`.
 Effect off(Text name, Text reason);
 
-// Of tissue and its surfaces (needs_of_tissue.cpp).
+// Effects of tissue and its surfaces (needs_of_tissue.cpp)
 Effect surfaces(const Subject& subject);
 Effect softEdges(const Subject& subject);
 Effect highlights(const Subject& subject);
@@ -57,7 +57,7 @@ Effect clipping(const Scene& scene);
 Effect hiding(const Scene& scene);
 Effect materialsOfParts(const Scene& scene);
 
-// Of light and what lies behind (needs_of_light.cpp).
+// Effects of light and of what lies behind (needs_of_light.cpp)
 Effect shadows(const Subject& subject);
 Effect placedLights(const Subject& subject);
 Effect lightsInView(const Scene& scene);

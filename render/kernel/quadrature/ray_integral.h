@@ -50,7 +50,7 @@ class RayIntegral {
     PDR_HD_INLINE void step(const FlatScene& scene) {
         Mask gone{};
         walk_.step(scene, [&](const Way& way, Mask ready, Mask forced) {
-            gone = add(scene, way, ready, forced);
+            gone = add(scene.optics, way, ready, forced);
             return gone;
         });
         if constexpr (Model == FlatModel::absorption)
@@ -78,43 +78,32 @@ class RayIntegral {
 
     /// Adds a segment through one piece where `ready` holds. Returns the lanes in which it was added; in the others it
     /// must be halved.
-    PDR_HD_INLINE Mask add(const FlatScene& scene, const Way& way, Mask ready, Mask forced) {
-        const OpticsAlong<Real> along = opticsAlong(scene.optics, way.piece, way.hu);
-        const Real meanExtinction = meanExtinctionOn(along, way);
-        const Real depth = meanExtinction * way.length;
+    PDR_HD_INLINE Mask add(const FlatOptics& optics, const Way& way, Mask ready, Mask forced) {
+        const OpticsPiece<Real>& piece = way.piece;
+        const OpticsAlong<Real> along = opticsAlong(optics, piece, way.hu);
+        const Real depth = meanExtinctionOn<Kind>(along, way) * way.length;
         if constexpr (Model == FlatModel::absorption) {
             depth_ = ready ? depth_ + depth : depth_;
             return ready;
+        } else if constexpr (Model == FlatModel::emission) {
+            const Real fraction = sourceOn(along, way).fraction;
+            for (int channel = 0; channel < 3; ++channel) {
+                const Source source = sourceOf(optics, piece, channel);
+                const Real more = sum_.value[channel] + depth * (source.begin + source.rise * fraction);
+                sum_.value[channel] = ready ? more : sum_.value[channel];
+            }
+            return ready;
         } else {
-            const Layer<Real> layer = layerOn(along, way, depth);
-            const Real taken = Model == FlatModel::emission ? depth : sum_.left * layer.behind.taken;
-            Light light[3];
-            Mask close = ready;
-            for (int channel = 0; channel < 3; ++channel) {
-                light[channel] = ofPiece(scene.optics, way.piece, layer, channel, taken);
-                light[channel].radiance = sum_.value[channel] + light[channel].radiance;
-                light[channel].bound = bound_[channel] + light[channel].bound;
-                close = close & (light[channel].bound <= scene.optics.quadrature * light[channel].radiance);
-            }
-            const Mask added = ready & (close | forced);
-            for (int channel = 0; channel < 3; ++channel) {
-                sum_.value[channel] = added ? light[channel].radiance : sum_.value[channel];
-                bound_[channel] = added ? light[channel].bound : bound_[channel];
-            }
-            if constexpr (Model == FlatModel::emissionAbsorption)
-                sum_.left = added ? sum_.left * layer.behind.left : sum_.left;
-            return added;
+            return addAttenuated(optics, piece, layerAlong(along, depth, sourceOn(along, way)), ready, forced);
         }
     }
 
-    /// Returns the mean of the visible extinction along a segment [1/mm].
-    PDR_HD_INLINE static Real meanExtinctionOn(const OpticsAlong<Real>& along, const Way& way) {
-        if constexpr (Kind == Tissue::parted)
-            return PartedExtinction<Real>{along, way.hu, way.weight, way.masked, way.mixed}.mean();
-        else if constexpr (Kind == Tissue::masked)
-            return seenAlong(along, way.weight).meanExtinction;
-        else
-            return along.meanExtinction;
+    struct Source {
+        Real begin, rise;  ///< radiance per optical depth: at the start of the piece, and its change over the piece
+    };
+    PDR_HD_INLINE static Source sourceOf(const FlatOptics& optics, const OpticsPiece<Real>& piece, int channel) {
+        return {opticsColumn<Real>(optics, int(OpticsColumn::source) + channel, piece.index),
+                opticsColumn<Real>(optics, int(OpticsColumn::sourceRise) + channel, piece.index)};
     }
 
     PDR_HD_INLINE static SourceAlong<Real> sourceOn(const OpticsAlong<Real>& along, const Way& way) {
@@ -124,27 +113,26 @@ class RayIntegral {
             return sourceAlong(along);
     }
 
-    /// Returns a segment as a layer: in the model of emission, one that nothing attenuates.
-    PDR_HD_INLINE static Layer<Real> layerOn(const OpticsAlong<Real>& along, const Way& way, Real depth) {
-        const SourceAlong<Real> source = sourceOn(along, way);
-        if constexpr (Model == FlatModel::emission)
-            return Layer<Real>{Attenuation<Real>{}, source.fraction, Real{}};
-        else
-            return layerAlong(along, depth, source);
-    }
-
-    /// Light in one channel, and the bound on its error.
-    struct Light {
-        Real radiance, bound;
-    };
-
-    /// Returns the light of a segment in one piece. `taken`: share of white light from behind that it would absorb and
-    /// that reaches the camera; its depth where nothing attenuates.
-    PDR_HD_INLINE static Light ofPiece(const FlatOptics& optics, const OpticsPiece<Real>& piece,
-                                       const Layer<Real>& layer, int channel, Real taken) {
-        const Real begin = opticsColumn<Real>(optics, int(OpticsColumn::source) + channel, piece.index);
-        const Real rise = opticsColumn<Real>(optics, int(OpticsColumn::sourceRise) + channel, piece.index);
-        return {taken * (begin + rise * layer.fraction), abs(rise) * taken * layer.bound};
+    /// Adds a layer behind the accumulated ones, in the lanes of `ready` where the error bound stays within the
+    /// tolerance or `forced` holds. Returns these lanes.
+    PDR_HD_INLINE Mask addAttenuated(const FlatOptics& optics, const OpticsPiece<Real>& piece, const Layer<Real>& layer,
+                                     Mask ready, Mask forced) {
+        const Real taken = sum_.left * layer.behind.taken;
+        Real radiance[3], bound[3];
+        Mask close = ready;
+        for (int channel = 0; channel < 3; ++channel) {
+            const Source source = sourceOf(optics, piece, channel);
+            radiance[channel] = sum_.value[channel] + taken * (source.begin + source.rise * layer.fraction);
+            bound[channel] = bound_[channel] + abs(source.rise) * taken * layer.bound;
+            close = close & (bound[channel] <= optics.quadrature * radiance[channel]);
+        }
+        const Mask added = ready & (close | forced);
+        for (int channel = 0; channel < 3; ++channel) {
+            sum_.value[channel] = added ? radiance[channel] : sum_.value[channel];
+            bound_[channel] = added ? bound[channel] : bound_[channel];
+        }
+        sum_.left = added ? sum_.left * layer.behind.left : sum_.left;
+        return added;
     }
 
     /// Returns the lanes in which the rest of the ray can add no more than FlatOptics::cutOff.

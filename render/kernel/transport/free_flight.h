@@ -99,7 +99,7 @@ class FreeFlight {
         Mask ended{};
         walk_.step(scene, [&](const Way& way, Mask ready, Mask) {
             const OpticsAlong<Real> along = opticsAlong(scene.optics, way.piece, way.hu);
-            const Real extinction = meanExtinction(along, way);
+            const Real extinction = meanExtinctionOn<Kind>(along, way);
             Real depth = extinction * way.length;
             const Mask looks = ready & walk_.cells().looking();
             if constexpr (kLooks)
@@ -141,15 +141,6 @@ class FreeFlight {
         const Mask done = walk_.cells().look(looks, extinction);
         const Real taken = depthThatTakes(walk_.cells().looks().taken);
         return looks ? (done ? taken : Real{}) : depth;
-    }
-
-    PDR_HD_INLINE static Real meanExtinction(const OpticsAlong<Real>& along, const Way& way) {
-        if constexpr (Kind == Tissue::parted)
-            return PartedExtinction<Real>{along, way.hu, way.weight, way.masked, way.mixed}.mean();
-        else if constexpr (Kind == Tissue::masked)
-            return seenAlong(along, way.weight).meanExtinction;
-        else
-            return along.meanExtinction;
     }
 
     PDR_HD_INLINE static Real endOn(const OpticsAlong<Real>& along, const Way& way, Real left, Mask ended) {

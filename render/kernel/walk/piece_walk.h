@@ -30,6 +30,17 @@ struct PartedPieceOfWay : MaskedPieceOfWay<Real> {
     MixedAlong<Real> mixed;
 };
 
+/// Returns the mean of the visible extinction along a segment of a walk in tissue of that kind [1/mm].
+template <Tissue Kind, class Real, class Way>
+PDR_HD_INLINE Real meanExtinctionOn(const OpticsAlong<Real>& along, const Way& way) {
+    if constexpr (Kind == Tissue::parted)
+        return PartedExtinction<Real>{along, way.hu, way.weight, way.masked, way.mixed}.mean();
+    else if constexpr (Kind == Tissue::masked)
+        return seenAlong(along, way.weight).meanExtinction;
+    else
+        return along.meanExtinction;
+}
+
 /// The segments of a walk, of a cell and of a piece, in tissue of a kind.
 template <class Real, Tissue Kind>
 struct WayOf {
