@@ -1,21 +1,13 @@
 #include "app/node/relay.h"
 
-#include <random>
 #include <utility>
 
+#include "app/coordinator/new_pool.h"
 #include "render/tiles/shared_device.h"
 
 namespace pdr::node {
-namespace {
 
-std::uint64_t seed() {
-    std::random_device random;
-    return std::uint64_t(random()) << 32 | random();
-}
-
-}  // namespace
-
-Relay::Relay(const std::vector<std::byte>& bits) : pool_(std::make_shared<WorkerPool>(seed())), nodes_(pool_, bits) {
+Relay::Relay(const std::vector<std::byte>& bits) : pool_(nodes::newPool()), nodes_(pool_, bits) {
     using nodes::NodeStatus;
     using nodes::RenderNodes;
     connect(&nodes_, &RenderNodes::joined, this,

@@ -1,9 +1,9 @@
 #include "app/presenters/desktop_nodes.h"
 
 #include <algorithm>
-#include <random>
 #include <utility>
 
+#include "app/coordinator/new_pool.h"
 #include "app/remote/address.h"
 #include "ui/text/room_text.h"
 
@@ -12,12 +12,6 @@ namespace {
 
 /// Added to the ids of nodes that dialled in; the ids of requested nodes are smaller.
 constexpr quint64 kDialledIn = quint64(1) << 32;
-
-/// Returns a random seed for the choice of audits, which nodes must not be able to predict.
-std::uint64_t newSeed() {
-    std::random_device random;
-    return (std::uint64_t(random()) << 32) | random();
-}
 
 QString sentenceOf(const Error& error) {
     return ui::sentence(error.text());
@@ -175,7 +169,7 @@ void DesktopNodes::beginOrEnd() {
     const bool any = !wanted_.empty() || port_;
     if (any == (pool_ != nullptr))
         return;
-    pool_ = any ? std::make_shared<WorkerPool>(newSeed()) : nullptr;
+    pool_ = any ? nodes::newPool() : nullptr;
     if (any) {
         pool_->setSplit(split_);
         pool_->setChecksAll(checksAll_);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <random>
 #include <thread>
 #include <utility>
 
+#include "app/coordinator/new_pool.h"
 #include "render/tiles/reference_tiles.h"
 #include "render/tiles/shared_device.h"
 
@@ -17,15 +17,10 @@ void say(const QString& line) {
     std::fprintf(stderr, "%s\n", line.toUtf8().constData());
 }
 
-std::uint64_t seed() {
-    std::random_device random;
-    return std::uint64_t(random()) << 32 | random();
-}
-
 }  // namespace
 
 CommandNodes::CommandNodes(const NodesWanted& wanted, const std::vector<std::byte>& bits)
-    : wanted_(wanted), pool_(std::make_shared<WorkerPool>(seed())), nodes_(pool_, bits) {
+    : wanted_(wanted), pool_(nodes::newPool()), nodes_(pool_, bits) {
     listenToNews();
     pool_->setOwnHelps(!wanted.nodesOnly);
     pool_->setChecksAll(wanted.checksAll);

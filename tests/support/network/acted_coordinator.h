@@ -5,6 +5,7 @@
 #include "app/remote/dial.h"
 #include "app/wire/content.h"
 #include "app/wire/content_hash.h"
+#include "tests/support/network/heard.h"
 
 namespace pdr::test {
 
@@ -44,11 +45,7 @@ class ActedCoordinator {
     /// Returns all messages of a kind that have arrived.
     template <class Kind>
     std::vector<Kind> heard() const {
-        std::vector<Kind> all;
-        for (const wire::Message& message : received_)
-            if (const auto* one = std::get_if<Kind>(&message))
-                all.push_back(*one);
-        return all;
+        return heardIn<Kind>(received_);
     }
 
   private:

@@ -5,6 +5,7 @@
 #include "app/remote/dial.h"
 #include "app/remote/listener.h"
 #include "render/tiles/reference_tiles.h"
+#include "tests/support/network/heard.h"
 
 namespace pdr::test {
 
@@ -47,11 +48,7 @@ class ActedNode {
     /// Returns all messages of a kind that have arrived.
     template <class Kind>
     std::vector<Kind> heard() const {
-        std::vector<Kind> all;
-        for (const wire::Message& message : received_)
-            if (const auto* one = std::get_if<Kind>(&message))
-                all.push_back(*one);
-        return all;
+        return heardIn<Kind>(received_);
     }
 
   private:
