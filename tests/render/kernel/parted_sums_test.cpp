@@ -50,11 +50,6 @@ dvec3 truthOf(const Scene& scene, const Ray& ray, double stepMm) {
     return std::exp(-test::rayTruth(scene, ray, stepMm).depth) * dvec3(scene.environment.radiance);
 }
 
-double worst(dvec3 value, dvec3 truth) {
-    const dvec3 off = glm::abs(value - truth) / truth;
-    return std::max({off.x, off.y, off.z});
-}
-
 }  // namespace
 
 class PartedSumsTest : public QObject {
@@ -87,7 +82,7 @@ class PartedSumsTest : public QObject {
                     scene.toleranceLevels = levels;
                     const auto prepared = Flattener().prepare(scene);
                     const Projected found = projectedOn(prepared->flat, ray);
-                    const double off = worst(dvec3(found.radiance), truth);
+                    const double off = test::worst(dvec3(found.radiance), truth);
                     QVERIFY2(found.withinTolerance && off <= relativeTolerance(levels) + kRounding,
                              qPrintable(QString("%1 at %2 levels").arg(off).arg(levels)));
                     furthest = std::max(furthest, off / relativeTolerance(levels));

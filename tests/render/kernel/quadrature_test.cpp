@@ -98,11 +98,6 @@ dvec3 truthOf(const Scene& scene, const Ray& ray, double stepMm) {
     }
 }
 
-double worst(dvec3 value, dvec3 truth) {
-    const dvec3 off = glm::abs(value - truth) / truth;
-    return std::max({off.x, off.y, off.z});
-}
-
 }  // namespace
 
 class QuadratureTest : public QObject {
@@ -249,7 +244,7 @@ class QuadratureTest : public QObject {
                 continue;
             for (const float levels : {4.0f, 0.25f, 0.01f}) {
                 scene.toleranceLevels = levels;
-                const double off = worst(dvec3(radianceOf(scene, ray)), truth);
+                const double off = test::worst(dvec3(radianceOf(scene, ray)), truth);
                 QVERIFY2(off <= relativeTolerance(levels) + 3 * kRounding,
                          qPrintable(QString("%1 at %2 levels").arg(off).arg(levels)));
             }
@@ -271,7 +266,7 @@ class QuadratureTest : public QObject {
                 marched += left * -std::expm1(-0.5 * optics.extinction) * optics.source;
                 left *= std::exp(-0.5 * optics.extinction);
             }
-            failed += worst(marched, truth) > relativeTolerance(0.25) + 3 * kRounding;
+            failed += test::worst(marched, truth) > relativeTolerance(0.25) + 3 * kRounding;
         }
         QVERIFY2(failed >= 8, qPrintable(QString::number(failed)));
     }
@@ -302,7 +297,7 @@ class QuadratureTest : public QObject {
                         Model::emissionAbsorption, variedFunction(1));
             ramp.transferFunction.nodes[0].hu = -1000;
             for (const Ray& ray : test::raysThrough(*ramp.volume, 5, 10))
-                QVERIFY(worst(dvec3(radianceOf(ramp, ray)), truthOf(ramp, ray, 1e-3)) <
+                QVERIFY(test::worst(dvec3(radianceOf(ramp, ray)), truthOf(ramp, ray, 1e-3)) <
                         relativeTolerance(0.25) + kRounding);
         }
     }

@@ -151,4 +151,10 @@ inline std::vector<Ray> raysThrough(const Volume& volume, int count, unsigned se
     return rays;
 }
 
+/// Returns the largest relative deviation of a channel from its truth.
+inline double worst(dvec3 value, dvec3 truth) {
+    const dvec3 off = glm::abs(value - truth) / truth;
+    return std::max({off.x, off.y, off.z});
+}
+
 }  // namespace pdr::test
