@@ -25,6 +25,7 @@ trap 'stop; rm -rf "$scratch"' EXIT
 # mouse does after the key.
 shot() {
     local name=$1 theme=$2 size=$3 open=$4 key=${5:-} gestures=("${@:6}")
+    rm -rf "$scratch"/.[a-z]*  # a plan that the last shot left would be restored
     mkdir -p "$scratch/.config/pd-render"
     echo '<openbox_config><applications><application class="*"><maximized>yes</maximized></application></applications></openbox_config>' \
         >"$scratch/openbox.xml"
