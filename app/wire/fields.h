@@ -75,7 +75,7 @@ void fields(Fields& map, SceneOrder& order) {
         map.bytes(8, environment.content);
         map.numbers(9, places(environment.size), 1, kLongestSide);
         map.must(std::uint64_t(environment.size.x) * environment.size.y <= kMostTexels,
-                 "its picture of the surroundings is too large");
+                 "its image of the surroundings is too large");
     }
     if (map.optional(10, order.labels))
         map.bytes(10, order.labels->content);

@@ -24,6 +24,6 @@ parallel --will-cite --retries 3 -j 2 ./once render ct --size 96x64 --samples 8 
 is yes "$([ -e failed ] && echo yes)" "a share was killed"
 pdrender-cli merge ct films/*.film --size 96x64 -o shares.exr >/dev/null 2>&1
 code=0
-python3 "$source/tests/slurm/same_picture.py" alone.exr shares.exr || code=$?
+python3 "$source/tests/slurm/same_image.py" alone.exr shares.exr || code=$?
 is 0 "$code" "difference to the image of one machine"
 finish

@@ -28,10 +28,10 @@ render() {
 render -o alone.exr
 began=$(now)
 render -o nodes.exr "${wait_here[@]}" --await 4 --nodes-only
-within 120 "a picture by nodes that had waited" "$began" true
+within 120 "an image by nodes that had waited" "$began" true
 code=0
-python3 "$source/tests/slurm/same_picture.py" alone.exr nodes.exr || code=$?
-is 0 "$code" "difference to the picture of one machine"
+python3 "$source/tests/slurm/same_image.py" alone.exr nodes.exr || code=$?
+is 0 "$code" "difference to the image of one machine"
 is 4 "$(grep -c '^node slurm-'"$job"'-[0-3]-r0: ' told)" "nodes that rendered"
 began=$(now)
 scancel "$job"

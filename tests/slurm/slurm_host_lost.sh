@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # slurm_host_lost.sh SOURCE BUILD: of three hosts in a Slurm of the test's own one dies with all that runs on it, while render nodes on two
-# of them fill a picture. The picture is finished without it, to the same bits; Slurm notices, and what ran there comes back on the
-# third host and renders the next picture. Prints what was measured. Ends with 77 where Slurm is not installed or this is not root.
+# of them fill an image. The image is finished without it, to the same bits; Slurm notices, and what ran there comes back on the
+# third host and renders the next image. Prints what was measured. Ends with 77 where Slurm is not installed or this is not root.
 set -euo pipefail
 source=$1 programs=$2/bin
 . "$source/tests/slurm/cluster.sh"
 . "$source/tests/slurm/checks.sh"
-. "$source/tests/slurm/picture.sh"
+. "$source/tests/slurm/image.sh"
 haveSlurm || { echo "Slurm is not installed, or this is not root"; exit 77; }
 
 readonly SIZE=160x120 SAMPLES=${PDR_SLURM_SAMPLES:-768}
@@ -35,10 +35,10 @@ watcher=$(parentOf "$script")
 began=$(now)
 kill -KILL "$(cat "$folder/slurmd.$lost.pid")" "$watcher" "$script" "$program"
 rm "$folder/slurmd.$lost.pid"
-is 0 "$(over && echo 1 || echo 0)" "pictures that ended before"
+is 0 "$(over && echo 1 || echo 0)" "images that ended before"
 checkPicture
 
-# Those who are there wait for the next picture; it begins when what was lost is back.
+# Those who are there wait for the next image; it begins when what was lost is back.
 startPicture "${PDR_COORDINATOR##*:}" 2
 within "${PDR_SLURM_BACK:-40}" "a lost task works again" "$began" heard 1 "^node slurm-$job-0-r1 "
 [ "$FAILURES" -eq 0 ] || stopPicture  # it would wait for ever

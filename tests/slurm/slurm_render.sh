@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# slurm_render.sh SOURCE BUILD: eight render nodes in a Slurm of its own fill one picture, one of them is killed, and not a bit of the
-# picture differs from that of one machine. Prints what was measured. Ends with 77 where Slurm is not installed or this is not root.
+# slurm_render.sh SOURCE BUILD: eight render nodes in a Slurm of its own fill one image, one of them is killed, and not a bit of the
+# image differs from that of one machine. Prints what was measured. Ends with 77 where Slurm is not installed or this is not root.
 set -euo pipefail
 source=$1 programs=$2/bin
 . "$source/tests/slurm/cluster.sh"
 . "$source/tests/slurm/checks.sh"
-. "$source/tests/slurm/picture.sh"
+. "$source/tests/slurm/image.sh"
 haveSlurm || { echo "Slurm is not installed, or this is not root"; exit 77; }
 
 readonly SIZE=160x120 SAMPLES=${PDR_SLURM_SAMPLES:-2048}
@@ -29,7 +29,7 @@ drained() {
 began=$(now)
 scancel "${job}_5"
 within 10 "a node at work drains" "$began" drained 5
-is 0 "$(over && echo 1 || echo 0)" "pictures that ended before"
+is 0 "$(over && echo 1 || echo 0)" "images that ended before"
 checkPicture
 
 began=$(now)

@@ -46,7 +46,7 @@ done
 is "$SHARES" "$(ls "$folder/films" | wc -l)" "films"
 is 0 "$(ls -A "$folder/films" | grep -c part || true)" "films half written"
 code=0
-python3 "$source/tests/slurm/same_picture.py" "$folder/alone.exr" "$folder/shares.exr" || code=$?
+python3 "$source/tests/slurm/same_image.py" "$folder/alone.exr" "$folder/shares.exr" || code=$?
 is 0 "$code" "difference to the image of one machine"
 is 0 "$(grep -l 'requeue' "$folder"/job."$job".*.txt 2>/dev/null | wc -l)" "tasks that could not be run again"
 awk -v a="$began" -v b="$(now)" -v n="$SHARES" 'BEGIN { printf "%d shares and the merge in %.0f s\n", n, b - a }'

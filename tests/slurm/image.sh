@@ -1,4 +1,4 @@
-# A picture that is made alone, and then by nodes that a Slurm of the test's own starts. To be sourced behind cluster.sh and
+# An image that is made alone, and then by nodes that a Slurm of the test's own starts. To be sourced behind cluster.sh and
 # checks.sh, with `folder`, `programs`, SIZE and SAMPLES set. `coordinator` is the process that waits for nodes, empty where there is none.
 coordinator=
 
@@ -35,10 +35,10 @@ checkPicture() {
     local code=0
     wait "$coordinator" || code=$?
     coordinator=
-    is 0 "$code" "exit code of the one who writes the picture"
+    is 0 "$code" "exit code of the one who writes the image"
     code=0
-    python3 "$source/tests/slurm/same_picture.py" "$folder/alone.exr" "$folder/nodes.exr" || code=$?
-    is 0 "$code" "difference to the picture of one machine"
+    python3 "$source/tests/slurm/same_image.py" "$folder/alone.exr" "$folder/nodes.exr" || code=$?
+    is 0 "$code" "difference to the image of one machine"
     grep -E '^node .* of the samples' "$folder/said" || true
 }
 stopPicture() {

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""same_picture.py A.exr B.exr: whether two OpenEXR files hold the same pixels, bit by bit, whatever else they say. Ends with 1
+"""same_image.py A.exr B.exr: whether two OpenEXR files hold the same pixels, bit by bit, whatever else they say. Ends with 1
 where they do not."""
 
 import struct
 import sys
 from pathlib import Path
 
-# What says how pixels lie in the file; the rest of the header says how the picture came about.
+# What says how pixels lie in the file; the rest of the header says how the image came about.
 LAYOUT = {"channels", "compression", "dataWindow", "displayWindow", "lineOrder"}
 
 
