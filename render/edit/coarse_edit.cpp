@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "render/denoise/resampled.h"
+#include "render/edit/foretold.h"
 #include "render/edit/light_change.h"
 #include "render/edit/mixture.h"
 
@@ -21,14 +22,18 @@ CoarseEdit::CoarseEdit(std::shared_ptr<const KeptImage> old, ivec2 size, FirstSa
 /// The old image shares no noise with the coarse films, whose random numbers are others: it counts whole for each half.
 Colours CoarseEdit::radiance(const FirstSamples& after, std::uint64_t mark) const {
     const HalfImages& samples = *after.at(mark);
-    const HalfImages was = smoothed(*before_.at(mark), mark), is = smoothed(samples, mark);
+    const std::optional<Colours> gain = foretoldGain(before_, after);
+    const Colours old = withGain(gain, reduced_);
+    const HalfImages was = smoothedForChange(withGain(gain, *before_.at(mark)), mark),
+                     is = smoothedForChange(samples, mark), fresh = smoothed(samples, mark);
     const LightChange even = changeBetween(was.even, is.even, dim_), odd = changeBetween(was.odd, is.odd, dim_);
-    const Plane part = shareOfChange({reduced_, reduced_}, {laidOn(reduced_, even), laidOn(reduced_, odd)}, dim_);
-    const SmoothHalves laid{laidOn(reduced_, partOf(even, part)), laidOn(reduced_, partOf(odd, part))};
-    const Plane share = shareOfSecond(laid, {is.even, is.odd}, samples.even, samples.odd, dim_, pixelsAlike(mark));
-    const Colours fresh = meanOf(is.even, is.odd);
-    const LightChange all = partOf(changeBetween(meanOf(was.even, was.odd), fresh, dim_), part);
-    return laidOn(old_->all, mixed(share, all, fresh));
+    const Plane part = shareOfChange({old, old}, {laidOn(old, even), laidOn(old, odd)}, dim_);
+    const SmoothHalves laid{laidOn(old, partOf(even, part)), laidOn(old, partOf(odd, part))};
+    const Plane share =
+        shareOfSecond(laid, {fresh.even, fresh.odd}, samples.even, samples.odd, dim_, pixelsAlike(mark));
+    LightChange all = partOf(changeBetween(meanOf(was.even, was.odd), meanOf(is.even, is.odd), dim_), part);
+    all.gain = withGain(gain, all.gain);
+    return laidOn(old_->all, mixed(share, all, meanOf(fresh.even, fresh.odd)));
 }
 
 }  // namespace pdr

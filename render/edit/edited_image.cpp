@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "render/edit/foretold.h"
 #include "render/edit/light_change.h"
 #include "render/edit/mixture.h"
 
@@ -20,27 +21,30 @@ constexpr std::uint64_t kFirstImage = 1;
 struct EditedImage::Laid {
     Colours all;
     SmoothHalves halves;
-    std::shared_ptr<const HalfImages> samples;  ///< the new image after the mark's samples
-    HalfImages fresh;                           ///< `samples`, smoothed
+    std::shared_ptr<const HalfImages> samples;           ///< the new image after the mark's samples
+    std::shared_ptr<const denoise::Colours> unshadowed;  ///< light of the new scene's guide; null: none
+    HalfImages fresh;                                    ///< `samples`, smoothed
     float dim;
 };
 
-/// Lays the change after `mark` samples on the old image, once for all images until the next mark. A half of the old
-/// image knows nothing of the numbers of the other half. The first sample of all is an even one, so that the old
-/// image's odd half knows neither colour of the chessboard.
+/// Lays the change on the old image, as it is foretold and then what `mark` samples add to that, once for all images
+/// until the next mark. A half of the old image knows nothing of the numbers of the other half. The first sample of all
+/// is an even one, so that the old image's odd half knows neither colour of the chessboard.
 const EditedImage::Laid& EditedImage::lay(const FirstSamples& first, std::uint64_t mark) {
     const std::shared_ptr<const HalfImages> samples = first.at(mark);
-    if (laid_ && laid_->samples == samples)
+    if (laid_ && laid_->samples == samples && laid_->unshadowed == first.unshadowed())
         return *laid_;
-    const HalfImages before = smoothed(*old_->first.at(mark), mark);
-    const SmoothHalves old{mark > 1 ? old_->halves.even : old_->halves.odd, old_->halves.odd};
-    Laid laid{{}, {}, samples, smoothed(*samples, mark), dimOf(old_->all)};
-    const LightChange even = changeBetween(before.even, laid.fresh.even, laid.dim),
-                      odd = changeBetween(before.odd, laid.fresh.odd, laid.dim),
-                      all = changeBetween(meanOf(before.even, before.odd), meanOf(laid.fresh.even, laid.fresh.odd),
-                                          laid.dim);
+    Laid laid{{}, {}, samples, first.unshadowed(), smoothed(*samples, mark), dimOf(old_->all)};
+    const std::optional<Colours> gain = foretoldGain(old_->first, first);
+    const HalfImages before = smoothedForChange(withGain(gain, *old_->first.at(mark)), mark),
+                     after = smoothedForChange(*samples, mark);
+    const SmoothHalves old{withGain(gain, mark > 1 ? old_->halves.even : old_->halves.odd),
+                           withGain(gain, old_->halves.odd)};
+    const LightChange even = changeBetween(before.even, after.even, laid.dim),
+                      odd = changeBetween(before.odd, after.odd, laid.dim),
+                      all = changeBetween(meanOf(before.even, before.odd), meanOf(after.even, after.odd), laid.dim);
     const Plane share = shareOfChange(old, {laidOn(old.even, even), laidOn(old.odd, odd)}, laid.dim);
-    laid.all = laidOn(old_->all, partOf(all, share));
+    laid.all = laidOn(withGain(gain, old_->all), partOf(all, share));
     laid.halves = {laidOn(old.even, partOf(even, share)), laidOn(old.odd, partOf(odd, share))};
     laid_ = std::make_shared<const Laid>(std::move(laid));
     return *laid_;

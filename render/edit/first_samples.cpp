@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "render/denoise/resampled.h"
 
 namespace pdr {
 namespace {
@@ -17,6 +20,11 @@ constexpr float kChessboardAlike = 3.2f;
 /// Returns the radius of the box that smooths images of `mark` samples: 1, 4, 16, 64.
 int radiusOf(std::uint64_t mark) {
     return mark <= 1 ? 5 : mark <= 4 ? 3 : mark <= 16 ? 2 : 1;
+}
+
+/// Returns the same for a change of light, which has less noise of its own than features in its way.
+int radiusForChange(std::uint64_t mark) {
+    return mark <= 1 ? 8 : mark <= 4 ? 4 : radiusOf(mark);
 }
 
 denoise::Colours smoothed(const denoise::Colours& image, int radius) {
@@ -84,6 +92,10 @@ HalfImages smoothed(const HalfImages& halves, std::uint64_t mark) {
     return {smoothed(halves.even, radiusOf(mark)), smoothed(halves.odd, radiusOf(mark))};
 }
 
+HalfImages smoothedForChange(const HalfImages& halves, std::uint64_t mark) {
+    return {smoothed(halves.even, radiusForChange(mark)), smoothed(halves.odd, radiusForChange(mark))};
+}
+
 float pixelsAlike(std::uint64_t mark) {
     return mark > 1 ? 1 : kChessboardAlike;
 }
@@ -111,13 +123,20 @@ void FirstSamples::keep(const Film& film) {
         kept_[std::size_t(mark - kMarks.begin())] = std::make_shared<const HalfImages>(halfImagesOf(film));
 }
 
+void FirstSamples::keepUnshadowed(const denoise::Guide& guide) {
+    denoise::Colours light;
+    for (std::size_t c = 0; c < 3; ++c)
+        light[c] = denoise::reduced(guide.radiance[c], guide.depth.size() / guide.finer);
+    unshadowed_ = std::make_shared<const denoise::Colours>(std::move(light));
+}
+
 std::shared_ptr<const HalfImages> FirstSamples::at(std::uint64_t mark) const {
     const auto found = std::ranges::find(kMarks, mark);
     return found == kMarks.end() ? nullptr : kept_[std::size_t(found - kMarks.begin())];
 }
 
 std::size_t FirstSamples::bytes() const {
-    std::size_t sum = 0;
+    std::size_t sum = unshadowed_ ? denoise::bytesOf(*unshadowed_) : 0;
     for (const auto& halves : kept_)
         sum += halves ? denoise::bytesOf(halves->even) + denoise::bytesOf(halves->odd) : 0;
     return sum;

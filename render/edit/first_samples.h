@@ -1,14 +1,16 @@
 #pragma once
 /// The image after its first samples, kept while more are taken: an image of another look that is made with the same
-/// random numbers differs from it by what the edit changed, and by little noise.
+/// random numbers differs from it by what the edit changed, and by little noise. With it the light that needs no
+/// samples, which tells most of what an edit of tissue changes before the first of them.
 ///   half   two images of independent samples: of those with even and with odd numbers, or of one sample per pixel the
 ///          two colours of a chessboard
+///   unshadowed  the light of a guide (denoise/guided.h), without shadows and noise
 
 #include <array>
 #include <cstdint>
 #include <memory>
 
-#include "render/denoise/plane.h"
+#include "render/denoise/guided.h"
 #include "render/film/film.h"
 
 namespace pdr {
@@ -25,6 +27,9 @@ HalfImages halfImagesOf(const Film& film);
 /// Returns the halves of an image of `mark` samples without most of their noise: each is smoothed by a box, twice,
 /// which is nearly a Gaussian, the narrower the more samples there are.
 HalfImages smoothed(const HalfImages& halves, std::uint64_t mark);
+
+/// Returns the same smoothed as far as a change of light can be, which is smooth where the image is not.
+HalfImages smoothedForChange(const HalfImages& halves, std::uint64_t mark);
 
 /// Returns the pixels of a half of `mark` samples that share their noise; 1: each has its own.
 float pixelsAlike(std::uint64_t mark);
@@ -44,6 +49,10 @@ class FirstSamples {
     void clear() { *this = {}; }
     /// Keeps the image of `film` if all its pixels have a mark's number of samples.
     void keep(const Film& film);
+    /// Keeps the light of a guide of the film's scene.
+    void keepUnshadowed(const denoise::Guide& guide);
+    /// Returns that light in the film's size, in the guide's unit; null if it was not kept.
+    std::shared_ptr<const denoise::Colours> unshadowed() const { return unshadowed_; }
     /// Returns the image after `mark` samples; null if it was not kept.
     std::shared_ptr<const HalfImages> at(std::uint64_t mark) const;
     /// Returns the memory that the images take.
@@ -53,6 +62,7 @@ class FirstSamples {
 
   private:
     std::array<std::shared_ptr<const HalfImages>, kMarks.size()> kept_;
+    std::shared_ptr<const denoise::Colours> unshadowed_;
 };
 
 }  // namespace pdr

@@ -33,15 +33,27 @@ float dimOf(const denoise::Colours& image) {
     return kDimPart * float(denoise::meanOf(denoise::luminance(image)));
 }
 
-LightChange changeBetween(const denoise::Colours& before, const denoise::Colours& after, float dim) {
-    LightChange change;
-    for (std::size_t c = 0; c < 3; ++c) {
-        change.gain[c] = combined(
+denoise::Colours gainBetween(const denoise::Colours& before, const denoise::Colours& after, float dim) {
+    denoise::Colours gain;
+    for (std::size_t c = 0; c < 3; ++c)
+        gain[c] = combined(
             [dim](float was, float is) { return std::clamp((is + dim) / (was + dim), 1 / kMostFactor, kMostFactor); },
             before[c], after[c]);
+    return gain;
+}
+
+denoise::Colours product(const denoise::Colours& gain, const denoise::Colours& image) {
+    denoise::Colours out;
+    for (std::size_t c = 0; c < 3; ++c)
+        out[c] = combined([](float factor, float light) { return factor * light; }, gain[c], image[c]);
+    return out;
+}
+
+LightChange changeBetween(const denoise::Colours& before, const denoise::Colours& after, float dim) {
+    LightChange change{gainBetween(before, after, dim), {}};
+    for (std::size_t c = 0; c < 3; ++c)
         change.offset[c] = combined([](float gain, float was, float is) { return is - gain * was; }, change.gain[c],
                                     before[c], after[c]);
-    }
     return change;
 }
 

@@ -17,6 +17,13 @@ denoise::Colours scaled(const denoise::Colours& image, float factor);
 /// Returns the radiance below which the light of an image is too little to form a quotient.
 float dimOf(const denoise::Colours& image);
 
+/// Returns the quotient after / before of images without noise, within limits, beyond which light is not the same light
+/// any more. `dim`: see dimOf().
+denoise::Colours gainBetween(const denoise::Colours& before, const denoise::Colours& after, float dim);
+
+/// Returns gain * image.
+denoise::Colours product(const denoise::Colours& gain, const denoise::Colours& image);
+
 /// Returns the change from `before` to `after`, images without noise. `dim`: see dimOf().
 LightChange changeBetween(const denoise::Colours& before, const denoise::Colours& after, float dim);
 

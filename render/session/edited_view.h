@@ -69,6 +69,8 @@ class EditedView {
     bool awaitsNext() const;
     void keepNext(ivec2 size, FirstSamples first) { next_ = {size, std::move(first)}; }
 
+    /// Keeps what a guide foretells of the current film.
+    void keepGuide(const denoise::Guide& guide) { first_.keepUnshadowed(guide); }
     /// Keeps the image after the current film's first samples, if it has as many as a mark says.
     void keepFirst(FilmOnDevice& place, const SampleCounts& samples);
     /// Returns what makes the smooth halves of the current film for its judgement, where the old image does not help

@@ -1,13 +1,17 @@
-/// How images are made with more than their film: the image before an edit, or features of the scene.
+/// How images are made with more than their film: the image before an edit, or a guide of the scene.
 
 #include "render/session/loop.h"
 
 namespace pdr {
 namespace {
 
-/// Takes the first samples of an empty coarse film. Worthless after a stop request. Errors: the device's.
-Result<FirstSamples> firstSamplesOf(Accumulator& film, const std::stop_token& stop) {
+/// Takes the first samples of an empty coarse film, whose scene has that guide; null: none. Worthless after a stop
+/// request. Errors: the device's.
+Result<FirstSamples> firstSamplesOf(Accumulator& film, const std::shared_ptr<const denoise::Guide>& guide,
+                                    const std::stop_token& stop) {
     FirstSamples first;
+    if (guide)
+        first.keepUnshadowed(*guide);
     for (std::uint64_t samples = 0; samples < ResolutionLadder::kSamples;) {
         const std::uint64_t n = FirstSamples::leftToMark(samples);
         if (Result<void> accumulated = film.accumulate(std::uint32_t(n), stop); !accumulated)
@@ -29,7 +33,8 @@ Result<void> Session::Loop::renderBefore() {
         return {};
     if (Result<void> begun = place_.begin(before); !begun)
         return begun;
-    Result<FirstSamples> first = firstSamplesOf(*place_.film(), {});
+    const auto guide = place_.guide(ResolutionLadder::finer(scheduler_.divider()), {});
+    Result<FirstSamples> first = firstSamplesOf(*place_.film(), guide, {});
     if (!first)
         return first.error();
     edits_.keepCoarse(before.film, *std::move(first));
@@ -49,19 +54,38 @@ Result<void> Session::Loop::prepareEdit(const std::stop_token& stop) {
         const auto film = device.film(coarse.film, coarse.revision, coarse.schedule);
         if (!film)
             return {};
-        Result<FirstSamples> first = firstSamplesOf(**film, stop);
+        const auto guide = device.guide(ResolutionLadder::finer(divider), stop);
+        Result<FirstSamples> first = firstSamplesOf(**film, guide, stop);
         if (first && !stop.stop_requested())
             edits_.keepNext(coarse.film, *std::move(first));
         return {};
     });
 }
 
+/// Seeks a guide of the full film's scene where it would help images of so few samples. Its time is no image's, since
+/// it is made once.
+void Session::Loop::findGuide(const std::stop_token& stop) {
+    const double start = clock_();
+    if (const auto guide = features_.find(place_, scheduler_.samples().least, stop))
+        edits_.keepGuide(*guide);
+    quality_.addSeconds(clock_() - start);
+}
+
+/// Seeks one of the coarse film's scene after an edit.
+void Session::Loop::findCoarseGuide(const std::stop_token& stop) {
+    if (const auto guide = place_.guide(ResolutionLadder::finer(scheduler_.divider()), stop))
+        edits_.keepGuide(*guide);
+}
+
 /// Returns the images in flight, and the image made with the one before the edit or on features.
 Result<DisplayPipeline::Images> Session::Loop::makeHelped(const Display& asked, const Display& display, bool adds,
                                                           const std::stop_token& stop) {
-    if (scheduler_.isCoarseEdit())
+    if (scheduler_.isCoarseEdit()) {
+        if (adds)
+            findCoarseGuide(stop);
         return display_.makeLarger(place_, asked, adds,
                                    [this] { return edits_.coarseRadiance(place_.size(), scheduler_.samples().least); });
+    }
     Result<DisplayPipeline::Images> images = display_.takeAllBut(place_, 0);
     if (!images)
         return images;

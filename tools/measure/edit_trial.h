@@ -77,6 +77,14 @@ struct SampledScene {
     }
 };
 
+/// Returns an empty film of the scene, with the light of its guide `finer` times as fine.
+inline SampledScene sampledScene(Device& device, const Scene& scene, int finer = denoise::Features::kFiner) {
+    SampledScene sampled{*startFilm(device, scene), {}};
+    if (const auto guide = device.guide(finer, {}))
+        sampled.first.keepUnshadowed(*guide);
+    return sampled;
+}
+
 inline std::shared_ptr<const KeptImage> keptImageOf(SampledScene& scene, std::uint64_t samples) {
     const auto film = scene.at(samples);
     const NoisyFilm noisy = noisyFilm(*film);
@@ -99,7 +107,7 @@ class EditTrial {
     /// Prints and returns the errors after 1, 4, 16 and 64 samples, from an old film of `samples` samples.
     QJsonArray run(const Scene& before, const Scene& after, std::uint64_t samples, int threads) {
         const std::unique_ptr<Device> device = makeCpuDevice(threads);
-        SampledScene then{*startFilm(*device, before), {}};
+        SampledScene then = sampledScene(*device, before);
         const std::shared_ptr<const KeptImage> kept = keptImageOf(then, samples);
         const std::shared_ptr<const Film> oldFilm = then.at(samples);
         old_ = shown(*oldFilm, kept->all, 1);
@@ -107,7 +115,7 @@ class EditTrial {
         for (const int divider : {3, 4, 6, 8})
             runCoarse(before, after, kept, divider, threads);
         kept_ = {{"the image before", old_, add("old image", samples, old_)}};
-        SampledScene now{*startFilm(*device, after), {}};
+        SampledScene now = sampledScene(*device, after);
         EditedImage edited(kept);
         for (const std::uint64_t mark : FirstSamples::kMarks) {
             const std::shared_ptr<const Film> film = now.at(mark);
@@ -134,21 +142,22 @@ class EditTrial {
 
     /// Adds the images of films of 1 / `divider` of the width: on a guide, and with the change laid on the old image.
     void runCoarse(Scene before, Scene after, const std::shared_ptr<const KeptImage>& kept, int divider, int threads) {
-        constexpr int kSamples = 4, kFiner = 4;
+        constexpr int kSamples = 4;
+        const int finer = std::min(divider, 4);
         const std::unique_ptr<Device> device = makeCpuDevice(threads);
         const ivec2 size = before.film / divider;
         before.film = after.film = size;
         before.seed = after.seed = before.seed + 99'000'099;
-        SampledScene then{*startFilm(*device, before), {}};
+        SampledScene then = sampledScene(*device, before, finer);
         (void)then.at(kSamples);
-        SampledScene now{*startFilm(*device, after), {}};
+        SampledScene now = sampledScene(*device, after, finer);
         const std::shared_ptr<const Film> film = now.at(kSamples);
         const QByteArray way = QByteArray::number(size.x) + " pixels, ";
         const auto add = [&](const char* kind, const QImage& image) {
             this->add(way + kind, kSamples,
                       image.scaled(truth_.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
         };
-        if (const auto guide = device->guide(std::min(divider, kFiner), {})) {
+        if (const auto guide = device->guide(finer, {})) {
             const EnlargedFilm guided = EnlargedFilm::onGuide(film, *guide);
             add("guided", drawn(guided.image(display_).rgba, guided.size()));
         }

@@ -104,9 +104,9 @@ denoise::Colours denoisedImage(const Film& film) {
 /// The images of `after` that the film of `before`, of `old` samples, helps to make.
 void tryEdit(Device& device, const Scene& before, const Scene& after, std::uint64_t old, const denoise::Colours& truth,
              const Tone& tone, const std::string& kind, Rows& rows) {
-    SampledScene then{*startFilm(device, before), {}};
+    SampledScene then = sampledScene(device, before);
     EditedImage edited(keptImageOf(then, old));
-    SampledScene now{*startFilm(device, after), {}};
+    SampledScene now = sampledScene(device, after);
     for (const std::uint64_t samples : kSamples) {
         const std::shared_ptr<const Film> film = now.at(samples);
         const auto judged = SmoothingJudgement::of(*film, [&](const NoisyFilm& halves, const std::stop_token& stop) {

@@ -93,6 +93,26 @@ class CoarseEditTest : public QObject {
         QVERIFY2(off < (mark == 1 ? 1.0 : 0.75) * unchanged, qPrintable(QString::number(off / unchanged)));
     }
 
+    /// What guides show of both scenes is there although it is too narrow for the few samples to tell it.
+    void whatGuidesForetellIsThere() {
+        const auto brighter = [](int x, int y) { return discs(x, y) * (y % 16 < 8 ? 1 : 1.3); };
+        const auto changeOff = [&](bool guided) {
+            Growing then{discs, 11}, was = coarse(discs), is = coarse(brighter, 0.1);
+            if (guided) {
+                was.first.keepUnshadowed(guideOf(was.truth, was.size));
+                is.first.keepUnshadowed(guideOf(is.truth, is.size));
+            }
+            const auto old = kept(then.to(256));
+            const Colours shown =
+                CoarseEdit(old, was.size, was.to(kSamples).first).radiance(is.to(kSamples).first, kSamples);
+            return errorOf(shown,
+                           [&](int x, int y) { return double(old->all[1].row(y)[x]) * brighter(x, y) / discs(x, y); });
+        };
+        const double guided = changeOff(true), alone = changeOff(false);
+        qInfo("off by %.4f, without guides %.4f", guided, alone);
+        QVERIFY2(guided < 0.6 * alone, qPrintable(QString::number(guided / alone)));
+    }
+
     void noChangeLeavesTheImageAsItIs() {
         const Edit edit(discs, discs, 0);
         const Colours shown = edit.radiance(), old = kept(edit.then)->all;

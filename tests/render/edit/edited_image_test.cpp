@@ -40,6 +40,11 @@ double changeErrorOf(const denoise::Colours& shown, const denoise::Colours& old,
     return off / change;
 }
 
+/// The discs after a small edit: a little brighter on one side.
+double brighter(int x, int y) {
+    return discs(x, y) * (x < 80 ? 1 : 1.02);
+}
+
 double errorOfFresh(const Growing& now) {
     const NoisyFilm noisy = noisyFilm(now.film);
     return errorOf(pdr::smoothRadiance(noisy), now.truth, noisy.unit);
@@ -53,6 +58,25 @@ denoise::Colours imageOf(EditedImage& image, const Growing& now) {
         (void)image.halves(noisy, denoisedHalves(noisy, {}), samples, now.first);
     }
     return image.radiance(now.film, now.first, {});
+}
+
+/// Returns the errors of the change from the discs to `truth` after so many samples, with guides that show `foretold`
+/// and without; see changeErrorOf().
+std::pair<double, double> changeErrorsWith(const Truth& truth, const Truth& foretold, int samples) {
+    std::pair<double, double> sums{0, 0};
+    for (const std::uint64_t seed : {11, 5023, 90017})
+        for (const bool guided : {true, false}) {
+            Growing then{discs, seed}, now{truth, seed, 0.1};
+            if (guided) {
+                then.first.keepUnshadowed(guideOf(discs, kSize));
+                now.first.keepUnshadowed(guideOf(foretold, kSize));
+            }
+            EditedImage image(kept(then.to(256)));
+            const denoise::Colours old = image.old().all, shown = imageOf(image, now.to(std::uint64_t(samples)));
+            const auto wanted = [&](int x, int y) { return double(old[1].row(y)[x]) * truth(x, y) / discs(x, y); };
+            (guided ? sums.first : sums.second) += changeErrorOf(shown, old, wanted) / 3;
+        }
+    return sums;
 }
 
 /// Returns the root mean square error of the image over the mean light, and what is said that it is at most.
@@ -173,7 +197,6 @@ class EditedImageTest : public QObject {
     void aSmallEditIsThere() {
         QFETCH(int, samples);
         QFETCH(double, most);
-        const auto brighter = [](int x, int y) { return discs(x, y) * (x < 80 ? 1 : 1.02); };
         double sum = 0;
         for (const std::uint64_t seed : {11, 5023, 90017}) {
             Growing then{discs, seed}, now{brighter, seed, 0.1};
@@ -184,6 +207,54 @@ class EditedImageTest : public QObject {
         }
         qInfo("%d samples: the change is off by %.3f", samples, sum);
         QVERIFY2(sum < most, qPrintable(QString::number(sum)));
+    }
+
+    /// What guides of both scenes show is there before single samples tell it, whatever their unit.
+    void whatGuidesForetellIsThere_data() {
+        QTest::addColumn<int>("samples");
+        QTest::addColumn<double>("most");  // error over tiles, in parts of the mean change
+        QTest::newRow("1") << 1 << 0.5;
+        QTest::newRow("16") << 16 << 0.25;
+    }
+    void whatGuidesForetellIsThere() {
+        QFETCH(int, samples);
+        QFETCH(double, most);
+        const auto [shown, alone] = changeErrorsWith(brighter, brighter, samples);
+        qInfo("%d samples: the change is off by %.3f, without guides %.3f", samples, shown, alone);
+        QVERIFY2(shown < most, qPrintable(QString::number(shown)));
+        QVERIFY2(shown < 0.6 * alone, qPrintable(QString::number(shown / alone)));
+    }
+
+    /// Shadows may make of a change the contrary: the samples tell.
+    void whatGuidesForetellWronglyIsMended() {
+        const auto darker = [](int x, int y) { return discs(x, y) * (x < 80 ? 1 : 0.98); };
+        const auto [shown, alone] = changeErrorsWith(brighter, darker, 64);
+        qInfo("the change is off by %.3f, without guides %.3f", shown, alone);
+        QVERIFY2(shown < 1.5 * alone, qPrintable(QString::number(shown / alone)));
+    }
+
+    /// A guide that comes late is used, and that of the scene before is not used again.
+    void theImageFollowsItsGuide() {
+        Growing then{discs, 11}, now{brighter, 11, 0.1};
+        then.first.keepUnshadowed(guideOf(discs, kSize));
+        then.to(256);
+        now.to(1);
+        EditedImage image(kept(then));
+        // Columns of light are too narrow to be mended by the samples
+        const auto inColumns = [](int x, int y) { return (x % 4 < 2 ? 1 : 0.5) * discs(x, y); };
+        const auto columns = [&] {
+            const denoise::Colours shown = image.radiance(now.film, now.first, {});
+            double light = 0, dark = 0;
+            for (int y = 0; y < kSize.y; ++y)
+                for (int x = 0; x < kSize.x; ++x)
+                    (x % 4 < 2 ? light : dark) += double(shown[1].row(y)[x]);
+            return light / dark;
+        };
+        const double before = columns();
+        now.first.keepUnshadowed(guideOf(inColumns, kSize));
+        QVERIFY2(columns() > 1.5 * before, qPrintable(QString::number(columns() / before)));
+        now.first.keepUnshadowed(guideOf(discs, kSize));
+        QVERIFY2(columns() < 1.05 * before, qPrintable(QString::number(columns() / before)));
     }
 
     /// A stop leaves the planes of a film unfinished, some of them empty.

@@ -133,7 +133,7 @@ class EditedViewTest : public QObject {
         const double shown = partOfChange(imageOf(test::render(sceneOf(1), 256), kDisplay).rgba, first->rgba, truth);
         qInfo("off by %.2f levels; alone %.2f; %.2f of the change", off, alone, shown);
         QVERIFY(off < 0.5 * alone);
-        QVERIFY(shown > 0.1);  // one sample tells little of it in so small an image
+        QVERIFY(shown > 0.7 && shown < 1.3);  // one sample tells little of it in so small an image, guides much
     }
 
     void whileTheHandMovesTheImageIsFull() {

@@ -214,6 +214,8 @@ class KeptFilmsTest : public QObject {
         film.edits.image = keptImage(noisyFilm(*film.film.film), {denoise::coloursOf(kSize), denoise::coloursOf(kSize)},
                                      1, film.edits.first);
         QCOMPARE(film.bytes(), kBytes + 100 * 5 * 3 * sizeof(float));
+        film.edits.first.keepUnshadowed(denoise::guideOf(kSize, 2));
+        QCOMPARE(film.bytes(), kBytes + 100 * 6 * 3 * sizeof(float));
     }
 };
 

@@ -48,6 +48,17 @@ struct Growing {
     }
 };
 
+/// Returns a guide, twice as fine as a film of `size` pixels, that shows the truth in parts of its own unit.
+inline denoise::Guide guideOf(const Truth& truth, ivec2 size) {
+    constexpr int kFiner = 2;
+    denoise::Guide guide = denoise::guideOf(size, kFiner);
+    for (denoise::Plane& plane : guide.radiance)
+        for (int y = 0; y < plane.size().y; ++y)
+            for (int x = 0; x < plane.size().x; ++x)
+                plane.row(y)[x] = 7 * float(truth(x / kFiner, y / kFiner));
+    return guide;
+}
+
 inline std::shared_ptr<const KeptImage> kept(const Growing& growing) {
     const NoisyFilm noisy = noisyFilm(growing.film);
     return keptImage(noisy, denoisedHalves(noisy, {}), growing.film.samplesPerPixel(), growing.first);
