@@ -28,6 +28,10 @@ void describe(QCommandLineParser& parser) {
          "[HOST:]PORT"},
         {"relay-bundle", "With --relay: the folder of a coordinator's certificates, for them. PDR_RELAY_BUNDLE.",
          "DIR"},
+        {"check",
+         "With --relay: how much of what nodes send is rendered again by another machine: some (default; 2 %) or all, "
+         "before it is used, which takes twice the work. PDR_CHECK.",
+         "some|all"},
         {"name", "What users see; default: the name of this machine. PDR_NAME.", "NAME"},
         {"device",
          "What renders: auto (default; a GPU where there is one, else the CPU), cpu, cuda, cuda:1, ... "
@@ -56,8 +60,8 @@ void describe(QCommandLineParser& parser) {
 /// Returns the command line, followed by the environment's values of options that are not on it.
 QStringList withEnvironment(QStringList arguments, const QCommandLineParser& parser,
                             const std::function<QString(const char*)>& environment) {
-    for (const char* name : {"coordinator", "listen", "bundle", "name", "relay", "relay-bundle", "device", "threads",
-                             "coordinators", "idle-minutes", "drain-seconds", "give-up-seconds"}) {
+    for (const char* name : {"coordinator", "listen", "bundle", "name", "relay", "relay-bundle", "check", "device",
+                             "threads", "coordinators", "idle-minutes", "drain-seconds", "give-up-seconds"}) {
         const QByteArray variable = "PDR_" + QByteArray(name).toUpper().replace('-', '_');
         const QString value = environment(variable.constData());
         const bool isRival = (QByteArray(name) == "listen" && parser.isSet("coordinator")) ||
@@ -96,6 +100,13 @@ NodeOptions read(const QCommandLineParser& parser) {
     options.relayBundle = reader.text("relay-bundle").value_or("");
     if (!options.relayBundle.isEmpty() && options.relay.isEmpty())
         usageError("--relay-bundle", "is for the nodes that --relay waits for");
+    if (const auto check = reader.text("check")) {
+        if (*check != "some" && *check != "all")
+            usageError("--check", "must be some or all");
+        if (options.relay.isEmpty())
+            usageError("--check", "is for the nodes that --relay waits for");
+        options.checksAll = *check == "all";
+    }
     options.name = reader.text("name").value_or(QSysInfo::machineHostName()).left(32);
     options.device = reader.text("device").value_or("auto").toStdString();
     options.threads = int(reader.whole("threads", 0, 1024).value_or(0));

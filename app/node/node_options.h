@@ -18,6 +18,7 @@ struct NodeOptions {
     QString bundle;                              ///< folder of certificates; empty: none
     QString relay;                     ///< address at which nodes below may dial this one; empty: it is no relay
     QString relayBundle;               ///< a coordinator's folder of certificates, for the nodes below; empty: none
+    bool checksAll = false;            ///< with `relay`: all that nodes below send is rendered twice
     QString name;                      ///< name that users see; by default that of this machine
     std::string device = "auto";       ///< device, as openDevice() takes it
     int threads = 0;                   ///< threads of the CPU; 0: one per core

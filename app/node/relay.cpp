@@ -17,10 +17,25 @@ Relay::Relay(const std::vector<std::byte>& bits) : pool_(nodes::newPool()), node
     });
     connect(&nodes_, &RenderNodes::turnedAway, this,
             [this](const QString& peer, const QString& reason) { emit said(peer + ": " + reason); });
+    connect(&nodes_, &RenderNodes::seen, this, &Relay::tellTroubleOf);
+}
+
+/// Says once what keeps a node from helping, as that it was caught at a wrong result.
+void Relay::tellTroubleOf(const std::vector<nodes::NodeStatus>& nodes) {
+    std::map<nodes::NodeId, Text> told;
+    for (const nodes::NodeStatus& node : nodes) {
+        if (node.reason.empty())
+            continue;
+        if (const auto before = told_.find(node.id); before == told_.end() || before->second != node.reason)
+            emit said(tr("below: %1: %2").arg(node.name, QString::fromStdString(node.reason)));
+        told.emplace(node.id, node.reason);
+    }
+    told_ = std::move(told);
 }
 
 Result<void> Relay::listen(const NodeOptions& options) {
     nodes_.setBundle(options.relayBundle);
+    pool_->setChecksAll(options.checksAll);
     const auto address = nodes_.listen(options.relay);
     if (!address)
         return address.error();

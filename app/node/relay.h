@@ -2,6 +2,7 @@
 /// The nodes below a relay. To the coordinator above it a relay is one node; to the nodes that dial it, it is a
 /// coordinator: it passes scenes on, shares leases with them, checks their results, and returns the sums.
 
+#include <map>
 #include <memory>
 
 #include "app/coordinator/render_nodes.h"
@@ -28,8 +29,11 @@ class Relay : public QObject {
     void said(const QString& line);
 
   private:
+    void tellTroubleOf(const std::vector<nodes::NodeStatus>& nodes);
+
     std::shared_ptr<WorkerPool> pool_;
     nodes::RenderNodes nodes_;
+    std::map<nodes::NodeId, Text> told_;  ///< what keeps connected nodes from helping, as said last
 };
 
 }  // namespace pdr::node

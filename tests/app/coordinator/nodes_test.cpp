@@ -233,6 +233,7 @@ class NodesTest : public QObject {
         QCOMPARE(codeOf({}), int(ExitCode::usage));
         QCOMPARE(codeOf({"--coordinator", "localhost:x"}), int(ExitCode::usage));
         QCOMPARE(codeOf({"--coordinator", "localhost:1", "--nodes", "3"}), int(ExitCode::usage));
+        QCOMPARE(codeOf({"--coordinator", "localhost:1", "--check", "all"}), int(ExitCode::usage));
         QCOMPARE(codeOf({"--coordinator", "localhost:1", "--give-up-seconds", "1"}), int(ExitCode::unreachable));
         QCOMPARE(codeOf({"--coordinator", "localhost:1", "--bundle", "/nowhere"}), int(ExitCode::configuration));
         QCOMPARE(codeOf({"--coordinator", "localhost:1", "--device", "cuda:77"}), int(ExitCode::configuration));

@@ -1,7 +1,15 @@
 /// Relays: render nodes that share their work with nodes below them.
 
+#include <QTemporaryDir>
 #include <QTest>
 
+#include <future>
+
+#include "app/node/introduction.h"
+#include "app/node/node_service.h"
+#include "app/node/relay.h"
+#include "app/remote/certificates.h"
+#include "tests/support/devices/lying_device.h"
 #include "tests/support/network/shared_image.h"
 
 using namespace pdr;
@@ -18,18 +26,61 @@ Scene smallScene() {
     return scene;
 }
 
+/// A scene of air, whose samples cost little.
+Scene airScene() {
+    Scene scene = plainScene(makeVolume(ivec3(4), dvec3(1), [](int, int, int) { return -1000; }), 0.05f);
+    scene.film = {61, 45};
+    return scene;
+}
+
 /// A relay and the nodes that have dialled it.
 class RelayProcess : public NodeProcess {
   public:
-    explicit RelayProcess(int below)
-        : NodeProcess({"--listen", "127.0.0.1:0", "--relay", "127.0.0.1:0", "--name", "relay"}) {
-        static const QRegularExpression kPort("relays to nodes at \\S*:(\\d+)");
-        const QString port = kPort.match(QString::fromUtf8(log())).captured(1);
+    explicit RelayProcess(int below, const QStringList& options = {"--listen", "127.0.0.1:0"},
+                          const QStringList& optionsBelow = {})
+        : NodeProcess(QStringList{"--relay", "127.0.0.1:0", "--name", "relay"} + options),
+          below_(QString("localhost:%1").arg(portBehind("relays to nodes at"))) {
         for (int i = 0; i < below; ++i)
-            nodes.push_back(std::make_unique<NodeProcess>(QStringList{"--coordinator", "localhost:" + port}));
+            nodes.push_back(std::make_unique<NodeProcess>(dialling() + optionsBelow));
     }
+    /// Options of a node that dials it.
+    QStringList dialling() const { return {"--coordinator", below_}; }
+
+  private:
+    QString below_;
+
+  public:
     NodeProcesses nodes;
 };
+
+/// A node in this program, with another device.
+class InnerNode {
+  public:
+    InnerNode(const node::NodeOptions& options, const node::OpenDevice& open)
+        : service_(options, *node::introduction(options, *makeCpuDevice(1)), open) {
+        QObject::connect(&service_, &node::NodeService::said, [this](const QString& line) { log += line + "\n"; });
+        if (!service_.start())
+            qFatal("a render node does not start");
+    }
+    QString log;
+
+  private:
+    node::NodeService service_;
+};
+
+Result<std::unique_ptr<Device>> oneThread() {
+    return makeCpuDevice(1);
+}
+
+/// What opens devices that lie, and are otherwise as those of `open`.
+node::OpenDevice lying(const std::shared_ptr<Lies>& lies, const node::OpenDevice& open) {
+    return [=] { return std::unique_ptr<Device>(std::make_unique<LyingDevice>(*open(), lies)); };
+}
+
+/// The port in a line that ends with an address.
+quint16 portIn(const QString& line) {
+    return quint16(line.section(':', -1).trimmed().toInt());
+}
 
 }  // namespace
 
@@ -71,6 +122,106 @@ class RelayTest : public QObject {
                 QVERIFY(film->accumulate(n, {}));
             QVERIFY(sameBits((*film->film())->content(), alone));
         }
+    }
+
+    void programsTakeTurns() {
+        RelayProcess relay(1);
+        QTRY_COMPARE_WITH_TIMEOUT(relay.log().count("is there"), 1, kPatience);
+        auto first = std::make_unique<NodeTrial>();
+        first->add(relay);
+        (void)first->image(smallScene(), {1}, 1);
+        NodeTrial second;
+        second.pool->setOwnHelps(false);
+        second.add(relay);
+        auto image = std::async(std::launch::async, [&] { return second.image(smallScene(), kOrders, 1); });
+        const auto isInLine = [&] { return second.nodes.look().at(0).state == nodes::NodeState::waiting; };
+        QTRY_VERIFY_WITH_TIMEOUT(isInLine(), kPatience);
+        first.reset();
+        QVERIFY(sameBits(image.get(), imageAlone(smallScene(), kOrders)));
+        QVERIFY(second.workOfNodes() > 0);
+    }
+
+    /// The authority of the nodes below is another one than that of the coordinator.
+    void bothLevelsHaveCertificates() {
+        const QTemporaryDir folder;
+        const QString above = folder.filePath("above/"), below = folder.filePath("below/");
+        QVERIFY(bool(remote::makeCertificates(above)) && bool(remote::makeCertificates(below)));
+        NodeTrial trial;
+        trial.pool->setOwnHelps(false);
+        trial.nodes.setBundle(above + "coordinator");
+        const auto address = trial.nodes.listen("127.0.0.1:0");
+        QVERIFY2(bool(address), address ? "" : address.error().text().c_str());
+        RelayProcess relay(2,
+                           {"--coordinator", QString("localhost:%1").arg(address->port), "--bundle", above + "node",
+                            "--relay-bundle", below + "coordinator"},
+                           {"--bundle", below + "node"});
+        NodeProcess stranger(relay.dialling() + QStringList{"--bundle", above + "node", "--name", "stranger"});
+        QCOMPARE(stranger.code(), int(node::ExitCode::turnedAway));
+        QTRY_COMPARE_WITH_TIMEOUT(relay.log().count("is there"), 2, kPatience);
+        QVERIFY(sameBits(trial.image(smallScene(), kOrders, 1), imageAlone(smallScene(), kOrders)));
+        for (const auto& node : relay.nodes)
+            QVERIFY(node->log().contains("works for"));
+        QVERIFY2(!relay.log().contains("stranger"), relay.log());
+    }
+
+    void liarBelowIsCaughtByTheRelay_data() {
+        QTest::addColumn<quint64>("honest");
+        QTest::addColumn<QStringList>("options");
+        QTest::newRow("at its first tile") << quint64(0) << QStringList();
+        QTest::newRow("later, where all is checked") << quint64(16 * Trust::kProof) << QStringList{"--check", "all"};
+    }
+    void liarBelowIsCaughtByTheRelay() {
+        QFETCH(const quint64, honest);
+        QFETCH(const QStringList, options);
+        RelayProcess relay(0, QStringList{"--listen", "127.0.0.1:0"} + options);
+        const auto lies = std::make_shared<Lies>();
+        lies->honest = honest;
+        node::NodeOptions below;
+        below.coordinator = remote::Address{"localhost", portIn(relay.dialling().back())};
+        below.name = "liar";
+        const InnerNode liar(below, lying(lies, oneThread));
+        QTRY_COMPARE_WITH_TIMEOUT(relay.log().count("is there"), 1, kPatience);
+        NodeTrial trial;
+        trial.pool->setOwnHelps(false);
+        trial.add(relay);
+        const FilmContent alone = imageAlone(airScene(), kOrders);
+        do {
+            auto image = std::async(std::launch::async, [&] { return trial.image(airScene(), kOrders, 1); });
+            QTRY_VERIFY_WITH_TIMEOUT(image.wait_for(std::chrono::seconds(0)) == std::future_status::ready, kPatience);
+            QVERIFY(sameBits(image.get(), alone));
+        } while (lies->told == 0);
+        QTRY_VERIFY2_WITH_TIMEOUT(relay.log().contains("below: liar: a tile of it was not what this machine found"),
+                                  relay.log(), kPatience);
+        QCOMPARE(relay.log().count("a tile of it"), 1);
+        QCOMPARE(trial.pool->workers().at(0).state, WorkerState::ready);
+    }
+
+    void relayThatLiesIsCaughtAsANodeIs() {
+        node::Relay relay(*referenceTiles(*makeCpuDevice(1)));
+        quint16 port = 0;
+        connect(&relay, &node::Relay::said, this, [&](const QString& line) {
+            if (line.startsWith("relays to nodes at"))
+                port = portIn(line);
+        });
+        node::NodeOptions options;
+        options.listen = remote::Address{"127.0.0.1", 0};
+        options.coordinators = 1;
+        options.relay = "127.0.0.1:0";
+        QVERIFY(bool(relay.listen(options)));
+        NodeProcess below({"--coordinator", QString("localhost:%1").arg(port)});
+        const auto lies = std::make_shared<Lies>();
+        const InnerNode inner(options, lying(lies, relay.sharing(oneThread)));
+        QTRY_VERIFY_WITH_TIMEOUT(below.log().contains("works for"), kPatience);
+        NodeTrial trial;
+        trial.pool->setOwnHelps(false);
+        QVERIFY(bool(trial.nodes.add(QString("localhost:%1").arg(portIn(inner.log.trimmed())))));
+        auto image = std::async(std::launch::async, [&] { return trial.image(smallScene(), kOrders, 1); });
+        QTRY_VERIFY_WITH_TIMEOUT(image.wait_for(std::chrono::seconds(0)) == std::future_status::ready, kPatience);
+        QVERIFY(sameBits(image.get(), imageAlone(smallScene(), kOrders)));
+        QVERIFY(lies->told > 0);
+        const nodes::NodeStatus status = trial.nodes.look().at(0);
+        QCOMPARE(status.state, nodes::NodeState::quarantined);
+        QVERIFY2(status.reason.starts_with("a tile of it was not what this machine found"), status.reason.c_str());
     }
 };
 

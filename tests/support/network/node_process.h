@@ -25,7 +25,7 @@ class NodeProcess {
         if (!process_.waitForStarted(kPatience))
             qFatal("a render node cannot be started");
         if (options.contains("--listen"))
-            waitForPort();
+            port_ = portBehind("listening at");
     }
     ~NodeProcess() {
         if (process_.state() == QProcess::NotRunning)
@@ -43,6 +43,14 @@ class NodeProcess {
             qFatal("a render node does not end");
         return process_.exitStatus() == QProcess::NormalExit ? process_.exitCode() : -1;
     }
+    /// Waits until the program has said these words before an address. Returns the port of that address.
+    int portBehind(const QString& words) {
+        const QRegularExpression port(words + " \\S*:(\\d+)");
+        while (!port.match(QString::fromUtf8(log())).hasMatch())
+            if (!process_.waitForReadyRead(kPatience))
+                qFatal("a render node does not listen: %s", log_.constData());
+        return port.match(QString::fromUtf8(log_)).captured(1).toInt();
+    }
     /// Returns all output so far.
     QByteArray log() {
         log_ += process_.readAllStandardOutput();
@@ -50,14 +58,6 @@ class NodeProcess {
     }
 
   private:
-    void waitForPort() {
-        static const QRegularExpression kPort("listening at \\S*:(\\d+)");
-        while (!kPort.match(QString::fromUtf8(log())).hasMatch())
-            if (!process_.waitForReadyRead(kPatience))
-                qFatal("a render node does not listen: %s", log_.constData());
-        port_ = kPort.match(QString::fromUtf8(log_)).captured(1).toInt();
-    }
-
     QProcess process_;
     QByteArray log_;
     int port_ = 0;
