@@ -17,7 +17,7 @@ Result<PreparedWork> prepareWork(const RenderOptions& options, const LoadWork& l
         return opened.error();
     std::unique_ptr<CommandNodes> crew;
     if (options.nodes.any()) {
-        auto gathered = CommandNodes::gather(options.nodes, *opened);
+        auto gathered = CommandNodes::gather(options.nodes, **opened);
         if (!gathered)
             return gathered.error();
         crew = *std::move(gathered);
@@ -29,7 +29,10 @@ Result<PreparedWork> prepareWork(const RenderOptions& options, const LoadWork& l
     tellNotes(*loaded);
     if (auto ok = checkSpared(loaded->files, options.outputs); !ok)
         return ok.error();
-    return PreparedWork{*std::move(opened), std::move(crew), *std::move(loaded)};
+    std::unique_ptr<Device> device = *std::move(opened);
+    if (crew)
+        device = crew->share(std::move(device), loaded->scene, options.stops.samples);
+    return PreparedWork{std::move(device), std::move(crew), *std::move(loaded)};
 }
 
 }  // namespace pdr::app

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/coordinator/new_pool.h"
+#include "render/scene/scene.h"
 #include "render/tiles/reference_tiles.h"
 #include "render/tiles/shared_device.h"
 
@@ -15,6 +16,16 @@ namespace {
 
 void say(const QString& line) {
     std::fprintf(stderr, "%s\n", line.toUtf8().constData());
+}
+
+/// Voxels per sample of an image from which on a node is no help: by the time that it has them, half of the image is
+/// there.
+constexpr double kVoxelsPerSample = 8;
+
+/// Whether nodes can shorten an image of so many samples per pixel, which they begin when they have its voxels.
+bool isWorthSending(const Scene& scene, std::uint64_t samples) {
+    return double(scene.film.x) * scene.film.y * double(samples) * kVoxelsPerSample >=
+           double(scene.volume->geometry().voxelCount());
 }
 
 }  // namespace
@@ -61,8 +72,8 @@ int CommandNodes::helpless() const {
     return news_.helpless();
 }
 
-Result<std::unique_ptr<CommandNodes>> CommandNodes::gather(const NodesWanted& wanted, std::unique_ptr<Device>& device) {
-    const Result<std::vector<std::byte>> bits = referenceTiles(*device);
+Result<std::unique_ptr<CommandNodes>> CommandNodes::gather(const NodesWanted& wanted, Device& device) {
+    const Result<std::vector<std::byte>> bits = referenceTiles(device);
     if (!bits)
         return bits.error();
     std::unique_ptr<CommandNodes> crew(new CommandNodes(wanted, *bits));
@@ -75,11 +86,21 @@ Result<std::unique_ptr<CommandNodes>> CommandNodes::gather(const NodesWanted& wa
             return address.error();
         say("waiting for nodes at " + address->text());
     }
-    device = shareDevice(std::move(device), crew->pool_);
     return crew;
 }
 
+std::unique_ptr<Device> CommandNodes::share(std::unique_ptr<Device> device, const Scene& scene,
+                                            std::optional<std::uint64_t> samples) {
+    isShared_ = !samples || wanted_.nodesOnly || isWorthSending(scene, *samples);
+    if (isShared_)
+        return shareDevice(std::move(device), pool_);
+    say("this machine renders alone: with so few samples the image is there before a node would have the scan");
+    return device;
+}
+
 Result<void> CommandNodes::await(const std::stop_token& stop) const {
+    if (!isShared_)
+        return {};
     const auto start = std::chrono::steady_clock::now();
     const auto tooFew = [&](const std::string& count, const std::string& when) {
         return Error{count + " of " + std::to_string(wanted_.await) + " render nodes " + when, "--await",

@@ -30,12 +30,16 @@ struct NodesWanted {
 
 class CommandNodes {
   public:
-    /// Connects to the nodes and replaces `device` with one that shares its work with them. Errors: those of addresses,
-    /// certificates and the device.
-    static Result<std::unique_ptr<CommandNodes>> gather(const NodesWanted& wanted, std::unique_ptr<Device>& device);
+    /// Connects to the nodes, which must compute the same bits as `device`. Errors: those of addresses, certificates
+    /// and the device.
+    static Result<std::unique_ptr<CommandNodes>> gather(const NodesWanted& wanted, Device& device);
+    /// Returns a device that shares the work of `device` for `scene` with the nodes, if that is worth sending the scene
+    /// to them; else `device` itself, and says so. `samples`: the most that a pixel gets; none: not known.
+    std::unique_ptr<Device> share(std::unique_ptr<Device> device, const Scene& scene,
+                                  std::optional<std::uint64_t> samples);
 
-    /// Waits until as many nodes as requested have the scene of the device. Errors: `stop` was requested or the time is
-    /// up first, or too few nodes can still come.
+    /// Waits until as many nodes as requested have the scene of the device, if it is shared. Errors: `stop` was
+    /// requested or the time is up first, or too few nodes can still come.
     Result<void> await(const std::stop_token& stop) const;
     /// Returns one line for each node that was named or took part, with what it has done, and a line on how the work
     /// was divided.
@@ -50,6 +54,7 @@ class CommandNodes {
     int helpless() const;
 
     NodesWanted wanted_;
+    bool isShared_ = false;  ///< nodes get the scene
     mutable std::mutex mutex_;
     NodeMessages news_;  ///< guarded by mutex_: updated in the network thread
     std::shared_ptr<WorkerPool> pool_;

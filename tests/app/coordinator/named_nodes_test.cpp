@@ -88,6 +88,19 @@ class NamedNodesTest : public QObject {
         QVERIFY2(!run.err.contains("is lost") && !run.err.contains("has left"), run.err);
     }
 
+    void aNodeGetsNoScanForAFewSamples() {
+        const NodeProcess node({"--listen", "127.0.0.1:0", "--name", "alpha"});
+        const QStringList few{"--node", node.address(), "--await", "1", "--samples", "4"};
+        const ProgramRun run = render(few);
+        QCOMPARE(run.code, 0);
+        QVERIFY2(linesWith(run.err, "this machine renders alone") == 1, run.err);
+        QVERIFY2(linesWith(run.err, "took no part") + linesWith(run.err, "0.0 % of the samples, 0 tiles") == 1,
+                 run.err);
+        const ProgramRun byNodes = render(few + QStringList{"--nodes-only"});
+        QCOMPARE(byNodes.code, 0);
+        QVERIFY2(!byNodes.err.contains("this machine renders alone"), byNodes.err);
+    }
+
     /// A refused node leaves no trace but the message about it.
     void nodeThatDialsAndIsRefusedIsNamed() {
         QProcess program;
