@@ -24,6 +24,9 @@ struct OrderSize {
     /// Samples that one call may request however long they take, since a stop request ends extend() soon and leaves a
     /// valid film; 0: there is no such number.
     std::uint32_t whole = 0;
+    /// Whether other machines have a part of each request now: the sums of its pixels travel, so that few requests of
+    /// many samples are better than many of few.
+    bool isShared = false;
 };
 
 /// Receives the samples of a film while it is extended: on the thread that extends it, several times a second.

@@ -5,14 +5,15 @@
 #include <cmath>
 #include <limits>
 
-#include "render/accuracy/stop_rule.h"
-
 namespace pdr {
 namespace {
 
 constexpr double kReportSeconds = 0.5;
 constexpr std::uint64_t kMostWholeOrder = 1 << 20;
-constexpr std::uint64_t kErrorEvery = 16;  ///< samples between two readings of the error, which take time
+/// The error is read after multiples of so many samples, and after whole blocks only from kWholeLooks on.
+constexpr std::uint64_t kErrorEvery = 16, kWholeLooks = 512;
+/// Errors fall as n^-0.7 at most with the samples n (accuracy/forecast.h). Growth of n from one reading to the next.
+constexpr double kSteepestFall = 0.7, kMostGrowth = 4;
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -44,6 +45,8 @@ Result<BatchResult> BatchRender::run(std::stop_token stop, const Report& report)
         if (reason && isFilmRight(*reason))
             if (auto ok = look(); !ok)
                 return ok.error();
+        if (!reason && errorIsDue())
+            planLook();
         if (reason || reports) {
             report(state(elapsed, {done_, done_, double(done_)}));
             reported = elapsed;
@@ -57,7 +60,22 @@ bool BatchRender::isFilmRight(StopReason reason) const {
 }
 
 bool BatchRender::errorIsDue() const {
-    return stopsByError() && done_ > 0 && done_ % kErrorEvery == 0;
+    return stopsByError() && done_ >= nextLook_;
+}
+
+/// Plans the next reading of the error: where the limit is reached at the earliest. All that this depends on are
+/// samples and errors at readings, and so does the end of the image.
+void BatchRender::planLook() {
+    double growth = kMostGrowth;
+    const auto earliest = [&](const std::optional<double>& target, double error) {
+        if (target)
+            growth = std::min(growth, std::pow(std::max(error / *target, 1.0), 1 / kSteepestFall));
+    };
+    earliest(stops_.relativeError, status_.relativeError);
+    earliest(stops_.levels, status_.displayError);
+    const std::uint64_t step = done_ < kWholeLooks ? kErrorEvery : kSamplesPerBlock;
+    const std::uint64_t steps = std::uint64_t(std::ceil(growth * double(done_) / double(step)));
+    nextLook_ = std::max(steps * step, done_ + step);
 }
 
 /// Keeps what a stop request has left of a film that was extended tile by tile; a tile without samples gets one.
@@ -98,6 +116,7 @@ Result<void> BatchRender::takeSamples(const double& elapsed, std::stop_token sto
     done_ = *there;
     if (done_ == 0) {
         begunAt_ = elapsed;
+        nextLook_ = kSamplesToStop;
         status_ = {};
     }
     return {};
@@ -117,7 +136,7 @@ Result<void> BatchRender::look() {
 }
 
 std::uint32_t BatchRender::wantedSamples(const OrderSize& order, double elapsed) const {
-    const bool isWhole = order.whole > 0 && !stopsByError();
+    const bool isWhole = order.whole > 0;
     const std::uint64_t most =
         isWhole ? std::clamp<std::uint64_t>(3 * done_, order.whole, kMostWholeOrder) : order.samples;
     double wanted = double(most);
@@ -126,7 +145,7 @@ std::uint32_t BatchRender::wantedSamples(const OrderSize& order, double elapsed)
     if (stops_.samples)
         wanted = std::min(wanted, double(*stops_.samples - done_));
     if (stopsByError())
-        wanted = std::min(wanted, double(kErrorEvery - done_ % kErrorEvery));
+        wanted = std::min(wanted, double(nextLook_ - done_));
     return toBlockEnd(std::uint32_t(std::clamp(wanted, 1.0, double(most))));
 }
 
@@ -147,7 +166,8 @@ double BatchRender::samplesInTime(const OrderSize& order, bool isWhole, double e
 /// piece of work, and a message, of its own.
 std::uint32_t BatchRender::toBlockEnd(std::uint32_t wanted) const {
     const std::uint64_t end = done_ + wanted, blockEnd = end - end % kSamplesPerBlock;
-    return end == stops_.samples || blockEnd <= done_ ? wanted : std::uint32_t(blockEnd - done_);
+    const bool isWanted = end == stops_.samples || (stopsByError() && end == nextLook_);
+    return isWanted || blockEnd <= done_ ? wanted : std::uint32_t(blockEnd - done_);
 }
 
 std::optional<StopReason> BatchRender::reached(double elapsed) const {

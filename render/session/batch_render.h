@@ -6,6 +6,7 @@
 #include <optional>
 #include <stop_token>
 
+#include "render/accuracy/stop_rule.h"
 #include "render/base/result.h"
 #include "render/device/accumulator.h"
 
@@ -72,15 +73,17 @@ class BatchRender {
     Result<void> look();
     bool stopsByError() const { return stops_.relativeError || stops_.levels; }
     bool errorIsDue() const;
+    void planLook();
     bool isFilmRight(StopReason reason) const;
 
     Accumulator& film_;
     Stops stops_;
     Display display_;
     WhenStopped whenStopped_;
-    std::uint64_t done_ = 0;  ///< samples of every pixel
-    double begunAt_ = 0;      ///< rendering time when the first of them was requested [s]
-    FilmStatus status_;       ///< status of the film when last read
+    std::uint64_t done_ = 0;                   ///< samples of every pixel
+    double begunAt_ = 0;                       ///< rendering time when the first of them was requested [s]
+    std::uint64_t nextLook_ = kSamplesToStop;  ///< samples after which the error is looked at
+    FilmStatus status_;                        ///< status of the film when last read
 };
 
 }  // namespace pdr

@@ -13,6 +13,8 @@ namespace {
 /// Longest duration of a launch, so that a change of brightness or device, a pause or a snapshot need not wait for a
 /// long frame; and of a piece of a launch, if it can be split. On a busy machine both take several times as long.
 constexpr double kLaunchSeconds = 0.06, kPieceSeconds = 0.015;
+/// An image of a shared film comes after so many seconds or this part of its samples so far, whichever is more.
+constexpr double kSharedSeconds = 1, kSharedGrowth = 0.5;
 constexpr double kMeasureSeconds = 2;  ///< between two frames whose display is timed alone
 
 double pixelsOf(const Tile& tile) {
@@ -75,12 +77,28 @@ void FrameScheduler::beginFrame(const Tile& part, bool overlaps, bool fresh) {
 Sweep::Order FrameScheduler::next(const Demand& demand, bool inPieces) {
     if (!sweep_.isHalfMade())
         sweep_.begin(launch(demand));
-    return sweep_.next(inPieces ? ladder_.speed() * kPieceSeconds : pixels());
+    if (demand.isShared)
+        return sweep_.next(ladder_.speed() * kLaunchSeconds / sweep_.passSamples());
+    return sweep_.next(inPieces && sweep_.passSamples() == 1 ? ladder_.speed() * kPieceSeconds : pixels());
 }
 
 /// Returns how many samples the pixels that lag behind in the part have left to the next mark.
 std::uint64_t FrameScheduler::leftToMark() const {
     return FirstSamples::leftToMark(sweep_.partSamples());
+}
+
+/// Returns the samples of the next image of a shared film, which may well have `usual` ones: up to a mark or, past the
+/// last one, to the end of a block, where no sums of a part of it travel; fewer where the image would be late.
+std::uint32_t FrameScheduler::worthSending(std::uint32_t usual) const {
+    const std::uint64_t had = sweep_.partSamples(), before = had - std::min<std::uint64_t>(done_.n, had);
+    const bool isFirst = before < kSamplesPerBlock;
+    const std::uint64_t left =
+        isFirst ? FirstSamples::leftToMark(before) : kSamplesPerBlock - before % kSamplesPerBlock;
+    const double inTime = std::max(ladder_.speed() / partPixels() * kSharedSeconds, kSharedGrowth * double(before));
+    const std::uint64_t most = std::max<std::uint64_t>(usual, std::uint64_t(std::clamp(inTime, 1.0, double(left))));
+    if (isFirst || most < left)
+        return std::uint32_t(std::min(most, left));
+    return std::uint32_t(most - (before + most) % kSamplesPerBlock);
 }
 
 /// Returns the part of a coarse frame's time that its samples may take [s].
@@ -92,8 +110,10 @@ double FrameScheduler::secondsForSamples() const {
 std::uint32_t FrameScheduler::launch(const Demand& demand) const {
     if (hurries(demand) && done_.n == 0)
         return 1;
-    const double seconds = hurries(demand) ? secondsForSamples() - done_.seconds : kLaunchSeconds;
     const std::uint32_t all = wanted(demand), left = all > done_.n ? all - done_.n : 1;
+    if (demand.isShared && !isCoarse())
+        return left;
+    const double seconds = hurries(demand) ? secondsForSamples() - done_.seconds : kLaunchSeconds;
     const double speed = done_.n > 0 && done_.seconds > 0 ? done_.n / done_.seconds : ladder_.speed() / partPixels();
     const auto most = double(demand.keepsFirst ? std::min<std::uint64_t>(left, leftToMark()) : left);
     return std::uint32_t(std::clamp(speed * seconds, 1.0, most));
@@ -108,8 +128,9 @@ std::uint32_t FrameScheduler::wanted(const Demand& demand) const {
     const double larger = pixels() / partPixels();
     const std::uint32_t usual =
         isCoarse() ? ResolutionLadder::kSamples : std::uint32_t(larger * timer_.iterations(demand.pace));
-    const std::uint32_t all = std::max(usual, std::uint32_t(demand.replaced.value_or(0)));
     const std::uint64_t before = samples().least - std::min<std::uint64_t>(done_.n, samples().least);
+    const std::uint32_t paced = demand.isShared && demand.pace.automatic ? worthSending(usual) : usual;
+    const std::uint32_t all = std::max(paced, std::uint32_t(demand.replaced.value_or(0)));
     return demand.isEdit ? std::uint32_t(std::min<std::uint64_t>(all, FirstSamples::leftToMark(before))) : all;
 }
 

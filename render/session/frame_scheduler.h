@@ -28,6 +28,9 @@ class FrameScheduler {
         bool keepsFirst = false;
         /// The first images are made with that before an edit: one after each mark.
         bool isEdit = false;
+        /// Other machines have a part of the samples. The sums of a pixel travel for each image, so that images come
+        /// less often: after a mark, and then with each block of samples, as far as that is in time.
+        bool isShared = false;
     };
     /// Iterations of the sampled part, and the time they took [s].
     struct Iterations {
@@ -110,6 +113,7 @@ class FrameScheduler {
     double secondsForSamples() const;
     std::uint32_t launch(const Demand& demand) const;
     std::uint64_t leftToMark() const;
+    std::uint32_t worthSending(std::uint32_t usual) const;
 
     SessionClock clock_;
     ResolutionLadder ladder_;

@@ -39,7 +39,9 @@ class Sweep {
     void begin(std::uint32_t n);
     /// Returns whether a pass has begun and not ended.
     bool isHalfMade() const { return samplesOf(part_) < goal_; }
-    /// Returns the next piece of the incomplete pass: a whole tile or, if n is 1, about `pixels` pixels of it.
+    /// Samples that each pixel gets in the pass.
+    std::uint32_t passSamples() const { return n_; }
+    /// Returns the next piece of the incomplete pass: about `pixels` pixels of a tile, in whole rows of cells.
     Order next(double pixels) const;
     /// Records that `order` was carried out. Returns the samples that every pixel of the part got if that ends the
     /// pass; 0 if it does not.

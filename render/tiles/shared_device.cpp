@@ -81,7 +81,7 @@ OrderSize SharedAccumulator::orderSize() const {
     const std::size_t workers = work_.countWorkers();
     if (workers == 0)
         return {};
-    return {1, std::uint32_t(kSamplesPerBlock * (workers + 1)), kWholeSamples};
+    return {1, std::uint32_t(kSamplesPerBlock * (workers + 1)), kWholeSamples, work_.isTaken(scene_)};
 }
 
 std::vector<TileGoal> SharedAccumulator::goalsOf(const Tile& region, std::uint32_t n) const {

@@ -73,6 +73,11 @@ bool SharedWork::hasWorkers() const {
     return state_->registry.hasTrusted();
 }
 
+bool SharedWork::isTaken(std::uint64_t scene) const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->scenes.current().number == scene && state_->registry.countTaking(scene) > 0;
+}
+
 bool SharedWork::begin(Film& film, std::uint64_t scene, const std::vector<TileGoal>& goals, const std::stop_token& stop,
                        const Merged& merged) {
     {

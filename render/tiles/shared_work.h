@@ -33,6 +33,8 @@ class SharedWork {
     std::size_t countWorkers() const;
     /// Whether there is a worker that is not quarantined.
     bool hasWorkers() const;
+    /// Whether there is a worker that takes leases of that scene now.
+    bool isTaken(std::uint64_t scene) const;
 
     /// Begins a request for `film` with that scene; waits until an earlier request has ended. False: the workers are
     /// needed for another scene, or `stop` was requested; the own device then renders alone. `merged` is called under

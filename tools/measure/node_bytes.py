@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
-"""Bytes that one render node sends and gets for a pixel: pdrender-cli renders through a relay that counts.
+"""Bytes that one render node sends and gets for a pixel: a program renders through a relay that counts.
 
-node_bytes.py FOLDER|SCENE [--build build/release] [--size 256] [--samples 256]
-Prints bytes a pixel of each way, without the scan, by kind of message, and what a frame of 1920 x 1080 would come to."""
+node_bytes.py FOLDER|SCENE [--build build/release] [--size 256] [--samples 256] [--window]
+              [--option=--levels=4]...
+The image is one for a file, by pdrender-cli with these options; with --window, one on the screen, frame by frame
+(tools/measure/shared_window). The node has one thread and takes all samples; the program's own checks them.
+Prints what the program says, bytes a pixel of each way, without the scan, by kind of message, and what a frame of 1920 x 1080 would come to."""
 import argparse
 import collections
 import pathlib
@@ -69,20 +72,28 @@ def serve(listener, port, ways):
         one.join()
 
 
+def command(options, address, folder):
+    if options.window:
+        return [options.build / "tools/shared_window", options.scene, address, "--size", str(options.size), "--samples",
+                str(options.samples)]
+    return [options.build / "bin/pdrender-cli", "render", options.scene, "-o", f"{folder}/image.exr", "--threads", "1",
+            "--device", "cpu", "--size", f"{options.size}x{options.size}", "--samples", str(options.samples),
+            "--nodes-only", "--await", "1", "--node", address, *options.option]
+
+
 def counted(options):
     """The messages to the node and from it, of one image."""
-    programs, ways = options.build / "bin", [Frames(), Frames()]
-    node = subprocess.Popen([programs / "pdrender-node", "--listen", "127.0.0.1:0", "--threads", "1"],
+    ways = [Frames(), Frames()]
+    node = subprocess.Popen([options.build / "bin/pdrender-node", "--listen", "127.0.0.1:0", "--threads", "1"],
                             stderr=subprocess.PIPE, text=True)
     try:
         port = int(re.search(r":(\d+)\s*$", node.stderr.readline())[1])
         listener = socket.create_server(("127.0.0.1", 0))
         threading.Thread(target=serve, args=(listener, port, ways), daemon=True).start()
+        address = f"127.0.0.1:{listener.getsockname()[1]}"
         with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([programs / "pdrender-cli", "render", options.scene, "-o", f"{folder}/image.exr", "--threads",
-                            "1", "--device", "cpu", "--size", f"{options.size}x{options.size}", "--samples",
-                            str(options.samples), "--nodes-only", "--await", "1", "--node",
-                            f"127.0.0.1:{listener.getsockname()[1]}", *options.option], check=True, capture_output=True)
+            said = subprocess.run(command(options, address, folder), check=True, capture_output=True, text=True)
+        print(said.stdout.strip())
     finally:
         node.terminate()
         node.wait()
@@ -96,6 +107,7 @@ def main():
     parser.add_argument("--size", type=int, default=256)
     parser.add_argument("--samples", type=int, default=256)
     parser.add_argument("--option", action="append", default=[], help="of pdrender-cli render, as --option=--seconds=5")
+    parser.add_argument("--window", action="store_true")
     options = parser.parse_args()
     ways = counted(options)
     pixels = options.size ** 2

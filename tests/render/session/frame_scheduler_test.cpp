@@ -164,6 +164,45 @@ class FrameSchedulerTest : public QObject {
         QVERIFY(!planned.scheduler.isTimed() && !planned.scheduler.timer().settled());
     }
 
+    void imagesOfASharedFilmComeAfterMarksAndThenBlocks() {
+        Planned planned(kSmall);
+        FrameScheduler::Demand shared{{.automatic = true}, {}, true};
+        shared.isShared = true;
+        std::vector<std::uint64_t> shown;
+        while (planned.scheduler.samples().least < 4 * kSamplesPerBlock) {
+            planned.frame(planned.whole, shared, 1e-6);
+            shown.push_back(planned.scheduler.samples().least);
+        }
+        QCOMPARE(shown, (std::vector<std::uint64_t>{1, 4, 16, 64, 128, 192, 256}));
+    }
+
+    void imagesOfASlowSharedFilmComeAfterASecondOrHalfOfTheirSamples() {
+        Planned planned(kSmall);
+        FrameScheduler::Demand shared{{.automatic = true}, {}, true};
+        shared.isShared = true;
+        std::vector<std::uint64_t> shown;
+        while (planned.scheduler.samples().least < 2 * kSamplesPerBlock) {
+            planned.scheduler.beginFrame(planned.whole, false, false);
+            while (!planned.scheduler.isComplete(shared)) {  // two samples of each pixel a second
+                const Sweep::Order order = planned.scheduler.next(shared, true);
+                planned.scheduler.took(order, 0.5 * order.n * order.tile.height / kSmall.y);
+            }
+            planned.scheduler.addImage({planned.scheduler.endFrame()});
+            shown.push_back(planned.scheduler.samples().least);
+        }
+        QCOMPARE(shown, (std::vector<std::uint64_t>{1, 3, 4, 6, 9, 13, 16, 24, 36, 54, 64, 96, 128}));
+    }
+
+    void aSharedFilmIsSampledInPieces() {
+        Planned planned(kSmall);
+        FrameScheduler::Demand shared{{.automatic = true}, {}, true};
+        shared.isShared = true;
+        planned.frame(planned.whole, shared, 0.2);
+        planned.begin();
+        const Sweep::Order order = planned.take(shared, 0.1);
+        QVERIFY(order.n == 3 && order.tile.height == kFilmCell);
+    }
+
     void aRegionIsNotTimed() {
         Planned planned(kSmall);
         planned.scheduler.beginFrame(kRegion, true, true);

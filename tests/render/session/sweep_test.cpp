@@ -43,25 +43,32 @@ class SweepTest : public QObject {
         QCOMPARE(sweep.samples(), (SampleCounts{7, 7, 7}));
     }
 
-    void aPassOfOneSampleComesInBandsOfWholeCells() {
+    void aPassComesInBandsOfWholeCells_data() {
+        QTest::addColumn<std::uint32_t>("samples");
+        QTest::newRow("one sample") << 1U;
+        QTest::newRow("several samples") << 5U;
+    }
+    void aPassComesInBandsOfWholeCells() {
+        QFETCH(const std::uint32_t, samples);
         Sweep sweep{TileProgress(kWhole)};
-        sweep.begin(1);
+        sweep.begin(samples);
+        QCOMPARE(sweep.passSamples(), samples);
         std::vector<Tile> bands;
         while (sweep.isHalfMade()) {
             const Sweep::Order order = sweep.next(3500);
             bands.push_back(order.tile);
             const std::uint32_t ended = sweep.took(order);
-            QCOMPARE(ended, sweep.isHalfMade() ? 0U : 1U);
+            QCOMPARE(ended, sweep.isHalfMade() ? 0U : samples);
         }
         const std::vector<Tile> expected{{0, 0, 100, 32}, {0, 32, 100, 32}, {0, 64, 100, 6}};
         QVERIFY(bands == expected);
-        QCOMPARE(sweep.samples(), (SampleCounts{1, 1, 1}));
+        QCOMPARE(sweep.samples(), (SampleCounts{samples, samples, double(samples)}));
     }
 
-    void aPieceIsARowOfCellsAtLeastAndATileOfSeveralSamplesIsNotCut() {
+    void aPieceIsARowOfCellsAtLeast() {
         Sweep sweep{TileProgress(kWhole)};
         QCOMPARE(pass(sweep, kWhole, 1, 0), 5);
-        QCOMPARE(pass(sweep, kWhole, 2, 0), 1);
+        QCOMPARE(pass(sweep, kWhole, 2, 0), 5);
         QCOMPARE(pass(sweep, kWhole, 1, double(kWhole.width) * kWhole.height), 1);
     }
 

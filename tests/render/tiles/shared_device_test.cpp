@@ -4,13 +4,18 @@
 #include <QTest>
 
 #include <atomic>
+#include <mutex>
 #include <random>
 #include <thread>
 
+#include "render/edit/first_samples.h"
+#include "render/session/batch_render.h"
+#include "render/session/session.h"
 #include "render/tiles/result_check.h"
 #include "render/tiles/shared_device.h"
 #include "render/tiles/worker_pool.h"
 #include "tests/support/network/nearby_worker.h"
+#include "tests/support/patience.h"
 
 using namespace pdr;
 using namespace pdr::test;
@@ -392,6 +397,67 @@ class SharedDeviceTest : public QObject {
         for (const std::uint32_t n : kOrders)
             QVERIFY(film->accumulate(n, {}));
         QVERIFY(sameBits((*film->film())->content(), aloneInOrders()));
+    }
+
+    void aFilmIsSharedWhileAWorkerTakesLeasesOfItsScene() {
+        const auto pool = newPool();
+        const auto device = shareDevice(makeCpuDevice(1), pool);
+        const auto film = *startFilm(*device, sceneToShare());
+        const WorkerId worker = pool->join("key", "name");
+        QVERIFY(!film->orderSize().isShared);  // it has no scene yet
+        pool->hasScene(worker, pool->scene().number);
+        QVERIFY(film->orderSize().isShared);
+        pool->setPaused(worker, true);
+        QVERIFY(!film->orderSize().isShared);
+        pool->setPaused(worker, false);
+        const std::uint64_t another = pool->publish(Purpose::finalRender, std::make_shared<const Scene>(cutScene()));
+        pool->hasScene(worker, another);
+        QVERIFY(!film->orderSize().isShared);
+    }
+
+    /// However slow they are: sums of a part of a block travel only where an image has half of its samples anew.
+    void imagesOfAWindowWithNodesComeWithBlocks() {
+        const auto pool = newPool();
+        pool->setOwnHelps(false);
+        NearbyWorker worker(pool, "one");
+        std::mutex mutex;
+        std::vector<std::uint64_t> shown;  // samples of the images, once the worker takes part
+        const auto sink = [&](const std::shared_ptr<const Frame>& frame) {
+            const std::lock_guard lock(mutex);
+            const std::uint64_t samples = frame->status.samplesPerPixel;
+            if (!frame->coarse && worker.status().results > 0 && (shown.empty() || samples > shown.back()))
+                shown.push_back(samples);
+        };
+        const auto count = [&] {
+            const std::lock_guard lock(mutex);
+            return shown.size();
+        };
+        Session session(shareDevice(makeCpuDevice(1), pool), sink);
+        session.setPace({.automatic = true});
+        session.submit(sceneToShare(), false);
+        session.goOn();
+        QTRY_VERIFY_WITH_TIMEOUT(count() >= 6, kPatience);
+        const std::lock_guard lock(mutex);
+        for (std::size_t i = 0; i + 1 < shown.size(); ++i) {
+            const std::uint64_t had = shown[i], blockEnd = had - had % kSamplesPerBlock + kSamplesPerBlock;
+            const std::uint64_t end = had < kSamplesPerBlock ? had + FirstSamples::leftToMark(had) : blockEnd;
+            QVERIFY(shown[i + 1] >= std::min(had + had / 2, end));
+        }
+    }
+
+    /// The error is looked at after the same samples, however they are ordered.
+    void anErrorEndsAnImageWhereItEndsWithoutNodes() {
+        const auto pool = newPool();
+        pool->setOwnHelps(false);
+        NearbyWorker worker(pool, "one");
+        const auto device = shareDevice(makeCpuDevice(1), pool), own = makeCpuDevice(1);
+        const auto film = *startFilm(*device, sceneToShare()), mine = *startFilm(*own, sceneToShare());
+        for (Accumulator* one : {film.get(), mine.get()}) {
+            const auto ended = BatchRender(*one, {.relativeError = 0.02}, {}).run({}, [](const BatchState&) {});
+            QVERIFY(ended && ended->reason == StopReason::error && ended->film.relativeError <= 0.02);
+            QVERIFY(ended->film.samplesPerPixel > 2 * kSamplesPerBlock);
+        }
+        QVERIFY(sameBits((*film->film())->content(), (*mine->film())->content()));
     }
 
     void partOfAnImageIsShared() {
