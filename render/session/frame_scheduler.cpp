@@ -13,8 +13,8 @@ namespace {
 /// Longest duration of a launch, so that a change of brightness or device, a pause or a snapshot need not wait for a
 /// long frame; and of a piece of a launch, if it can be split. On a busy machine both take several times as long.
 constexpr double kLaunchSeconds = 0.06, kPieceSeconds = 0.015;
-/// An image of a shared film comes after so many seconds or this part of its samples so far, whichever is more.
-constexpr double kSharedSeconds = 1, kSharedGrowth = 0.5;
+/// Longest time for the samples of an image of a shared film. A pause or a snapshot waits for it.
+constexpr double kSharedSeconds = 2;
 constexpr double kMeasureSeconds = 2;  ///< between two frames whose display is timed alone
 
 double pixelsOf(const Tile& tile) {
@@ -94,7 +94,7 @@ std::uint32_t FrameScheduler::worthSending(std::uint32_t usual) const {
     const bool isFirst = before < kSamplesPerBlock;
     const std::uint64_t left =
         isFirst ? FirstSamples::leftToMark(before) : kSamplesPerBlock - before % kSamplesPerBlock;
-    const double inTime = std::max(ladder_.speed() / partPixels() * kSharedSeconds, kSharedGrowth * double(before));
+    const double inTime = ladder_.speed() / partPixels() * kSharedSeconds;
     const std::uint64_t most = std::max<std::uint64_t>(usual, std::uint64_t(std::clamp(inTime, 1.0, double(left))));
     if (isFirst || most < left)
         return std::uint32_t(std::min(most, left));

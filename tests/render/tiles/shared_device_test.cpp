@@ -415,7 +415,7 @@ class SharedDeviceTest : public QObject {
         QVERIFY(!film->orderSize().isShared);
     }
 
-    /// However slow they are: sums of a part of a block travel only where an image has half of its samples anew.
+    /// On a clock on which everything is fast, however busy the machine is.
     void imagesOfAWindowWithNodesComeWithBlocks() {
         const auto pool = newPool();
         pool->setOwnHelps(false);
@@ -432,7 +432,8 @@ class SharedDeviceTest : public QObject {
             const std::lock_guard lock(mutex);
             return shown.size();
         };
-        Session session(shareDevice(makeCpuDevice(1), pool), sink);
+        const auto clock = [seconds = std::make_shared<double>(0)] { return *seconds += 0.02; };
+        Session session(shareDevice(makeCpuDevice(1), pool), sink, {}, clock);
         session.setPace({.automatic = true});
         session.submit(sceneToShare(), false);
         session.goOn();
@@ -441,7 +442,7 @@ class SharedDeviceTest : public QObject {
         for (std::size_t i = 0; i + 1 < shown.size(); ++i) {
             const std::uint64_t had = shown[i], blockEnd = had - had % kSamplesPerBlock + kSamplesPerBlock;
             const std::uint64_t end = had < kSamplesPerBlock ? had + FirstSamples::leftToMark(had) : blockEnd;
-            QVERIFY(shown[i + 1] >= std::min(had + had / 2, end));
+            QVERIFY(shown[i + 1] >= end);
         }
     }
 
