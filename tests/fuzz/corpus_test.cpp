@@ -4,7 +4,7 @@
 #include <QFile>
 #include <QTest>
 
-#include "tests/fuzz/heard.h"
+#include "tests/fuzz/packed.h"
 #include "tests/support/places.h"
 
 using namespace pdr;
@@ -40,6 +40,29 @@ class CorpusTest : public QObject {
                         std::ranges::transform(seed, bytes.begin(), [](int one) { return std::byte(one); });
                         test::unpackAnySums(bytes);
                     }
+    }
+
+    /// A sound frame reaches its reader through zstd; one that is wrong behind zstd is refused there.
+    void framesAreReadBehindZstd() {
+        const unsigned wrongs[]{0,           test::kOtherOwn, test::kOtherPixels, test::kShort,
+                                test::kLong, test::kTail,     test::kSliceTooMany};
+        for (int kind = 1; kind < 5; ++kind)
+            for (const unsigned wrong : wrongs)
+                for (const int side : {0, 7, 8})
+                    QCOMPARE(isHeard({kind, int(wrong), side, side, 0, 200, 0xaa, 0x3f}), wrong == 0);
+    }
+
+  private:
+    static bool isHeard(std::initializer_list<int> seed) {
+        wire::Bytes bytes;
+        for (const int one : seed)
+            bytes.push_back(std::byte(one));
+        const test::MadeFrame frame = test::packedFrameOf(bytes);
+        wire::FrameReader frames(frame.reader);
+        frames.setAdmitted(true);
+        std::span<const std::byte> rest(frame.bytes);
+        const auto message = frames.next(rest);
+        return message && *message;
     }
 };
 
