@@ -7,8 +7,9 @@ orders and results with what the model has for them: two for each block. Cores m
 
 The clock is the nodes' own processor time while the image is made, the mean of the nodes, so that what the coordinator and
 others take of the cores does not count; nor does what a node waits for: the time on the wall is printed beside it. What a piece
-of work costs a node beside its samples (leaseSeconds) follows from one node and images of two sizes, whose samples come in
-pieces of other sizes. Messages are orders and results; bytes are those from the nodes, TLS and all."""
+of work costs a node beside its samples (leaseSeconds) follows from the runs of 1, 2 and 4 nodes, which take the same samples in more
+and more pieces; those of 8 and 16 nodes are then foretold. Runs alternate, and the middle of each kind counts. Messages are orders
+and results; bytes are those from the nodes, TLS and all."""
 
 import argparse
 import json
@@ -21,13 +22,13 @@ import tempfile
 import time
 from pathlib import Path
 
-TICKS = os.sysconf("SC_CLK_TCK")
 BLOCK = 64  # samples
+CHECKED = 0.02  # part of the samples that another node takes again
+FEW = 4  # nodes whose runs say what a piece of work costs; those of more are foretold
 
 
 def processor_seconds(pid):
-    fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
-    return (int(fields[11]) + int(fields[12])) / TICKS
+    return time.clock_gettime(~pid << 3 | 2)  # as clock_getcpuclockid() has it
 
 
 def received(port):
@@ -78,7 +79,7 @@ def image(arguments, folder, nodes, size, samples):
             count = max(count, received(address.rpartition(":")[2]))
             worked = [processor_seconds(node.pid) - then for node, then in zip(processes, before)]
             took = time.monotonic() - began
-            time.sleep(0.02)
+            time.sleep(0.05)
     finally:
         for node in processes:
             node.send_signal(signal.SIGTERM)
@@ -97,13 +98,12 @@ def compare_counts(arguments, folder):
 
 
 def lease_seconds(runs):
-    """Seconds of one node = samples * a + leases * b, from two images."""
-    (s1, l1, t1), (s2, l2, t2) = runs
-    return max(0.0, (t2 * s1 - t1 * s2) / (l2 * s1 - l1 * s2))
-
-
-def facts(run, pixels):
-    return run["iterations"] * pixels, run["messages"] / 2, run["nodeSeconds"][0]
+    """Processor seconds of a piece of work beside its samples. All runs have the same samples, those that are checked apart: what
+    few nodes take longer than one is the time of the pieces that they have more; by least squares."""
+    one = runs[1]
+    few = [(run["messages"] - one["messages"], sum(run["nodeSeconds"]) - (1 + CHECKED) * sum(one["nodeSeconds"]))
+           for nodes, run in runs.items() if 1 < nodes <= FEW]
+    return max(0.0, 2 * sum(more * longer for more, longer in few) / sum(more * more for more, _ in few))
 
 
 def middle(runs):
@@ -124,7 +124,9 @@ def main():
     if arguments.counts == (arguments.out is not None):
         parser.error("give the file to write, or --counts")
     width, height = (int(side) for side in arguments.size.split("x"))
-    small = (width // 4, height // 4)
+    counts = [int(nodes) for nodes in arguments.nodes.split(",")]
+    if not arguments.counts and (1 not in counts or not any(1 < nodes <= FEW for nodes in counts)):
+        parser.error(f"--nodes needs 1 and one of 2 to {FEW}: what a piece of work costs follows from them")
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         subprocess.run([arguments.programs / "pdrender-node", "--make-certificates", folder / "certificates"], check=True,
@@ -132,18 +134,20 @@ def main():
         subprocess.run([arguments.programs / "pdrender-cli", "example", folder / "ct"], check=True, capture_output=True)
         if arguments.counts:
             return compare_counts(arguments, folder)
-        kinds = [(1, f"{small[0]}x{small[1]}", 4 * arguments.samples)]
-        kinds += [(int(nodes), arguments.size, arguments.samples) for nodes in arguments.nodes.split(",")]
-        rounds = [[image(arguments, folder, *kind) for kind in kinds] for _ in range(arguments.rounds)]
-    for run in (run for kind in zip(*rounds) for run in kind):
-        print(json.dumps(run))
-    few, *runs = (middle(kind) for kind in zip(*rounds))
-    lease = lease_seconds([facts(few, small[0] * small[1]), facts(runs[0], width * height)])
+        rounds = []
+        for _ in range(arguments.rounds):
+            rounds.append({nodes: image(arguments, folder, nodes, arguments.size, arguments.samples) for nodes in counts})
+            print(f"a round: {1000 * lease_seconds(rounds[-1]):.2f} ms a piece", flush=True)
+    for nodes in counts:
+        for run in rounds:
+            print(json.dumps(run[nodes]))
+    runs = {nodes: middle([run[nodes] for run in rounds]) for nodes in counts}
+    lease = lease_seconds(runs)
     print(f"leaseSeconds {lease:.6f}")
     arguments.out.write_text(json.dumps({
         "format": "pdrender-scale-runs", "formatVersion": 1, "width": width, "height": height, "clock": "processor",
         "leaseSeconds": lease, "machine": f"nodes of one core, {arguments.split}, medians of {arguments.rounds}",
-        "runs": runs}, indent=1) + "\n")
+        "runs": list(runs.values())}, indent=1) + "\n")
 
 
 main()

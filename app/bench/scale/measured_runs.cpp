@@ -83,8 +83,10 @@ Result<MeasuredRuns> readMeasuredRuns(const std::filesystem::path& path) {
 std::vector<ComparedRun> compared(const MeasuredRuns& runs, ScalingFacts facts) {
     facts.work.pixels = runs.pixels;
     facts.node.launch = runs.leaseSeconds.value_or(facts.node.launch);
-    if (runs.byProcessor)
+    if (runs.byProcessor) {
         facts.link = {0, std::numeric_limits<double>::infinity(), 0};
+        facts.tiles = {};  // what nodes wait for the last one is none of their processors' time
+    }
     // Predict a run
     const auto rate = [&](const MeasuredRun& run) {
         ScalingFacts its = facts;
