@@ -35,7 +35,7 @@ class LaneGroup {
     void keepAll() { keep(kAllLanes); }
 
   private:
-    static constexpr int kIdleLanes = kLanes / 4;  ///< number of idle lanes at which new rays are taken
+    static constexpr int kIdleLanes = kLanes > 4 ? 2 : 1;  ///< number of idle lanes at which new rays are taken
     static constexpr std::uint32_t kAllLanes = (1u << kLanes) - 1;
 
     void keep(std::uint32_t lanes) {
