@@ -223,7 +223,7 @@ struct FlatScene {
     FlatClip clip;
     float thinBound;     ///< bound up to which a fine cell is looked at [1/mm]; for a coarse one it is a quarter
     bool looksAtThin;    ///< first flights look at thin tissue (walk/thin_walk.h): the curve shows much of it
-    bool lightLooks;     ///< light then flies by looks alone (transport/light_flight.h): no tissue is dense
+    bool lightLooks;     ///< light flies by looks alone (transport/light_flight.h): thin or soft tissue, none dense
     bool fastFiltering;  ///< devices with texture units may read the volume through them
     bool unshadowed;     ///< light reaches every event without attenuation; see Scene
     bool marched;        ///< baseline/kroes_path.h replaces transport/integrator.h: BIASED

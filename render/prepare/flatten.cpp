@@ -141,13 +141,15 @@ std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
     // Set the numbers and flags that select effects in the kernel.
     flat.fastFiltering = scene.filtering == Filtering::fast && !isProjection(scene.model);
     const auto showsThin = [&](const FlatTransferFunction& curve) { return showsThinTissue(curve, flat.volume); };
+    const auto showsSoft = [&](const FlatTransferFunction& curve) { return showsSoftTissue(curve, flat.volume); };
     const auto showsDense = [&](const FlatTransferFunction& curve) { return showsDenseTissue(curve, flat.volume); };
     flat.thinBound = thinBound(flat.volume);
     flat.looksAtThin = std::ranges::any_of(curvesOf(*prepared), showsThin);
     // Of one direction the points know all but the looks: there these would bring most of the noise.
     const bool parallel = std::ranges::any_of(
         scene.lights, [](const Light& light) { return std::holds_alternative<DirectionalLight>(light); });
-    flat.lightLooks = flat.looksAtThin && !parallel && std::ranges::none_of(curvesOf(*prepared), showsDense);
+    flat.lightLooks = (flat.looksAtThin || std::ranges::any_of(curvesOf(*prepared), showsSoft)) && !parallel &&
+                      std::ranges::none_of(curvesOf(*prepared), showsDense);
     flat.marched = scene.estimator == Estimator::kroesMarch;
     flat.phaseG = scene.phaseG;
     flat.raysStartOutside = scene.rayOrigin == RayOrigin::outsideEdge;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/base/cells.h"
+#include "render/kernel/bounds/cell_bound.h"
 #include "render/kernel/walk/thin_walk.h"
 
 namespace pdr {
@@ -39,6 +40,13 @@ bool showsThinTissue(const FlatTransferFunction& function, const FlatVolume& vol
     for (int i = 1; i + 1 < function.pieceCount; ++i)
         hu += thinHu(function.pieces[i], thin);
     return hu >= kEnough;
+}
+
+bool showsSoftTissue(const FlatTransferFunction& function, const FlatVolume& volume) {
+    constexpr HuRange kFatToMuscle{-150, 100};
+    constexpr float kMost = 8;  // times thinBound(): of a voxel's diagonal, an optical depth of 1
+    const float most = function.extinctionPerMm * highestOpacity(function, kFatToMuscle);
+    return most > 0 && most <= kMost * thinBound(volume);
 }
 
 bool showsDenseTissue(const FlatTransferFunction& function, const FlatVolume& volume) {

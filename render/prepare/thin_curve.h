@@ -13,6 +13,10 @@ float thinBound(const FlatVolume& volume);
 /// outermost nodes.
 bool showsThinTissue(const FlatTransferFunction& function, const FlatVolume& volume);
 
+/// Returns whether the curve shows the soft tissue of a body, of -150 to 100 HU, and shows it so thinly that light
+/// passes it in fewer looks than an exact flight takes steps, one for each voxel.
+bool showsSoftTissue(const FlatTransferFunction& function, const FlatVolume& volume);
+
 /// Returns whether the curve's opaque tissue is so dense that exact flights through it take fewer steps than light that
 /// flies by looks alone, which takes as many as the tissue is deep.
 bool showsDenseTissue(const FlatTransferFunction& function, const FlatVolume& volume);

@@ -83,7 +83,8 @@ class PixelBatch {
 
     /// As firstFlight() does.
     void fly(const FlatScene& scene, FlightEnd end) {
-        scene.looksAtThin ? flights_.flyByLooks(scene, end) : flights_.fly(scene, end);
+        const bool looks = scene.looksAtThin || (end == FlightEnd::whether && scene.lightLooks);
+        looks ? flights_.flyByLooks(scene, end) : flights_.fly(scene, end);
     }
 
     /// Ends all segments as endSegment() does, with as many events at a time as there are lanes.

@@ -45,10 +45,11 @@ std::vector<const void*> samplingKernels(const FlatScene& scene) {
     if (scene.marched)
         return queuedKernelsOf<TraceKernel<MarchSampler>>();
     using enum ThinTissue;
-    std::vector<const void*> kernels =
-        scene.lightLooks    ? queuedKernelsOf<CameraKernel<Kind, looked>, ShadowKernel<Kind, allLooked>>()
-        : scene.looksAtThin ? queuedKernelsOf<CameraKernel<Kind, looked>, ShadowKernel<Kind, looked>>()
-                            : queuedKernelsOf<CameraKernel<Kind, solved>, ShadowKernel<Kind, solved>>();
+    std::vector<const void*> kernels = scene.looksAtThin ? queuedKernelsOf<CameraKernel<Kind, looked>>()
+                                                         : queuedKernelsOf<CameraKernel<Kind, solved>>();
+    append(kernels, scene.lightLooks    ? queuedKernelsOf<ShadowKernel<Kind, allLooked>>()
+                    : scene.looksAtThin ? queuedKernelsOf<ShadowKernel<Kind, looked>>()
+                                        : queuedKernelsOf<ShadowKernel<Kind, solved>>());
     append(kernels, kernelsOf<AddLightKernel>());
     append(kernels, pathProgram(scene.features).kernels);
     return kernels;

@@ -71,8 +71,10 @@ void launchPathsOf(G& gpu, const FlatScene& scene, const TraceTarget& target, Pa
 template <Gpu G, std::uint32_t F, Tissue Kind>
 void launchPaths(G& gpu, const FlatScene& scene, const TraceTarget& target, PathListMemory<G>& memory) {
     using enum ThinTissue;
-    if (scene.lightLooks)
+    if (scene.looksAtThin && scene.lightLooks)
         launchPathsOf<G, F, Kind, looked, allLooked>(gpu, scene, target, memory);
+    else if (scene.lightLooks)
+        launchPathsOf<G, F, Kind, solved, allLooked>(gpu, scene, target, memory);
     else if (scene.looksAtThin)
         launchPathsOf<G, F, Kind, looked, looked>(gpu, scene, target, memory);
     else

@@ -23,6 +23,12 @@ RandomStream randomOf(unsigned seed, std::uint64_t i) {
     return Random(seed, 7, i).stream(0, BounceDimension::distance);
 }
 
+/// Opacities of muscle, which is not thin, and of denser tissue.
+const std::vector<TransferNode> kMuscles = {{.hu = -10, .opacity = 0},
+                                            {.hu = 20, .opacity = 0.012f},
+                                            {.hu = 60, .opacity = 0.055f},
+                                            {.hu = 250, .opacity = 0.12f}};
+
 /// A volume that is HU 0 except where `value` says otherwise; HU 0 is transparent and HU 1000 opaque.
 template <class Value>
 Scene tissue(ivec3 size, float extinctionPerMm, Value&& value) {
@@ -290,6 +296,23 @@ class LookFlightTest : public QObject {
         QVERIFY(prepared->flat.looksAtThin && !prepared->flat.lightLooks);
     }
 
+    /// Light flies by looks also through soft tissue that is not thin, where the camera's flights are exact; not where
+    /// fat or muscle is dense, nor where the curve shows none.
+    void lightLooksAtSoftTissue() {
+        const auto flat = [](std::vector<TransferNode> nodes) {
+            Scene scene = ramp(4);
+            scene.lights = {SphereLight{}};
+            scene.transferFunction.nodes = std::move(nodes);
+            return Flattener().prepare(scene)->flat;
+        };
+        const FlatScene muscles = flat(kMuscles);
+        QVERIFY(muscles.lightLooks && !muscles.looksAtThin);
+        QVERIFY(
+            !flat({{.hu = -500, .opacity = 0}, {.hu = -300, .opacity = 0.15f}, {.hu = -20, .opacity = 1}}).lightLooks);
+        QVERIFY(
+            !flat({{.hu = 110, .opacity = 0}, {.hu = 150, .opacity = 0.055f}, {.hu = 300, .opacity = 1}}).lightLooks);
+    }
+
     /// The looks of a path's first flight and of its flights to the lights share no number: else what a path meets and
     /// what light reaches it would depend on each other.
     void looksOfAPathShareNoNumbers() {
@@ -314,14 +337,18 @@ class LookFlightTest : public QObject {
         QTest::newRow("masked") << masked();
         QTest::newRow("whole") << test::anyScene(5);
         QTest::newRow("sheared") << sheared();
+        Scene soft = sheared();
+        soft.transferFunction.nodes = kMuscles;
+        QTest::newRow("soft") << soft;
     }
     void devicesLookAlike() {
         QFETCH(Scene, scene);
-        scene = thinned(scene);
+        const bool isSoft = QTest::currentDataTag() == QByteArray("soft");
+        scene = isSoft ? scene : thinned(scene);
         scene.transferFunction.extinctionPerMm *= 3;
         scene.lights = {SphereLight{{20, -60, 40}, 10, vec3(30)}};
         const auto prepared = Flattener().prepare(scene);
-        QVERIFY(prepared->flat.looksAtThin && prepared->flat.lightLooks);
+        QVERIFY(prepared->flat.looksAtThin != isSoft && prepared->flat.lightLooks);
         const Film one = test::sampled(prepared, 8, 8, 4096, 1);
         QVERIFY(test::sameBits(one, test::sampled(prepared, 8, 8, 7, 2)));
         const std::unique_ptr<Device> emulated = makeEmulatedGpu(), lockstep = makeLockstepGpu();
