@@ -126,7 +126,8 @@ void FirstSamples::keep(const Film& film) {
 void FirstSamples::keepUnshadowed(const denoise::Guide& guide) {
     denoise::Colours light;
     for (std::size_t c = 0; c < 3; ++c)
-        light[c] = denoise::reduced(guide.radiance[c], guide.depth.size() / guide.finer);
+        light[c] = guide.finer > 1 ? denoise::reduced(guide.radiance[c], guide.depth.size() / guide.finer)
+                                   : denoise::boxed(guide.radiance[c], 1);  // its edges are jagged
     unshadowed_ = std::make_shared<const denoise::Colours>(std::move(light));
 }
 

@@ -51,7 +51,7 @@ class FirstSamples {
     void keep(const Film& film);
     /// Keeps the light of a guide of the film's scene.
     void keepUnshadowed(const denoise::Guide& guide);
-    /// Returns that light in the film's size, in the guide's unit; null if it was not kept.
+    /// Returns that light in the film's size, with smooth edges, in the guide's unit; null if it was not kept.
     std::shared_ptr<const denoise::Colours> unshadowed() const { return unshadowed_; }
     /// Returns the image after `mark` samples; null if it was not kept.
     std::shared_ptr<const HalfImages> at(std::uint64_t mark) const;

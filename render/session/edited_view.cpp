@@ -109,6 +109,14 @@ denoise::Colours EditedView::coarseRadiance(ivec2 size, std::uint64_t samples) c
     return coarse.radiance(first_, coarse.lastMark(first_, samples));
 }
 
+void EditedView::findGuide(FilmOnDevice& place, const std::stop_token& stop) {
+    if (first_.unshadowed())
+        return;
+    const bool isFull = !edited_ || place.size() == edited_->old().all[0].size();
+    if (const auto guide = place.guide(isFull ? 1 : kCoarseFiner, stop))
+        first_.keepUnshadowed(*guide);
+}
+
 void EditedView::keepFirst(FilmOnDevice& place, const SampleCounts& samples) {
     if (samples.least == samples.most && FirstSamples::isMark(samples.least))
         (void)place.film()->look([&](const Film& film) { first_.keep(film); });  // a lost device fails at its next call

@@ -20,6 +20,10 @@ namespace pdr {
 
 class EditedView {
   public:
+    /// Ratio of a guide's pixels to those of a coarse film, along each side. The full film's guide is no finer than it:
+    /// that costs more time than the samples that are as good.
+    static constexpr int kCoarseFiner = 2;
+
     /// Returns whether images of the scene are kept: those of many pixels take too much memory, and projections and
     /// images of Exposure Render's schedule are not denoised.
     static bool canKeep(const Scene& scene);
@@ -69,8 +73,8 @@ class EditedView {
     bool awaitsNext() const;
     void keepNext(ivec2 size, FirstSamples first) { next_ = {size, std::move(first)}; }
 
-    /// Keeps what a guide foretells of the current film.
-    void keepGuide(const denoise::Guide& guide) { first_.keepUnshadowed(guide); }
+    /// Asks the device for a guide of the current film's scene, of its size, unless there is one.
+    void findGuide(FilmOnDevice& place, const std::stop_token& stop);
     /// Keeps the image after the current film's first samples, if it has as many as a mark says.
     void keepFirst(FilmOnDevice& place, const SampleCounts& samples);
     /// Returns what makes the smooth halves of the current film for its judgement, where the old image does not help

@@ -2,15 +2,13 @@
 
 namespace pdr {
 
-std::shared_ptr<const denoise::Guide> FeaturedView::find(FilmOnDevice& place, std::uint64_t samples,
-                                                         const std::stop_token& stop) {
+void FeaturedView::find(FilmOnDevice& place, std::uint64_t samples, const std::stop_token& stop) {
     if (sought_ || samples >= kEnoughAlone)
-        return nullptr;
-    auto guide = place.guide(denoise::Features::kFiner, stop);
+        return;
+    const auto guide = place.guide(denoise::Features::kFiner, stop);
     sought_ = guide || !stop.stop_requested();
     if (guide)
         features_ = std::make_shared<const denoise::Features>(*guide);
-    return guide;
 }
 
 Result<DisplayedImage> FeaturedView::image(FilmOnDevice& place, const Display& display, bool adds,

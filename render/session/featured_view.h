@@ -18,9 +18,9 @@ class FeaturedView {
 
     /// Forgets what is known of the current scene and its film.
     void startOver() { *this = {}; }
-    /// Asks the device for a guide of its scene, whose features those are, once, if a film of so many samples is helped
-    /// by any; returns the guide if there is one now. The device is asked again only if it was interrupted.
-    std::shared_ptr<const denoise::Guide> find(FilmOnDevice& place, std::uint64_t samples, const std::stop_token& stop);
+    /// Asks the device for the features of its scene, once, if a film of so many samples is helped by any. It is asked
+    /// again only if it was interrupted.
+    void find(FilmOnDevice& place, std::uint64_t samples, const std::stop_token& stop);
 
     /// Returns whether images of a film of so many samples are made on features.
     bool helps(std::uint64_t samples) const { return features_ && samples < kEnoughAlone; }

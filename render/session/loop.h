@@ -46,8 +46,7 @@ class Session::Loop {
     Result<void> show(const RenderCommands::Iteration& step, bool adds);
     Result<void> renderBefore();
     Result<void> prepareEdit(const std::stop_token& stop);
-    void findGuide(const std::stop_token& stop);
-    void findCoarseGuide(const std::stop_token& stop);
+    bool findFeatures(const RenderCommands::Iteration& step, const Display& display, bool adds);
     Result<DisplayPipeline::Images> makeHelped(const Display& asked, const Display& display, bool adds,
                                                const std::stop_token& stop);
     Result<void> showCoarser(const RenderCommands::Iteration& step);
@@ -104,13 +103,10 @@ class Session::Loop {
         return display.denoised && (scheduler_.isCoarseEdit() ? edits_.helpsCoarse(place_.size(), samples)
                                                               : !coarse() && edits_.helps(samples));
     }
-    /// Returns whether a guide helps a denoised image of the film: by features of the scene, or by what it foretells of
-    /// an edit.
-    bool seeksGuide() const { return !coarse() && EditedView::canKeep(scene_); }
-    /// Returns whether a denoised image of the film, without one before an edit, is made on features.
-    bool showsFeatures(const Display& display) const {
-        const std::uint64_t samples = scheduler_.samples().least;
-        return display.denoised && seeksGuide() && !edits_.helps(samples) && features_.helps(samples);
+    /// Returns whether a denoised image of the film, without one before an edit, is made on features where there are
+    /// any.
+    bool seeksFeatures() const {
+        return !coarse() && EditedView::canKeep(scene_) && !edits_.helps(scheduler_.samples().least);
     }
     /// Returns whether there is a denoised image whose error can be judged.
     bool canJudge() { return !coarse() && !moving_ && smooths(commands.display()); }

@@ -1,4 +1,4 @@
-/// How images are made with more than their film: the image before an edit, or a guide of the scene.
+/// How images are made with more than their film: the image before an edit, or features of the scene.
 
 #include "render/session/loop.h"
 
@@ -33,7 +33,7 @@ Result<void> Session::Loop::renderBefore() {
         return {};
     if (Result<void> begun = place_.begin(before); !begun)
         return begun;
-    const auto guide = place_.guide(ResolutionLadder::finer(scheduler_.divider()), {});
+    const auto guide = place_.guide(EditedView::kCoarseFiner, {});
     Result<FirstSamples> first = firstSamplesOf(*place_.film(), guide, {});
     if (!first)
         return first.error();
@@ -54,7 +54,7 @@ Result<void> Session::Loop::prepareEdit(const std::stop_token& stop) {
         const auto film = device.film(coarse.film, coarse.revision, coarse.schedule);
         if (!film)
             return {};
-        const auto guide = device.guide(ResolutionLadder::finer(divider), stop);
+        const auto guide = device.guide(EditedView::kCoarseFiner, stop);
         Result<FirstSamples> first = firstSamplesOf(**film, guide, stop);
         if (first && !stop.stop_requested())
             edits_.keepNext(coarse.film, *std::move(first));
@@ -62,30 +62,14 @@ Result<void> Session::Loop::prepareEdit(const std::stop_token& stop) {
     });
 }
 
-/// Seeks a guide of the full film's scene where it would help images of so few samples. Its time is no image's, since
-/// it is made once.
-void Session::Loop::findGuide(const std::stop_token& stop) {
-    const double start = clock_();
-    if (const auto guide = features_.find(place_, scheduler_.samples().least, stop))
-        edits_.keepGuide(*guide);
-    quality_.addSeconds(clock_() - start);
-}
-
-/// Seeks one of the coarse film's scene after an edit.
-void Session::Loop::findCoarseGuide(const std::stop_token& stop) {
-    if (const auto guide = place_.guide(ResolutionLadder::finer(scheduler_.divider()), stop))
-        edits_.keepGuide(*guide);
-}
-
 /// Returns the images in flight, and the image made with the one before the edit or on features.
 Result<DisplayPipeline::Images> Session::Loop::makeHelped(const Display& asked, const Display& display, bool adds,
                                                           const std::stop_token& stop) {
-    if (scheduler_.isCoarseEdit()) {
-        if (adds)
-            findCoarseGuide(stop);
+    if (adds && showsEdit(display))
+        edits_.findGuide(place_, stop);
+    if (scheduler_.isCoarseEdit())
         return display_.makeLarger(place_, asked, adds,
                                    [this] { return edits_.coarseRadiance(place_.size(), scheduler_.samples().least); });
-    }
     Result<DisplayPipeline::Images> images = display_.takeAllBut(place_, 0);
     if (!images)
         return images;

@@ -21,9 +21,7 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
     const bool within = step.render && !adds;  // the current frame continues
     const bool atOnce = display_.isFresh() || coarse() || scheduler_.isTimed() || !adds;
     const std::stop_token& stop = step.redisplay || !givesWay() ? step.stop : step.detour;
-    if (adds && display.denoised && seeksGuide())
-        findGuide(step.detour);
-    const bool edited = showsEdit(display), featured = showsFeatures(display);
+    const bool edited = showsEdit(display), featured = findFeatures(step, display, adds);
     const double start = times_.sampled = clock_();
     const bool guided = display.denoised && !edited &&
                         display_.findGuide(place_, ResolutionLadder::finer(scheduler_.divider()), step.stop);
@@ -56,6 +54,19 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
                                         : Result<void>();
 }
 
+/// Seeks features of the full film where they would help an image of new samples, unless another display waits; returns
+/// whether the image is made on them. Their time is no image's, since they are made once.
+bool Session::Loop::findFeatures(const RenderCommands::Iteration& step, const Display& display, bool adds) {
+    if (!display.denoised || !seeksFeatures())
+        return false;
+    if (adds) {
+        const double start = clock_();
+        features_.find(place_, scheduler_.samples().least, step.detour);
+        quality_.addSeconds(clock_() - start);
+    }
+    return features_.helps(scheduler_.samples().least);
+}
+
 /// Judges the error of the denoised image, if one is shown at rest and this is due. A change of brightness interrupts
 /// it.
 Result<void> Session::Loop::judge(const RenderCommands::Iteration& step) {
@@ -63,8 +74,10 @@ Result<void> Session::Loop::judge(const RenderCommands::Iteration& step) {
         quality_.denoised().clear();  // it was the image made with the old one
     if (!canJudge() || !quality_.isJudgementDue(partSamples(), step.render) || step.detour.stop_requested())
         return {};
-    if (seeksGuide())
-        findGuide(step.detour);
+    if (seeksFeatures())
+        features_.find(place_, scheduler_.samples().least, step.detour);
+    if (EditedView::canKeep(scene_))
+        edits_.findGuide(place_, step.detour);
     return quality_.judge(*place_.film(), partSamples(), step.detour,
                           edits_.smoother(partSamples(), features_.smoother(scheduler_.samples().least)));
 }

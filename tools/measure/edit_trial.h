@@ -15,6 +15,7 @@
 #include "render/film/display/tone_map.h"
 #include "render/scene/look.h"
 #include "render/scene/scene.h"
+#include "render/session/edited_view.h"
 #include "render/session/session.h"
 #include "tools/measure/shown_error.h"
 
@@ -78,7 +79,7 @@ struct SampledScene {
 };
 
 /// Returns an empty film of the scene, with the light of its guide `finer` times as fine.
-inline SampledScene sampledScene(Device& device, const Scene& scene, int finer = denoise::Features::kFiner) {
+inline SampledScene sampledScene(Device& device, const Scene& scene, int finer = 1) {
     SampledScene sampled{*startFilm(device, scene), {}};
     if (const auto guide = device.guide(finer, {}))
         sampled.first.keepUnshadowed(*guide);
@@ -148,9 +149,9 @@ class EditTrial {
         const ivec2 size = before.film / divider;
         before.film = after.film = size;
         before.seed = after.seed = before.seed + 99'000'099;
-        SampledScene then = sampledScene(*device, before, finer);
+        SampledScene then = sampledScene(*device, before, EditedView::kCoarseFiner);
         (void)then.at(kSamples);
-        SampledScene now = sampledScene(*device, after, finer);
+        SampledScene now = sampledScene(*device, after, EditedView::kCoarseFiner);
         const std::shared_ptr<const Film> film = now.at(kSamples);
         const QByteArray way = QByteArray::number(size.x) + " pixels, ";
         const auto add = [&](const char* kind, const QImage& image) {
