@@ -33,24 +33,32 @@ double steepestMask(const Scene& scene) {
     return double(cutSteepness(highest, 1)) * nodesPerMm;
 }
 
+/// Returns a bound on the gradient of the share of any labels [1/mm]: a step from one voxel to the next.
+double steepestShare(const Scene& scene) {
+    const dmat3 perMm = glm::transpose(glm::inverse(dmat3(scene.volume->geometry().patientFromIndex)));
+    return glm::length(perMm[0]) + glm::length(perMm[1]) + glm::length(perMm[2]);
+}
+
 /// Returns a bound on the gradient at the edges of parts whose shape is that of their labels [HU/mm], see
 /// labelGradient().
 double steepestLabels(const Scene& scene) {
     const bool any = std::ranges::any_of(scene.parts.curves,
                                          [](const PartCurve& part) { return hasShapeOfLabels(part.transferFunction); });
-    if (!scene.parts.map || !any)
-        return 0;
-    const dmat3 perMm = glm::transpose(glm::inverse(dmat3(scene.volume->geometry().patientFromIndex)));
-    return kLabelStepHu * (glm::length(perMm[0]) + glm::length(perMm[1]) + glm::length(perMm[2]));
+    return scene.parts.map && any ? kLabelStepHu * steepestShare(scene) : 0;
+}
+
+/// Returns a bound on what parts add to the gradient where they end [HU/mm], see partGradient().
+double steepestEnds(const Scene& scene) {
+    return scene.parts.map ? kPartStepHu * steepestShare(scene) : 0;
 }
 
 /// Returns whether some random number makes an event a surface; see normalAt(). The smallest one is 2^-24.
 bool surfacesCanShow(const Subject& subject) {
     constexpr double kRounding = 1 + 1e-5;
-    const double highest = subject.tissue.highestOpacity() *
-                           double(surfaceFactorOf(highestGradientFactor(subject.scene))) *
-                           std::max({subject.tissue.steepest() + steepestMask(subject.scene),
-                                     steepestCut(subject.scene), steepestLabels(subject.scene)});
+    const double highest =
+        subject.tissue.highestOpacity() * double(surfaceFactorOf(highestGradientFactor(subject.scene))) *
+        std::max({subject.tissue.steepest() + steepestMask(subject.scene) + steepestEnds(subject.scene),
+                  steepestCut(subject.scene), steepestLabels(subject.scene)});
     return highest * kRounding > 0x1p-24;
 }
 

@@ -149,8 +149,8 @@ class SingleScattering {
         dvec3 sum(0);
         for (const WeightedMaterial& material : materials_.at(index))
             if (const double share = material.extinction(hu) / whole; share > 0)
-                sum += share * scatteredBy(eventAt(place, travel, material,
-                                                   material.shape ? material.shape->gradient(index) : gradient));
+                sum += share *
+                       scatteredBy(eventAt(place, travel, material, materials_.edge(material, index, hu, gradient)));
         return sum;
     }
 

@@ -17,12 +17,13 @@ struct WeightedMaterial {
     double gradientFactor, weight;
     const Grid* shape = nullptr;  ///< 1000 in its labels, 0 elsewhere, where its surfaces are there
 
-    double extinction(double hu) const { return weight * curve->extinctionPerMm * tissueAt(curve->nodes, hu).opacity; }
+    double wholeExtinction(double hu) const { return curve->extinctionPerMm * tissueAt(curve->nodes, hu).opacity; }
+    double extinction(double hu) const { return weight * wholeExtinction(hu); }
 };
 
 class Materials {
   public:
-    explicit Materials(const Scene& scene) : scene_(scene), nodes_(scene.transferFunction.nodes) {
+    explicit Materials(const Scene& scene) : scene_(scene), grid_(*scene.volume), nodes_(scene.transferFunction.nodes) {
         for (const PartCurve& part : scene.parts.curves) {
             nodes_.insert(nodes_.end(), part.transferFunction.nodes.begin(), part.transferFunction.nodes.end());
             shapes_.push_back(shapeOf(part));
@@ -46,6 +47,20 @@ class Materials {
             around.push_back(materialOf(voxel, share.x * share.y * share.z));
         }
         return around;
+    }
+
+    /// Returns the gradient that a material's surfaces have [HU/mm]: `ofHu`, that of the HU, and of 200 HU where other
+    /// materials are less opaque, to the same side.
+    dvec3 edge(const WeightedMaterial& material, dvec3 index, double hu, dvec3 ofHu) const {
+        if (material.shape)
+            return material.shape->gradient(index);
+        if (!scene_.parts.map)
+            return ofHu;
+        const double whole = material.wholeExtinction(hu);
+        const dvec3 end = 200.0 * grid_.gradientOf(index, [&](ivec3 voxel) {
+            return std::min(materialOf(voxel, 1).wholeExtinction(hu) / whole, 1.0);
+        });
+        return glm::dot(end, ofHu) < 0 ? end - ofHu : end + ofHu;
     }
 
   private:
@@ -78,6 +93,7 @@ class Materials {
     }
 
     const Scene& scene_;
+    Grid grid_;
     std::vector<TransferNode> nodes_;
     std::vector<std::shared_ptr<const Shape>> shapes_;  ///< shape of each part
 };

@@ -56,18 +56,24 @@ class Grid {
         return sum;
     }
 
-    /// [HU/mm], patient space: of the cubic B-spline that has the voxels as coefficients, by the chain rule. Voxels
-    /// are repeated beyond the borders.
+    /// [HU/mm], patient space.
     dvec3 gradient(dvec3 index) const {
+        return gradientOf(index, [&](ivec3 at) { return voxel(at.x, at.y, at.z); });
+    }
+
+    /// [1/mm], patient space: of the cubic B-spline that has value(voxel) as coefficients, by the chain rule. Voxels
+    /// are repeated beyond the borders.
+    template <class Value>
+    dvec3 gradientOf(dvec3 index, Value&& value) const {
         const ivec3 corner(glm::floor(index));
         dvec3 perVoxel(0);
         for (int n = 0; n < 64; ++n) {
             const ivec3 at = corner + ivec3(n % 4, n / 4 % 4, n / 16) - 1;
             const dvec3 away = index - dvec3(at), share(spline(away.x), spline(away.y), spline(away.z));
             const ivec3 nearest = glm::clamp(at, ivec3(0), size_ - 1);
-            perVoxel += voxel(nearest.x, nearest.y, nearest.z) * dvec3(splineSlope(away.x) * share.y * share.z,
-                                                                       share.x * splineSlope(away.y) * share.z,
-                                                                       share.x * share.y * splineSlope(away.z));
+            perVoxel +=
+                value(nearest) * dvec3(splineSlope(away.x) * share.y * share.z, share.x * splineSlope(away.y) * share.z,
+                                       share.x * share.y * splineSlope(away.z));
         }
         return covariant_ * perVoxel;
     }

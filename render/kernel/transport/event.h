@@ -4,10 +4,9 @@
 #include "render/kernel/attenuation.h"
 #include "render/kernel/clip.h"
 #include "render/kernel/features.h"
-#include "render/kernel/gradient.h"
-#include "render/kernel/medium.h"
 #include "render/kernel/transport/phase.h"
 #include "render/kernel/transport/surface.h"
+#include "render/kernel/transport/surface_gradient.h"
 
 namespace pdr {
 
@@ -32,36 +31,6 @@ PDR_HD inline float surfaceFactorOf(float gradientFactor) {
 /// P = opacity (1 - exp(-surfaceFactor |grad|)), Kroes, Post & Botha 2012.
 PDR_HD inline float surfaceProbability(const FlatTransferFunction& curve, float opacity, float steepness) {
     return opacity * attenuation(glm::abs(curve.surfaceFactor) * steepness).taken;
-}
-
-/// HU that stand for clipped and hidden tissue: those of air.
-inline constexpr float kHiddenHu = -1000;
-
-/// Returns the gradient of the visible tissue [HU/mm] at a position with `hu`. Hidden tissue counts as air, so that
-/// visible tissue has a surface at the border of the mask.
-PDR_HD inline vec3 seenGradient(const FlatScene& scene, vec3 position, float hu) {
-    const vec3 gradient = hounsfieldGradient(scene.volume, position);
-    const float weight = isMasked(scene) ? weightAt(scene, position) : 1;
-    if (!(weight < 1))
-        return gradient;
-    return weight * gradient + glm::max(hu - kHiddenHu, 0.0f) * weightGradient(scene, position);
-}
-
-/// HU by which a part whose shape is that of its labels differs from what is around it: water against air.
-inline constexpr float kLabelStepHu = 1000;
-
-/// Returns the gradient at the edge of such a part [HU/mm]: of the share of its labels. Its own HU are those of what it
-/// stands for, or lies in, and have no edge there.
-PDR_HD inline vec3 labelGradient(const FlatScene& scene, const FlatTransferFunction& curve, vec3 position) {
-    const FlatParts& parts = scene.parts;
-    return kLabelStepHu * splineGradient(scene.volume, position, [&](std::int64_t voxel) {
-               return parts.curves[parts.materialOf[parts.labels[voxel]]].firstPiece == curve.firstPiece ? 1.0f : 0.0f;
-           });
-}
-
-/// Returns the gradient that makes surfaces in tissue of `curve` at a position with `hu` [HU/mm].
-PDR_HD inline vec3 surfaceGradient(const FlatScene& scene, const FlatTransferFunction& curve, vec3 position, float hu) {
-    return curve.surfaceFactor < 0 ? labelGradient(scene, curve, position) : seenGradient(scene, position, hu);
 }
 
 PDR_HD inline vec3 facing(vec3 wo, vec3 normal) {

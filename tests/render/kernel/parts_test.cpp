@@ -269,6 +269,31 @@ class PartsTest : public QObject {
         QVERIFY(has(Flattener().prepare(scene)->flat.features, kSurface));
     }
 
+    /// A part has a surface where it ends beside less opaque tissue, also where the HU have no edge, or one that falls
+    /// into it as steeply; beside tissue as opaque it has none.
+    void aPartEndsWhereTissueIsLessOpaque() {
+        Scene scene = test::plainScene(
+            test::makeVolume(ivec3(20), dvec3(1), [](int i, int j, int) { return 40 * j - 100 * i; }), 1);
+        scene.gradientFactor = 50;
+        scene.parts.map = test::labelled(
+            *scene.volume, 2, [](ivec3 voxel) { return voxel.x >= 10 && voxel.z <= 12 ? 1 + voxel.y / 10 : 0; });
+        const TransferFunction solid{0.5f, {{.hu = -3000, .opacity = 0.9f}, {.hu = 100, .opacity = 1}}};
+        scene.transferFunction.nodes = {{.hu = 0, .opacity = 0}};
+        scene.parts.curves = {{1, solid}, {2, solid, 40.0f}};
+        const auto normalIn = [&](vec3 position) {
+            return eventAt<kSurface>(Flattener().prepare(scene)->flat, position, {-1, 0, 0}, 0.01f).normal;
+        };
+        QVERIFY(normalIn({10, 5, 5}).x < -0.95f);
+        const vec3 ofHu = glm::normalize(vec3(-100, 40, 0));
+        QVERIFY(glm::distance(normalIn({15, 5, 5}), ofHu) < 1e-5f);
+        QVERIFY(glm::distance(normalIn({15, 9.5f, 5}), ofHu) < 1e-5f);  // between the parts
+        QVERIFY(std::fabs(normalIn({15, 5, 11.5f}).z) > 0.1f);          // of the next fine cell
+        scene.parts.curves[1].transferFunction.extinctionPerMm = 0.25f;
+        QVERIFY(std::fabs(normalIn({15, 9.4f, 5}).y) > 0.7f);
+        scene.volume = test::makeVolume(ivec3(20), dvec3(1), [](int, int, int) { return 7; });
+        QCOMPARE(normalIn({10, 5, 5}), vec3(-1, 0, 0));
+    }
+
     void whatCannotBeShownIsRefused() {
         Scene scene = gentleScene(1);
         const auto refused = [&](const char* what, auto&& edit) {
