@@ -26,13 +26,6 @@ Scene smallScene() {
     return scene;
 }
 
-/// A scene of air, whose samples cost little.
-Scene airScene() {
-    Scene scene = plainScene(makeVolume(ivec3(4), dvec3(1), [](int, int, int) { return -1000; }), 0.05f);
-    scene.film = {61, 45};
-    return scene;
-}
-
 /// A relay and the nodes that have dialled it.
 class RelayProcess : public NodeProcess {
   public:
@@ -165,17 +158,17 @@ class RelayTest : public QObject {
     }
 
     void liarBelowIsCaughtByTheRelay_data() {
-        QTest::addColumn<quint64>("honest");
+        QTest::addColumn<int>("oneIn");
         QTest::addColumn<QStringList>("options");
-        QTest::newRow("at its first tile") << quint64(0) << QStringList();
-        QTest::newRow("later, where all is checked") << quint64(16 * Trust::kProof) << QStringList{"--check", "all"};
+        QTest::newRow("at its first tile") << 1 << QStringList();
+        QTest::newRow("at one in seven, where all is checked") << 7 << QStringList{"--check", "all"};
     }
     void liarBelowIsCaughtByTheRelay() {
-        QFETCH(const quint64, honest);
+        QFETCH(const int, oneIn);
         QFETCH(const QStringList, options);
         RelayProcess relay(0, QStringList{"--listen", "127.0.0.1:0"} + options);
         const auto lies = std::make_shared<Lies>();
-        lies->honest = honest;
+        lies->oneIn = oneIn;
         node::NodeOptions below;
         below.coordinator = remote::Address{"localhost", portIn(relay.dialling().back())};
         below.name = "liar";
@@ -184,14 +177,15 @@ class RelayTest : public QObject {
         NodeTrial trial;
         trial.pool->setOwnHelps(false);
         trial.add(relay);
-        const FilmContent alone = imageAlone(airScene(), kOrders);
-        do {
-            auto image = std::async(std::launch::async, [&] { return trial.image(airScene(), kOrders, 1); });
+        const FilmContent alone = imageAlone(smallScene(), kOrders);
+        const auto isCaught = [&] {
+            return relay.log().contains("below: liar: a tile of it was not what this machine found");
+        };
+        do {  // what it does late is not used, and nobody looks at it
+            auto image = std::async(std::launch::async, [&] { return trial.image(smallScene(), kOrders, 1); });
             QTRY_VERIFY_WITH_TIMEOUT(image.wait_for(std::chrono::seconds(0)) == std::future_status::ready, kPatience);
             QVERIFY(sameBits(image.get(), alone));
-        } while (lies->told == 0);
-        QTRY_VERIFY2_WITH_TIMEOUT(relay.log().contains("below: liar: a tile of it was not what this machine found"),
-                                  relay.log(), kPatience);
+        } while (!isCaught());
         QCOMPARE(relay.log().count("a tile of it"), 1);
         QCOMPARE(trial.pool->workers().at(0).state, WorkerState::ready);
     }
@@ -218,7 +212,7 @@ class RelayTest : public QObject {
         auto image = std::async(std::launch::async, [&] { return trial.image(smallScene(), kOrders, 1); });
         QTRY_VERIFY_WITH_TIMEOUT(image.wait_for(std::chrono::seconds(0)) == std::future_status::ready, kPatience);
         QVERIFY(sameBits(image.get(), imageAlone(smallScene(), kOrders)));
-        QVERIFY(lies->told > 0);
+        QVERIFY(lies->told() > 0);
         const nodes::NodeStatus status = trial.nodes.look().at(0);
         QCOMPARE(status.state, nodes::NodeState::quarantined);
         QVERIFY2(status.reason.starts_with("a tile of it was not what this machine found"), status.reason.c_str());
