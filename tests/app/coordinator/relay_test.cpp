@@ -96,7 +96,7 @@ class RelayTest : public QObject {
         const FilmContent alone = imageAlone(smallScene(), kOrders);
         QVERIFY(sameBits(trial.image(smallScene(), kOrders, 1), alone));
         for (const auto& node : relay.nodes)
-            QVERIFY(node->log().contains("works for"));
+            QTRY_VERIFY_WITH_TIMEOUT(node->log().contains("works for"), kPatience);
     }
 
     /// A relay without the nodes that it had is a node by itself, and a lost relay is a lost node.
@@ -153,7 +153,7 @@ class RelayTest : public QObject {
         QTRY_COMPARE_WITH_TIMEOUT(relay.log().count("is there"), 2, kPatience);
         QVERIFY(sameBits(trial.image(smallScene(), kOrders, 1), imageAlone(smallScene(), kOrders)));
         for (const auto& node : relay.nodes)
-            QVERIFY(node->log().contains("works for"));
+            QTRY_VERIFY_WITH_TIMEOUT(node->log().contains("works for"), kPatience);
         QVERIFY2(!relay.log().contains("stranger"), relay.log());
     }
 
