@@ -128,6 +128,7 @@ HalfSmoother EditedView::smoother(std::uint64_t samples, HalfSmoother alone) {
         if (stop.stop_requested())
             return denoised;
         newest_ = keptImage(noisy, denoised, samples, first_);
+        shown_.forget();  // from now on images are mixed as the halves say
         return helps(samples) ? edited_->halves(noisy, denoised, samples, first_) : denoised;
     };
 }

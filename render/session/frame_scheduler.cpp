@@ -131,7 +131,11 @@ std::uint32_t FrameScheduler::wanted(const Demand& demand) const {
     const std::uint64_t before = samples().least - std::min<std::uint64_t>(done_.n, samples().least);
     const std::uint32_t paced = demand.isShared && demand.pace.automatic ? worthSending(usual) : usual;
     const std::uint32_t all = std::max(paced, std::uint32_t(demand.replaced.value_or(0)));
-    return demand.isEdit ? std::uint32_t(std::min<std::uint64_t>(all, FirstSamples::leftToMark(before))) : all;
+    if (!demand.isEdit)
+        return all;
+    const std::uint64_t passed = std::max<std::uint64_t>(demand.replaced.value_or(1), 1) - 1;
+    const std::uint64_t left = FirstSamples::leftToMark(before + passed);
+    return left < all ? std::min(all, std::uint32_t(passed + left)) : all;
 }
 
 bool FrameScheduler::isComplete(const Demand& demand) const {

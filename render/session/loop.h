@@ -52,6 +52,7 @@ class Session::Loop {
     Result<void> showCoarser(const RenderCommands::Iteration& step);
     Result<void> timeDisplay(const Display& display, std::uint32_t n, double frameSeconds);
     Result<void> judge(const RenderCommands::Iteration& step);
+    Result<void> judgeShown(const RenderCommands::Iteration& step);
     Result<void> updateQuality(const Display& asked, const std::stop_token& stop);
     Result<void> takeSnapshots();
     void send(DisplayPipeline::Images images, std::uint32_t n);

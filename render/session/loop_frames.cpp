@@ -32,7 +32,9 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
         return finish(step, done);  // another display: the next step shows the existing image on it
     // Judge and show the image at the end of a frame
     const bool frameEnds = !step.render || display_.isBroken() || scheduler_.isComplete(demand(step.pace));
-    if (done && frameEnds)
+    // An edit's first image does not wait for its judgement, which takes longer than it
+    const bool isEarly = display_.awaitsFirst() && showsEdit(commands.display());
+    if (done && frameEnds && !isEarly)
         done = judge(step);
     if (done && givesWay() && step.detour.stop_requested()) {
         if (frameEnds)
@@ -41,6 +43,8 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
     }
     if (done && hasSamples() && frameEnds)
         done = show(step, step.render && scheduler_.hasIterations());
+    if (done && isEarly && !display_.awaitsFirst())
+        done = judgeShown(step);
     finish(step, std::move(done));
 }
 

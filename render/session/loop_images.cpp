@@ -82,6 +82,15 @@ Result<void> Session::Loop::judge(const RenderCommands::Iteration& step) {
                           edits_.smoother(partSamples(), features_.smoother(scheduler_.samples().least)));
 }
 
+/// Judges the image that has just been shown, and shows it again with the error.
+Result<void> Session::Loop::judgeShown(const RenderCommands::Iteration& step) {
+    const std::uint64_t before = quality_.denoised().judgedSamples();
+    if (Result<void> judged = judge(step); !judged)
+        return judged;
+    const bool isNew = quality_.denoised().judgedSamples() != before && !step.detour.stop_requested();
+    return isNew ? show(step, false) : Result<void>();
+}
+
 /// Updates the error map, if one is requested, and the status of the region.
 Result<void> Session::Loop::updateQuality(const Display& asked, const std::stop_token& stop) {
     Accumulator& film = *place_.film();

@@ -12,6 +12,8 @@ namespace {
 constexpr double kGuess = 1e6;
 constexpr double kEditedGuess = 4e-7;  ///< seconds to show a pixel of the first image after an edit, on two cores
 constexpr double kLeast = 0.4;         ///< least fraction of a frame's time for pixels, whatever else takes time
+/// The same after an edit, whose samples tell no more than its guide does not (edit/foretold.h).
+constexpr double kLeastOfEdit = 0.2;
 
 }  // namespace
 
@@ -45,7 +47,7 @@ bool ResolutionLadder::editIsInTime(ivec2 size) const {
 
 double ResolutionLadder::secondsForEdit() const {
     const double left = kCoarseEditSeconds - beginning_.median() - coarseEditSeconds_.median();
-    return std::max(left, kLeast * kCoarseEditSeconds);
+    return std::max(left, kLeastOfEdit * kCoarseEditSeconds);
 }
 
 int ResolutionLadder::forEdit(ivec2 size) const {
