@@ -130,7 +130,9 @@ std::uint32_t FrameScheduler::wanted(const Demand& demand) const {
         isCoarse() ? ResolutionLadder::kSamples : std::uint32_t(larger * timer_.iterations(demand.pace));
     const std::uint64_t before = samples().least - std::min<std::uint64_t>(done_.n, samples().least);
     const std::uint32_t paced = demand.isShared && demand.pace.automatic ? worthSending(usual) : usual;
-    const std::uint32_t all = std::max(paced, std::uint32_t(demand.replaced.value_or(0)));
+    const std::uint32_t whole = std::max(paced, std::uint32_t(demand.replaced.value_or(0)));
+    const bool isLast = demand.stopsAt > before && demand.stopsAt - before < whole;
+    const std::uint32_t all = isLast ? std::uint32_t(demand.stopsAt - before) : whole;
     if (!demand.isEdit)
         return all;
     const std::uint64_t passed = std::max<std::uint64_t>(demand.replaced.value_or(1), 1) - 1;

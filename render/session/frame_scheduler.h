@@ -32,6 +32,8 @@ class FrameScheduler {
         /// Other machines have a part of the samples. The sums of a pixel travel for each image, so that images come
         /// less often: after a mark, and then with each block of samples, as far as that is in time.
         bool isShared = false;
+        /// Samples of every pixel with which rendering stops: no image has more; 0: no limit.
+        std::uint64_t stopsAt = 0;
     };
     /// Iterations of the sampled part, and the time they took [s].
     struct Iterations {

@@ -20,6 +20,8 @@ struct StopRequest {
     bool isSuspended = false;  ///< the rule does not count for the current scene: more was requested
     bool isPaused = false;     ///< rendering stops whatever the progress
 
+    /// Returns the samples per pixel at which rendering stops; 0: no limit.
+    std::uint64_t samples() const { return isSuspended ? 0 : rule.samples; }
     /// Returns whether the rule counts and is met.
     bool isMet(const ImageProgress& progress) const {
         return progress.displayError && !isSuspended &&

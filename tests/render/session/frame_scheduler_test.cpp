@@ -203,6 +203,17 @@ class FrameSchedulerTest : public QObject {
         QVERIFY(order.n == 3 && order.tile.height == kFilmCell);
     }
 
+    void noImageHasMoreSamplesThanAreAskedFor() {
+        Planned planned(kSmall);
+        FrameScheduler::Demand limited = demand(10);
+        limited.stopsAt = 25;
+        std::vector<std::uint32_t> taken;
+        while (planned.scheduler.samples().least < limited.stopsAt)
+            taken.push_back(planned.frame(planned.whole, limited, 0.02).n);
+        QCOMPARE(taken, (std::vector<std::uint32_t>{10, 10, 5}));
+        QCOMPARE(planned.frame(planned.whole, limited, 0.02).n, 10U);  // more was requested
+    }
+
     void aRegionIsNotTimed() {
         Planned planned(kSmall);
         planned.scheduler.beginFrame(kRegion, true, true);
