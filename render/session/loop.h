@@ -83,8 +83,12 @@ class Session::Loop {
     Tile nextPart();
     Result<void> beginFrame(const FrameBudget& pace);
     FrameScheduler::Demand demand(const FrameBudget& pace) {
-        return {pace, display_.coarserSamples(), keepsFirst(), edits_.hasOld() && !coarse(),
-                place_.film()->orderSize().isShared && !coarse(), commands.stopRequest().samples()};
+        return {pace,
+                display_.coarserSamples(),
+                keepsFirst(),
+                edits_.hasOld() && !coarse(),
+                place_.film()->orderSize().isShared && !coarse(),
+                commands.stopRequest().samples()};
     }
     bool overlaps() const { return place_.film()->maxInFlight() > 1; }
     bool hasSamples() const { return scheduler_.samples().least > 0; }
