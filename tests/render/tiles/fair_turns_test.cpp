@@ -17,16 +17,23 @@ namespace {
 class Users {
   public:
     /// Lets these users take one turn after the other until `seconds` have passed. `costs`: how long each turn of a
-    /// user takes. All others are waiting whenever a turn ends.
+    /// user takes. All wait whenever one is chosen: between two turns an usher, who has had the least, holds the device
+    /// until they do.
     void work(const std::map<int, double>& costs, double seconds) {
         std::atomic<bool> isOver = false;
+        std::atomic<int> begun = 0;
         const double end = now_ + seconds;
+        const auto waitFor = [&](std::size_t waiting) {
+            while (!isOver && turns_.waiting() < waiting)
+                std::this_thread::yield();
+        };
+        const std::size_t all = costs.size() > 1 ? costs.size() : 0;
         std::vector<std::jthread> threads;
         for (const auto& [user, cost] : costs)
             threads.emplace_back([&, &share = shares_[user], cost = cost] {
                 const auto turn = [&] {
-                    while (!isOver && turns_.waiting() + 1 < costs.size())
-                        std::this_thread::yield();
+                    ++begun;
+                    waitFor(all);  // the others and the usher
                     if (isOver)
                         return;
                     now_ += cost;
@@ -35,6 +42,13 @@ class Users {
                 while (!isOver)
                     turns_.take(share, {}, turn);
             });
+        FairTurns::Share usher;
+        for (int seen = 0; all > 0 && !isOver;) {
+            while (!isOver && begun == seen)
+                std::this_thread::yield();
+            seen = begun;
+            turns_.take(usher, {}, [&] { waitFor(all); });
+        }
     }
     double had(int user) { return turns_.had(shares_[user]); }
     FairTurns& turns() { return turns_; }
@@ -53,9 +67,10 @@ class FairTurnsTest : public QObject {
   private slots:
     void sharesAreEqualHoweverLongTheTurns() {
         Users users;
-        users.work({{0, 1}, {1, 10}, {2, 0.1}}, 3000);
+        const double lead = FairTurns::kMostLead, longest = 0.3 * lead, share = 100 * lead;
+        users.work({{0, 0.1 * lead}, {1, longest}, {2, 0.03 * lead}}, 3 * share);
         for (int user = 0; user < 3; ++user)
-            QVERIFY2(std::fabs(users.had(user) - 1000) < 11, qPrintable(QString::number(users.had(user))));
+            QVERIFY2(std::fabs(users.had(user) - share) < 1.01 * longest, qPrintable(QString::number(users.had(user))));
     }
 
     void whoWantsNothingCostsNothing() {
@@ -106,14 +121,17 @@ class FairTurnsTest : public QObject {
 
     void aStopEndsTheWait() {
         FairTurns turns;
-        std::atomic<bool> go = false;
+        std::atomic<bool> holds = false, go = false;
         FairTurns::Share first, second, third;
         std::jthread holder([&] {
             turns.take(first, {}, [&] {
+                holds = true;
                 while (!go)
                     std::this_thread::yield();
             });
         });
+        while (!holds)
+            std::this_thread::yield();
         std::stop_source stop;
         bool came = true, called = false;
         std::jthread waiter([&] { came = turns.take(second, stop.get_token(), [&] { called = true; }); });
