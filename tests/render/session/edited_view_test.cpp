@@ -79,6 +79,30 @@ Result<Film> filmOf(Session& session, std::uint64_t revision) {
     return film.get_future().get();
 }
 
+/// A CPU device that counts its guides that are as fine as the film.
+class GuideCounter final : public Device {
+  public:
+    explicit GuideCounter(std::atomic<int>& guides) : guides_(guides) {}
+
+    using Device::film;
+
+    DeviceInfo info() const override { return inner_->info(); }
+    Result<void> upload(const Scene& scene) override { return inner_->upload(scene); }
+    Result<void> unload() override { return inner_->unload(); }
+    Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
+                                              const Schedule& schedule) override {
+        return inner_->film(area, revision, schedule);
+    }
+    std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) override {
+        guides_ += finer == 1;
+        return inner_->guide(finer, stop);
+    }
+
+  private:
+    std::atomic<int>& guides_;
+    std::unique_ptr<Device> inner_ = makeCpuDevice();
+};
+
 /// A session whose first scene has an image of many samples, which was judged.
 struct Edited {
     Reel reel;
@@ -134,6 +158,17 @@ class EditedViewTest : public QObject {
         qInfo("off by %.2f levels; alone %.2f; %.2f of the change", off, alone, shown);
         QVERIFY(off < 0.5 * alone);
         QVERIFY(shown > 0.7 && shown < 1.3);  // one sample tells little of it in so small an image, guides much
+    }
+
+    void theGuideOfAnEditIsMadeOnce() {
+        std::atomic<int> guides = 0;
+        Edited edited(std::make_unique<GuideCounter>(guides));
+        guides = 0;
+        edited.session.submit(sceneOf(2), false);
+        edited.waitFor(2, 16);
+        edited.session.setPaused(true);
+        QVERIFY(filmOf(edited.session, 2));  // nothing goes on meanwhile
+        QCOMPARE(guides.load(), 1);
     }
 
     void whileTheHandMovesTheImageIsFull() {
