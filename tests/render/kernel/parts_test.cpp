@@ -292,6 +292,7 @@ class PartsTest : public QObject {
         QVERIFY(std::fabs(normalIn({15, 9.4f, 5}).y) > 0.7f);
         scene.volume = test::makeVolume(ivec3(20), dvec3(1), [](int, int, int) { return 7; });
         QCOMPARE(normalIn({10, 5, 5}), vec3(-1, 0, 0));
+        QVERIFY(has(Flattener().prepare(scene)->flat.features, kSurface));
     }
 
     void whatCannotBeShownIsRefused() {
