@@ -9,6 +9,7 @@
 #include "app/node/node_service.h"
 #include "app/node/relay.h"
 #include "app/remote/certificates.h"
+#include "render/device/device_list.h"
 #include "tests/support/devices/lying_device.h"
 #include "tests/support/network/shared_image.h"
 

@@ -8,6 +8,7 @@
 #include "render/session/featured_view.h"
 #include "render/session/resolution_ladder.h"
 #include "tests/support/devices/failing_device.h"
+#include "tests/support/devices/forwarding_device.h"
 #include "tests/support/devices/reel.h"
 #include "tests/support/patience.h"
 #include "tests/support/scenes/featured_images.h"
@@ -80,27 +81,17 @@ Result<Film> filmOf(Session& session, std::uint64_t revision) {
 }
 
 /// A CPU device that counts its guides that are as fine as the film.
-class GuideCounter final : public Device {
+class GuideCounter final : public test::ForwardingDevice {
   public:
-    explicit GuideCounter(std::atomic<int>& guides) : guides_(guides) {}
+    explicit GuideCounter(std::atomic<int>& guides) : ForwardingDevice(makeCpuDevice()), guides_(guides) {}
 
-    using Device::film;
-
-    DeviceInfo info() const override { return inner_->info(); }
-    Result<void> upload(const Scene& scene) override { return inner_->upload(scene); }
-    Result<void> unload() override { return inner_->unload(); }
-    Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
-                                              const Schedule& schedule) override {
-        return inner_->film(area, revision, schedule);
-    }
     std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) override {
         guides_ += finer == 1;
-        return inner_->guide(finer, stop);
+        return ForwardingDevice::guide(finer, stop);
     }
 
   private:
     std::atomic<int>& guides_;
-    std::unique_ptr<Device> inner_ = makeCpuDevice();
 };
 
 /// A session whose first scene has an image of many samples, which was judged.

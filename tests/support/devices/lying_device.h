@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "render/device/device_list.h"
+#include "tests/support/devices/forwarding_device.h"
 
 namespace pdr::test {
 
@@ -17,29 +17,19 @@ struct Lies {
     int told() const { return tiles / oneIn; }
 };
 
-class LyingDevice final : public Device {
+class LyingDevice final : public ForwardingDevice {
   public:
     LyingDevice(std::unique_ptr<Device> inner, std::shared_ptr<Lies> lies)
-        : inner_(std::move(inner)), lies_(std::move(lies)) {}
+        : ForwardingDevice(std::move(inner)), lies_(std::move(lies)) {}
 
-    using Device::film;
-
-    DeviceInfo info() const override { return inner_->info(); }
-    Result<void> upload(const Scene& scene) override { return inner_->upload(scene); }
-    Result<void> unload() override { return inner_->unload(); }
-    Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
-                                              const Schedule& schedule) override {
-        return inner_->film(area, revision, schedule);
-    }
     Result<void> trace(const Tile& tile, SampleRange samples, TileSums sums, const std::stop_token& stop) override {
-        Result<void> traced = inner_->trace(tile, samples, sums, stop);
+        Result<void> traced = ForwardingDevice::trace(tile, samples, sums, stop);
         if (++lies_->tiles % lies_->oneIn == 0)
             sums.pixels[0].sum.x += 1;
         return traced;
     }
 
   private:
-    std::unique_ptr<Device> inner_;
     std::shared_ptr<Lies> lies_;
 };
 
