@@ -12,7 +12,8 @@ constexpr double kReportSeconds = 0.5;
 constexpr std::uint64_t kMostWholeOrder = 1 << 20;
 /// The error is read after multiples of so many samples, and after whole blocks only from kWholeLooks on.
 constexpr std::uint64_t kErrorEvery = 16, kWholeLooks = 512;
-/// Errors fall as n^-0.7 at most with the samples n (accuracy/forecast.h). Growth of n from one reading to the next.
+/// Errors of nearly all scenes fall no faster than n^-0.7 with the samples n: two deviations from the usual exponent
+/// (accuracy/forecast.cpp). Most growth of n from one reading to the next.
 constexpr double kSteepestFall = 0.7, kMostGrowth = 4;
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
