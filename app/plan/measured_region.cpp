@@ -93,13 +93,15 @@ Result<Measured> areaOfPolygon(const std::vector<Place>& corners) {
     const auto area = measure::polygonArea(corners, *normal);
     if (!area)
         return area.error();
-    return Measured{.unit = Unit::mm2,
-                    .value = area->value,
-                    .plusMinus = plusMinusOf(*area),
-                    .bound = area->bound,
-                    .area = *area,
-                    .text = measure::valueText(*area, Unit::mm2),
-                    .details = measure::causesText(*area)};
+    Measured measured;
+    measured.unit = Unit::mm2;
+    measured.value = area->value;
+    measured.plusMinus = plusMinusOf(*area);
+    measured.bound = area->bound;
+    measured.area = *area;
+    measured.text = measure::valueText(*area, Unit::mm2);
+    measured.details = measure::causesText(*area);
+    return measured;
 }
 
 Result<Measured> measuredPolygon(const std::vector<Place>& corners, const Volume& volume) {

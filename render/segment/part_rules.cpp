@@ -38,9 +38,13 @@ Result<PartRules> partRulesFrom(std::string_view names) {
 
 std::string partRulesText(const PartRules& rules) {
     std::string text;
-    for (const auto& [rule, name] : kNames)
-        if (rules.contains(rule))
-            text += (text.empty() ? "" : ",") + std::string(name);
+    for (const auto& [rule, name] : kNames) {
+        if (!rules.contains(rule))
+            continue;
+        if (!text.empty())
+            text += ',';
+        text += name;
+    }
     return text;
 }
 
