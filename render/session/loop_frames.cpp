@@ -32,8 +32,8 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
         return finish(step, done);  // another display: the next step shows the existing image on it
     // Judge and show the image at the end of a frame
     const bool frameEnds = !step.render || display_.isBroken() || scheduler_.isComplete(demand(step.pace));
-    // An edit's first image does not wait for its judgement, which takes longer than it
-    const bool isEarly = display_.awaitsFirst() && showsEdit(commands.display());
+    // The first full image does not wait for its judgement, which takes longer than it
+    const bool isEarly = display_.awaitsFirst() && canJudge();
     if (done && frameEnds && !isEarly)
         done = judge(step);
     if (done && givesWay() && step.detour.stop_requested()) {

@@ -1,15 +1,16 @@
 /// Measures how good the image is soon after an edit, in the real window: the image after 0.1, 1 and 10 seconds,
 /// denoised and raw, against an image of many samples of another seed.
 ///   first_images FOLDER [-o SHEET.jpg] [--reference N] [--threads N] [--look NAME]
-///                [--edit KIND:AMOUNT [--film N] [--json FILE]] [--window W,H] [--labels FILE]
+///                [--edit KIND:AMOUNT [--film N] [--json FILE]] [--window W,H] [--labels FILE] [--each]
 /// FOLDER holds a CT, and a label map may mark parts of it, which a look may show. The edit is a view from the front.
 /// Prints a line for each image: its samples and pixels, the levels of 255 within which 95 % of the tissue are once the
 /// image is stretched to the view as the window does, and the error that the window states. With -o the images are
 /// drawn on one sheet: raw above, denoised below, the reference on the right. No film is kept, so that none of this
-/// view comes back. With --edit the look is edited instead (edit_trial.h), once the film has N samples (default 256):
-/// the images after 1, 4, 16 and 64 samples, and those in the window after 0.1, 1 and 10 seconds; each with the error
-/// of the change over tiles of 16 x 16 pixels, in parts of the mean change. Their sheet: those of the window above, the
-/// image before the edit and new samples alone below, denoised, the reference on the right.
+/// view comes back. With --each it prints when each image came, and of how many samples. With --edit the look is edited
+/// instead (edit_trial.h), once the film has N samples (default 256): the images after 1, 4, 16 and 64 samples, and
+/// those in the window after 0.1, 1 and 10 seconds; each with the error of the change over tiles of 16 x 16 pixels, in
+/// parts of the mean change. Their sheet: those of the window above, the image before the edit and new samples alone
+/// below, denoised, the reference on the right.
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -42,6 +43,7 @@ struct Plan {
     int film;
     QSize window;    ///< empty: the usual size
     QString labels;  ///< a label map; empty: none
+    bool each;       ///< print when each image comes
 };
 
 using Shown = std::shared_ptr<const Frame>;
@@ -62,10 +64,31 @@ QImage stretched(const QImage& image, QSize view) {
     return out;
 }
 
-/// The images on the screen kSeconds after an edit.
-std::array<Shown, kSeconds.size()> shownAfter(Desktop& desktop, const std::function<void()>& edit) {
+QString said(const Frame& frame) {
+    if (frame.denoised && frame.denoisedError)
+        return QString("said: ±%1, at most ±%2")
+            .arg(frame.denoisedError->levels, 0, 'f', 1)
+            .arg(frame.denoisedError->levelsAtMost, 0, 'f', 1);
+    if (!frame.denoised && std::isfinite(frame.status.displayError))
+        return QString("said: ±%1").arg(frame.status.displayError, 0, 'f', 1);
+    return "nothing said yet";
+}
+
+/// Prints when an image came after an edit, and what it is of.
+void tell(const Frame& frame, double seconds) {
+    std::printf("%7.3f s  %4d x %-4d pixels  %4llu samples  %-8s  %s\n", seconds, frame.size.x, frame.size.y,
+                (unsigned long long)frame.status.samplesPerPixel, frame.denoised ? "denoised" : "raw",
+                said(frame).toUtf8().constData());
+}
+
+/// The images on the screen kSeconds after an edit; `each`: tells of all.
+std::array<Shown, kSeconds.size()> shownAfter(Desktop& desktop, bool each, const std::function<void()>& edit) {
     QElapsedTimer clock;
     clock.start();
+    QObject context;
+    if (each)
+        QObject::connect(&desktop.bridge(), &RenderBridge::frameReady, &context,
+                         [&](const Shown& frame) { tell(*frame, 1e-3 * double(clock.elapsed())); });
     edit();
     const std::uint64_t revision = desktop.document().scene().revision;
     std::array<Shown, kSeconds.size()> shown;
@@ -78,10 +101,10 @@ std::array<Shown, kSeconds.size()> shownAfter(Desktop& desktop, const std::funct
 }
 
 /// The images on the screen kSeconds after a view from the front, which comes after one from the left.
-std::array<Shown, kSeconds.size()> shownAfterView(Desktop& desktop) {
+std::array<Shown, kSeconds.size()> shownAfterView(Desktop& desktop, bool each) {
     desktop.document().setView(StandardView::left);
     QTest::qWait(3000);
-    return shownAfter(desktop, [&] { desktop.document().setView(StandardView::anterior); });
+    return shownAfter(desktop, each, [&] { desktop.document().setView(StandardView::anterior); });
 }
 
 /// An image that was on the screen, with a text below it: its true error, and the stated one.
@@ -89,16 +112,6 @@ struct Trial {
     QString text;
     QImage image;
 };
-
-QString said(const Frame& frame) {
-    if (frame.denoised && frame.denoisedError)
-        return QString("said: ±%1, at most ±%2")
-            .arg(frame.denoisedError->levels, 0, 'f', 1)
-            .arg(frame.denoisedError->levelsAtMost, 0, 'f', 1);
-    if (!frame.denoised && std::isfinite(frame.status.displayError))
-        return QString("said: ±%1").arg(frame.status.displayError, 0, 'f', 1);
-    return "nothing said yet";
-}
 
 Trial trialOf(const char* kind, double seconds, const Shown& shown, const QImage& truth, const Film& tissue) {
     const QString name = QString("%1, %2 s").arg(kind).arg(seconds);
@@ -181,8 +194,8 @@ int runEdit(Desktop& desktop, const Plan& plan) {
         return 1;
     }
     const Scene before = desktop.document().scene();
-    const auto shown =
-        shownAfter(desktop, [&] { look ? desktop.document().setLook(*look) : desktop.document().setClip(*clip); });
+    const auto shown = shownAfter(
+        desktop, plan.each, [&] { look ? desktop.document().setLook(*look) : desktop.document().setClip(*clip); });
     const Display display = desktop.document().display().withDenoised(true);
     const Scene after = desktop.document().scene();
     desktop.bridge().setPaused(true);
@@ -247,9 +260,9 @@ int run(const Plan& plan) {
     if (!plan.edit.isEmpty())
         return runEdit(desktop, plan);
     QTest::qWait(2000);
-    const auto denoised = shownAfterView(desktop);
+    const auto denoised = shownAfterView(desktop, plan.each);
     desktop.document().setDenoised(false);
-    const auto raw = shownAfterView(desktop);
+    const auto raw = shownAfterView(desktop, plan.each);
     const Display display = desktop.document().display().withDenoised(true);
     const Scene scene = desktop.document().scene();
     desktop.bridge().setPaused(true);
@@ -291,6 +304,7 @@ int main(int argc, char** argv) {
     parser.addOption({"window", "size of the window", "W,H"});
     parser.addOption({"labels", "a label map of the scan", "FILE"});
     parser.addOption({"json", "write the figures of an edit", "FILE"});
+    parser.addOption({"each", "print when each image came"});
     parser.addHelpOption();
     parser.process(application);
     if (parser.positionalArguments().size() != 1)
@@ -299,5 +313,5 @@ int main(int argc, char** argv) {
         {parser.positionalArguments()[0], parser.value("o"), parser.value("look"), parser.value("reference").toInt(),
          parser.value("threads").toInt(), parser.value("edit"), parser.value("json"), parser.value("film").toInt(),
          QSize(parser.value("window").section(',', 0, 0).toInt(), parser.value("window").section(',', 1).toInt()),
-         parser.value("labels")});
+         parser.value("labels"), parser.isSet("each")});
 }

@@ -111,11 +111,12 @@ struct Edited {
         session.setStop({.levels = 1e-3});
         rest(1, 40);
     }
-    /// Waits for that many samples, and for the judgement of their image.
+    /// Waits for that many samples, for the judgement of their image, and until the next edit is prepared.
     void rest(std::uint64_t revision, std::uint64_t samples) {
         waitFor(revision, samples);
         session.setPaused(true);
-        QVERIFY(filmOf(session, revision));  // a film at rest is looked at after its image was judged
+        for (int i = 0; i < 2; ++i)
+            QVERIFY(filmOf(session, revision));  // the first comes after the judgement, the second after what follows
         session.setPaused(false);
     }
     void waitFor(std::uint64_t revision, std::uint64_t samples) {

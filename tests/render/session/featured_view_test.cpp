@@ -147,7 +147,10 @@ class FeaturedViewTest : public QObject {
         session.setStop({.samples = 8});
         session.submit(scene, false);
         QTRY_VERIFY_WITH_TIMEOUT(reel.full(1) && reel.of(1).back()->denoisedError, test::kPatience);
-        const auto last = reel.of(1).back();
+        const auto frames = reel.of(1);
+        const auto full = std::ranges::find(frames, false, [](const auto& frame) { return frame->coarse; });
+        QVERIFY((*full)->denoised && !(*full)->denoisedError);  // it did not wait for that
+        const auto& last = frames.back();
         QVERIFY(last->denoised);
         QVERIFY(last->status.samplesPerPixel < FeaturedView::kEnoughAlone);
         const Film film = test::render(scene, last->status.samplesPerPixel);
