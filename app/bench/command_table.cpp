@@ -36,7 +36,7 @@ constexpr Command kCommands[] = {
      "  --samples N   per pixel and round, from 1; default 16\n"
      "  --rounds N    of which the median counts, from 1; default 5\n"},
     {"parts", parts, "[--size N] [--samples N] [--rounds N] [--json]",
-     "Says what a sample of a head costs whose voxels are divided among 1, 4 and 100 parts with curves of their own,\n"
+     "Says what a sample of a head costs whose voxels are divided among 1 to 255 parts with curves of their own,\n"
      "against one without parts, by the processor time of one thread; and what memory the parts take.\n",
      "  --size N      voxels an edge, from 1; default 256\n"
      "  --samples N   per pixel and round, from 1; default 4\n"

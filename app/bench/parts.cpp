@@ -23,7 +23,8 @@ struct Division {
     int parts;
     bool byColour;  ///< parts differ in their colour, else in their opacity
 };
-constexpr Division kDivisions[] = {{0, false}, {1, false}, {4, false}, {100, false}, {100, true}};
+constexpr Division kDivisions[] = {{0, false},   {1, false},   {4, false}, {16, false},
+                                   {100, false}, {255, false}, {100, true}};
 
 /// Returns `u` with its bits behind the point mirrored to another base: the u-th of places that fill [0, 1] evenly.
 double radicalInverse(int base, int u) {
@@ -35,21 +36,45 @@ double radicalInverse(int base, int u) {
     return inverse;
 }
 
+/// The place that a part is nearest to.
+struct Place {
+    vec3 at;
+    std::uint8_t label;
+};
+
+/// Returns those of the places that may be the nearest one of a voxel from `low` to `high`.
+std::vector<Place> nearPlaces(const std::vector<Place>& places, ivec3 low, ivec3 high) {
+    const vec3 middle = 0.5f * vec3(low + high);
+    const float radius = glm::distance(middle, vec3(high));
+    const auto far = [&](const Place& place) { return glm::distance(place.at, middle); };
+    const float nearest = far(*std::ranges::min_element(places, {}, far));
+    std::vector<Place> near;
+    std::ranges::copy_if(places, std::back_inserter(near),
+                         [&](const Place& place) { return far(place) <= nearest + 2.001f * radius; });
+    return near;
+}
+
 /// Divides all voxels among `count` parts: each belongs to the nearest of as many places.
 std::shared_ptr<const LabelMap> divided(const VolumeGeometry& grid, int count) {
     auto map = std::make_shared<LabelMap>();
     map->geometry = grid;
     map->parts.resize(std::size_t(count));
     map->labels.reserve(grid.voxelCount());
-    std::vector<vec3> places;
+    std::vector<Place> places;
     for (int n = 1; n <= count; ++n)
-        places.push_back(vec3(grid.size) *
-                         vec3(float(radicalInverse(2, n)), float(radicalInverse(3, n)), float(radicalInverse(5, n))));
+        places.push_back({vec3(grid.size) * vec3(float(radicalInverse(2, n)), float(radicalInverse(3, n)),
+                                                 float(radicalInverse(5, n))),
+                          std::uint8_t(n)});
+    constexpr int kRun = 8;  // voxels along x that are divided together
     for (int k = 0; k < grid.size.z; ++k)
         for (int j = 0; j < grid.size.y; ++j)
-            for (int i = 0; i < grid.size.x; ++i) {
-                const auto far = [&](const vec3& place) { return glm::distance(place, vec3(i, j, k)); };
-                map->labels.push_back(std::uint8_t(std::ranges::min_element(places, {}, far) - places.begin() + 1));
+            for (int i = 0; i < grid.size.x; i += kRun) {
+                const int end = std::min(i + kRun, grid.size.x);
+                const std::vector<Place> near = nearPlaces(places, {i, j, k}, {end - 1, j, k});
+                for (int x = i; x < end; ++x) {
+                    const auto far = [&](const Place& place) { return glm::distance(place.at, vec3(x, j, k)); };
+                    map->labels.push_back(std::ranges::min_element(near, {}, far)->label);
+                }
             }
     return map;
 }

@@ -73,66 +73,85 @@ PDR_HD inline PlaceInCell placeInCell(const FlatGrid& volume, vec3 position) {
 
 /// Returns the extinction of each corner's curve at `hu` [1/mm].
 PDR_HD inline VoxelCell<float> cornerExtinctions(const FlatScene& scene, const CornerCurves& corners, float hu) {
+    // Most cells have one or two curves.
+    const std::uint8_t one = corners.curve[0];
+    std::uint8_t other = one;
+    for (int n = 1; n < 8; ++n)
+        other = corners.curve[n] != one ? corners.curve[n] : other;
+    const float ofOne = extinctionOf(scene.parts.curves[one], hu);
+    const float ofOther = extinctionOf(scene.parts.curves[other], hu);
     VoxelCell<float> extinctions{};
+    bool more = false;
     for (int n = 0; n < 8; ++n) {
-        int same = 0;  // most cells have few curves
-        while (corners.curve[same] != corners.curve[n])
-            ++same;
-        extinctions.hu[n] = same < n ? extinctions.hu[same] : extinctionOf(scene.parts.curves[corners.curve[n]], hu);
+        extinctions.hu[n] = corners.curve[n] == one ? ofOne : ofOther;
+        more |= (corners.curve[n] != one) & (corners.curve[n] != other);
     }
+    for (int n = 1; more && n < 8; ++n)
+        if (corners.curve[n] != one && corners.curve[n] != other)
+            extinctions.hu[n] = extinctionOf(scene.parts.curves[corners.curve[n]], hu);
     return extinctions;
 }
 
-/// Returns the extinction at a place with `hu` in a cell whose corners have several curves [1/mm].
-PDR_HD inline float mixedExtinction(const FlatScene& scene, const PlaceInCell& place, float hu) {
-    const VoxelCell<float> corners = cornerExtinctions(scene, cornerCurves(scene, place.corner), hu);
-    return trilinear(corners, {place.fraction.x, place.fraction.y, place.fraction.z});
+/// Returns the extinction at a place with `hu` in a cell whose corners have these labels, of several curves [1/mm].
+PDR_HD inline float mixedExtinction(const FlatScene& scene, std::uint64_t labels, vec3 fraction, float hu) {
+    return trilinear(cornerExtinctions(scene, cornerCurves(scene, labels), hu), fraction);
 }
 
 /// Returns the extinction at a position with `hu` where parts have curves of their own [1/mm].
 PDR_HD inline float partedExtinction(const FlatScene& scene, vec3 position, float hu) {
-    const PlaceInCell place = placeInCell(scene.volume, position);
-    const int only = onlyCurve(scene, place.corner);
-    return only == kSeveralCurves ? mixedExtinction(scene, place, hu) : extinctionOf(scene.parts.curves[only], hu);
+    const auto [corner, fraction] = placeInCell(scene.volume, position);
+    std::uint64_t labels{};
+    const int only = onlyCurve(scene, corner, labels);
+    return only == kSeveralCurves ? mixedExtinction(scene, labels, fraction, hu)
+                                  : extinctionOf(scene.parts.curves[only], hu);
+}
+PDR_HD_INLINE float partedExtinction(const FlatScene& scene, vec3 position, float hu, bool mask) {
+    return mask ? partedExtinction(scene, position, hu) : 0.0f;
 }
 
 #if !defined(__CUDACC__)
 
-/// In lanes, cells with several curves are served one after the other: few are.
-inline FloatLanes partedExtinction(const FlatScene& scene, const Vec3<FloatLanes>& position, FloatLanes hu) {
-    const auto corner = [](FloatLanes at, float last) {
-        return toInt(min(max(at, FloatLanes{}), FloatLanes{} + last));
-    };
-    const vec3 last = scene.volume.lastCorner;
-    const Vec3<IntLanes> cell{corner(position.x, last.x), corner(position.y, last.y), corner(position.z, last.z)};
-    const IntLanes only = onlyCurve(scene, cell, ~IntLanes{}), several = only == kSeveralCurves;
+/// Returns it in the lanes of `mask`.
+inline FloatLanes partedExtinction(const FlatScene& scene, const Vec3<FloatLanes>& position, FloatLanes hu,
+                                   IntLanes mask) {
+    const auto clamped = [](FloatLanes at, float high) { return min(max(at, FloatLanes{}), FloatLanes{} + high); };
+    const vec3 end = scene.volume.lastIndex, last = scene.volume.lastCorner;
+    const Vec3<FloatLanes> at{clamped(position.x, end.x), clamped(position.y, end.y), clamped(position.z, end.z)};
+    const Vec3<IntLanes> corner{toInt(min(at.x, FloatLanes{} + last.x)), toInt(min(at.y, FloatLanes{} + last.y)),
+                                toInt(min(at.z, FloatLanes{} + last.z))};
+    BitsLanes labels{};
+    const IntLanes only = onlyCurve(scene, corner, mask, labels);
+    const Vec3<FloatLanes> fraction{at.x - toFloat(corner.x), at.y - toFloat(corner.y), at.z - toFloat(corner.z)};
     FloatLanes extinction{};
-    forEachCurve(only, ~several, [&](int curve, IntLanes here) {
-        const FloatLanes ofCurve = extinctionOf(scene.parts.curves[curve], hu);
-        extinction = here ? ofCurve : extinction;
-    });
-    for (int lane = 0; any(several) && lane < kLanes; ++lane)
-        if (several[lane]) {
-            const vec3 at(position.x[lane], position.y[lane], position.z[lane]);
-            extinction[lane] = mixedExtinction(scene, placeInCell(scene.volume, at), hu[lane]);
-        }
+    forCurvesOfLanes(
+        only, mask,
+        [&](int curve, IntLanes same) {
+            const FloatLanes ofCurve = extinctionOf(scene.parts.curves[curve], hu);
+            extinction = same ? ofCurve : extinction;
+        },
+        [&](int lane) {
+            extinction[lane] = only[lane] == kSeveralCurves
+                                   ? mixedExtinction(scene, labels[lane],
+                                                     {fraction.x[lane], fraction.y[lane], fraction.z[lane]}, hu[lane])
+                                   : extinctionOf(scene.parts.curves[only[lane]], hu[lane]);
+        });
     return extinction;
 }
 
 #endif
 
-/// Returns the extinction at a `position` (index space) with `hu` [1/mm]: that of the tissue times its visibility
-/// weight.
+/// Returns the extinction at a `position` (index space) with `hu` [1/mm], where `mask` holds: that of the tissue times
+/// its visibility weight.
 template <class Real>
-PDR_HD_INLINE Real extinction(const FlatScene& scene, const Vec3<Real>& position, Real hu) {
+PDR_HD_INLINE Real extinction(const FlatScene& scene, const Vec3<Real>& position, Real hu,
+                              typename SimdTraits<Real>::Mask mask) {
     const Real whole =
-        hasParts(scene) ? partedExtinction(scene, position, hu) : extinctionOf(scene.transferFunction, hu);
+        hasParts(scene) ? partedExtinction(scene, position, hu, mask) : extinctionOf(scene.transferFunction, hu);
     return isMasked(scene) ? whole * weightAt(scene, position) : whole;
 }
 
-template <class Real>
-PDR_HD_INLINE Real extinction(const FlatScene& scene, const Vec3<Real>& position) {
-    return extinction(scene, position, hounsfield(scene.volume, position));
+PDR_HD_INLINE float extinction(const FlatScene& scene, vec3 position) {
+    return extinction(scene, position, hounsfield(scene.volume, position), true);
 }
 
 PDR_HD_INLINE Material materialAt(const FlatTransferFunction& function, float hu) {
@@ -152,10 +171,11 @@ PDR_HD_INLINE FlatTransferFunction curveMet(const FlatScene& scene, vec3 positio
     if (!hasParts(scene))
         return scene.transferFunction;
     const PlaceInCell place = placeInCell(scene.volume, position);
-    if (!scene.parts.colours)
-        if (const int only = onlyCurve(scene, place.corner); only != kSeveralCurves)
-            return scene.parts.curves[only];
-    const std::uint64_t labels = cornerLabels(scene, place.corner);
+    std::uint64_t labels{};
+    if (scene.parts.colours)
+        labels = cornerLabels(scene, place.corner);
+    else if (const int only = onlyCurve(scene, place.corner, labels); only != kSeveralCurves)
+        return scene.parts.curves[only];
     if (isOneMaterial(scene, labels))
         return scene.parts.curves[materialAt(scene, labels, 0)];
     const CornerCurves corners = cornerCurves(scene, labels);

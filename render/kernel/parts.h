@@ -105,12 +105,8 @@ PDR_HD inline bool isOneMaterial(const FlatScene& scene, std::uint64_t labels) {
 /// Value of onlyCurve() where there are several.
 inline constexpr int kSeveralCurves = -1;
 
-/// Returns the curve that all corners of the cell between voxels have, or kSeveralCurves.
-PDR_HD inline int onlyCurve(const FlatScene& scene, ivec3 corner) {
-    const int only = scene.parts.onlyCurve[cellIndex(corner / kFineCell + 1, scene.majorants.fineSize)];
-    if (only != kMixedCell)
-        return only;
-    const std::uint64_t labels = cornerLabels(scene, corner);
+/// Returns the curve that all corners of a cell with these labels have, or kSeveralCurves.
+PDR_HD inline int onlyCurve(const FlatScene& scene, std::uint64_t labels) {
     const int first = curveAt(scene, labels, 0);
     if (isOneLabel(labels))
         return first;
@@ -120,29 +116,53 @@ PDR_HD inline int onlyCurve(const FlatScene& scene, ivec3 corner) {
     return first;
 }
 
+/// Returns the curve that all corners of the cell between voxels have, or kSeveralCurves and their `labels`.
+PDR_HD inline int onlyCurve(const FlatScene& scene, ivec3 corner, std::uint64_t& labels) {
+    const int only = scene.parts.onlyCurve[cellIndex(corner / kFineCell + 1, scene.majorants.fineSize)];
+    if (only != kMixedCell)
+        return only;
+    labels = cornerLabels(scene, corner);
+    return onlyCurve(scene, labels);
+}
+
+PDR_HD inline int onlyCurve(const FlatScene& scene, ivec3 corner, bool mask, std::uint64_t& labels) {
+    return mask ? onlyCurve(scene, corner, labels) : 0;
+}
+
 #if !defined(__CUDACC__)
 
 /// Returns the curve of each lane in which `mask` holds; 0 in the others.
-inline IntLanes onlyCurve(const FlatScene& scene, const Vec3<IntLanes>& corner, IntLanes mask) {
+inline IntLanes onlyCurve(const FlatScene& scene, const Vec3<IntLanes>& corner, IntLanes mask, BitsLanes& labels) {
     const ivec3 fine = scene.majorants.fineSize;
     const auto cell = [](IntLanes voxel) { return (voxel >> 2) + 1; };  // kFineCell is 4
     const IntLanes index = (cell(corner.z) * fine.y + cell(corner.y)) * fine.x + cell(corner.x);
     IntLanes only{};
     for (int lane = 0; lane < kLanes; ++lane)
         only[lane] = scene.parts.onlyCurve[index[lane]];
-    const IntLanes mixed = mask & (only == kMixedCell);
-    if (any(mixed))
-        for (int lane = 0; lane < kLanes; ++lane)
-            if (mixed[lane])
-                only[lane] = onlyCurve(scene, ivec3(corner.x[lane], corner.y[lane], corner.z[lane]));
+    for (std::uint32_t mixed = laneBits(mask & (only == kMixedCell)); mixed != 0; mixed &= mixed - 1) {
+        const int lane = std::countr_zero(mixed);
+        labels[lane] = cornerLabels(scene, ivec3(corner.x[lane], corner.y[lane], corner.z[lane]));
+        only[lane] = onlyCurve(scene, labels[lane]);
+    }
     return mask ? only : IntLanes{};
 }
 
-#endif
-
-PDR_HD inline int onlyCurve(const FlatScene& scene, const Vec3<int>& corner, bool mask) {
-    return mask ? onlyCurve(scene, ivec3(corner.x, corner.y, corner.z)) : 0;
+/// Calls together(curve, lanes) for the curve of the first lane in `mask` and all lanes that have it, then alone(lane)
+/// for each other one: few are.
+template <class Together, class Alone>
+PDR_HD_INLINE void forCurvesOfLanes(IntLanes curve, IntLanes mask, Together&& together, Alone&& alone) {
+    const std::uint32_t known = laneBits(mask & (curve != kSeveralCurves));
+    IntLanes same{};
+    if (known != 0) {
+        const int first = curve[std::countr_zero(known)];
+        same = mask & (curve == first);
+        together(first, same);
+    }
+    for (std::uint32_t left = laneBits(mask & !same); left != 0; left &= left - 1)
+        alone(std::countr_zero(left));
 }
+
+#endif
 
 /// Calls visit(curve, mask) for the curves at the corners of each lane's cell, where `mask` holds; for some several
 /// times. The visit's own mask: the lanes whose cell has that curve there.

@@ -86,7 +86,7 @@ class LightFlight {
     PDR_HD_INLINE void look(const FlatScene& scene, Mask looks) {
         const Vec3<Real> place = ray_.at(looks_.place);
         const VoxelCell<Real> cell = nearestCell(scene.volume, voxelAt(place), looks);
-        const Real extinction = extinctionAt(scene, place, trilinear(cell, fractionsIn(cell, place)));
+        const Real extinction = extinctionAt(scene, place, trilinear(cell, fractionsIn(cell, place)), looks);
         Real u;
         random_.pair(looks, u, next_);
         const Mask done = looks & !looks_.look(looks, extinction, u, next_);
@@ -98,10 +98,11 @@ class LightFlight {
         end_ = ended ? Real{} - 1.0f : end_;
     }
 
-    /// Returns the visible extinction [1/mm].
-    PDR_HD_INLINE static Real extinctionAt(const FlatScene& scene, const Vec3<Real>& place, Real hu) {
+    /// Returns the visible extinction in the lanes of `looks` [1/mm].
+    PDR_HD_INLINE static Real extinctionAt(const FlatScene& scene, const Vec3<Real>& place, Real hu,
+                                           [[maybe_unused]] Mask looks) {
         if constexpr (Kind == Tissue::parted)
-            return extinction(scene, place, hu);
+            return extinction(scene, place, hu, looks);
         else if constexpr (Kind == Tissue::masked)
             return extinctionOf(scene.transferFunction, hu) * weightAt(scene, place);
         else

@@ -117,7 +117,7 @@ class MajorantTraversal {
                 hu = hounsfield(scene.volume, position);
             if (Dense && any(happened & here.voxelMajorant))
                 hu = here.voxelMajorant ? trilinear(here.voxels, fractionsIn(here.voxels, position)) : hu;
-            collision.extinction = extinction(scene, position, hu);
+            collision.extinction = extinction(scene, position, hu, happened);
             Real u, decision;
             random_.pair(happened, u, decision);
             depth_ = happened ? negativeLog(u) : depth_;

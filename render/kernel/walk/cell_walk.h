@@ -28,9 +28,10 @@ struct MaskedHuAlong : HuAlong<Real> {
 template <class Real>
 struct PartedHuAlong : MaskedHuAlong<Real> {
     using Int = typename SimdTraits<Real>::Int;
+    using Bits = typename SimdTraits<Real>::Bits;
 
     Int curve;              ///< the only curve of the cell, or kSeveralCurves
-    Vec3<Int> corner;       ///< lowest corner of a cell with several curves
+    Bits labels;            ///< those of the corners of a cell with several curves
     Vec3<Real> begin, end;  ///< ends of the segment there, as fractions of the cell
 };
 
@@ -56,9 +57,8 @@ PDR_HD_INLINE void readCell(const FlatScene& scene, const Vec3<typename SimdTrai
     if constexpr (std::is_same_v<Way, PartedHuAlong<Real>>) {
         if (isMasked(scene))
             way.weight.take(mask, weightAlong(scene.mask, corner, from, to));
-        way.curve = mask ? onlyCurve(scene, corner, mask) : way.curve;
+        way.curve = mask ? onlyCurve(scene, corner, mask, way.labels) : way.curve;
         if (any(mask & (way.curve == kSeveralCurves))) {
-            take(way.corner, mask, corner);
             take(way.begin, mask, from);
             take(way.end, mask, to);
         }

@@ -22,8 +22,8 @@ struct CornerPieces {
 };
 
 /// Finds the pieces of the corners' curves in which a segment begins.
-PDR_HD inline CornerPieces<float> cornerPieces(const FlatScene& scene, ivec3 corner, const Cubic<float>& hu) {
-    const CornerCurves corners = cornerCurves(scene, corner);
+PDR_HD inline CornerPieces<float> cornerPieces(const FlatScene& scene, std::uint64_t labels, const Cubic<float>& hu) {
+    const CornerCurves corners = cornerCurves(scene, labels);
     CornerPieces<float> found{};
     for (int n = 0; n < 8; ++n) {
         int same = 0;
@@ -50,7 +50,7 @@ PDR_HD inline CornerPieces<float> cornerPieces(const FlatScene& scene, ivec3 cor
 PDR_HD_INLINE void findCornerPieces(const FlatScene& scene, const PartedHuAlong<float>& cell, bool mask,
                                     const Cubic<float>& hu, CornerPieces<float>& found) {
     if (mask)
-        found = cornerPieces(scene, ivec3(cell.corner.x, cell.corner.y, cell.corner.z), hu);
+        found = cornerPieces(scene, cell.labels, hu);
 }
 
 #if !defined(__CUDACC__)
@@ -62,8 +62,7 @@ inline void findCornerPieces(const FlatScene& scene, const PartedHuAlong<FloatLa
         if (!mask[lane])
             continue;
         const CornerPieces<float> one =
-            cornerPieces(scene, ivec3(cell.corner.x[lane], cell.corner.y[lane], cell.corner.z[lane]),
-                         {hu.b0[lane], hu.b1[lane], hu.b2[lane], hu.b3[lane]});
+            cornerPieces(scene, cell.labels[lane], {hu.b0[lane], hu.b1[lane], hu.b2[lane], hu.b3[lane]});
         for (int n = 0; n < 8; ++n) {
             found.base.hu[n][lane] = one.base.hu[n];
             found.slope.hu[n][lane] = one.slope.hu[n];
@@ -88,20 +87,19 @@ PDR_HD_INLINE void findPieces(const FlatScene& scene, int curve, bool mask, cons
 /// Finds the piece of each lane's curve: those of the first lane's together, others one after the other.
 inline void findPieces(const FlatScene& scene, IntLanes curve, IntLanes mask, const Cubic<FloatLanes>& hu,
                        OpticsPiece<FloatLanes>& piece) {
-    if (!any(mask))
-        return;
-    const int first = curve[std::countr_zero(laneBits(mask))];
-    const IntLanes same = mask & (curve == first);
-    const OpticsPiece<FloatLanes> found = pieceAtBegin(scene.optics, scene.parts.curves[first], hu);
-    piece = {same ? found.index : piece.index, same ? found.start : piece.start, same ? found.end : piece.end};
-    for (std::uint32_t left = laneBits(mask & !same); left != 0; left &= left - 1) {
-        const int lane = std::countr_zero(left);
-        const Cubic<float> alone{hu.b0[lane], hu.b1[lane], hu.b2[lane], hu.b3[lane]};
-        const OpticsPiece<float> one = pieceAtBegin(scene.optics, scene.parts.curves[curve[lane]], alone);
-        piece.index[lane] = one.index;
-        piece.start[lane] = one.start;
-        piece.end[lane] = one.end;
-    }
+    forCurvesOfLanes(
+        curve, mask,
+        [&](int first, IntLanes same) {
+            const OpticsPiece<FloatLanes> found = pieceAtBegin(scene.optics, scene.parts.curves[first], hu);
+            piece = {same ? found.index : piece.index, same ? found.start : piece.start, same ? found.end : piece.end};
+        },
+        [&](int lane) {
+            const Cubic<float> alone{hu.b0[lane], hu.b1[lane], hu.b2[lane], hu.b3[lane]};
+            const OpticsPiece<float> one = pieceAtBegin(scene.optics, scene.parts.curves[curve[lane]], alone);
+            piece.index[lane] = one.index;
+            piece.start[lane] = one.start;
+            piece.end[lane] = one.end;
+        });
 }
 
 #endif

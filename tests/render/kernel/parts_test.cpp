@@ -2,6 +2,7 @@
 
 #include <QTest>
 #include <random>
+#include <set>
 
 #include "render/device/cpu/flight_batch.h"
 #include "render/kernel/transport/event.h"
@@ -119,6 +120,45 @@ class PartsTest : public QObject {
         }
     }
 
+    /// At a place, too, each of the eight voxels around it counts with its own curve, however many there are. Lanes are
+    /// those of one place, and nothing is asked of lanes without a ray.
+    void placesMixTheCurvesOfEightVoxels() {
+        std::mt19937 random(5);
+        std::uniform_real_distribution<float> unit(0, 1);
+        double worst = 0;
+        int several = 0;
+        for (unsigned seed = 1; seed <= 8; ++seed) {
+            const Scene scene = gentleScene(seed, seed % 2 == 0);
+            const auto prepared = Flattener().prepare(scene);
+            for (int i = 0; i < 200; ++i) {
+                Vec3<FloatLanes> places;
+                FloatLanes hu;
+                IntLanes asked;
+                for (int lane = 0; lane < kLanes; ++lane) {
+                    const vec3 at = vec3(scene.volume->size()) * vec3(unit(random), unit(random), unit(random)) - 0.5f;
+                    places.x[lane] = at.x, places.y[lane] = at.y, places.z[lane] = at.z;
+                    hu[lane] = hounsfield(prepared->flat.volume, at);
+                    asked[lane] = unit(random) < 0.8f ? -1 : 0;
+                }
+                const FloatLanes found = extinction(prepared->flat, places, hu, asked);
+                for (int lane = 0; lane < kLanes; ++lane) {
+                    const vec3 at(places.x[lane], places.y[lane], places.z[lane]);
+                    const float alone = extinction(prepared->flat, at);
+                    worst = std::max(worst, std::fabs(alone - extinctionAt(scene, dvec3(at))));
+                    QCOMPARE(found[lane], asked[lane] ? alone : 0.0f);
+                    const std::uint64_t labels =
+                        cornerLabels(prepared->flat, placeInCell(prepared->flat.volume, at).corner);
+                    std::set<int> curves;
+                    for (int n = 0; n < 8; ++n)
+                        curves.insert(curveAt(prepared->flat, labels, n));
+                    several += curves.size() > 2;
+                }
+            }
+        }
+        QVERIFY2(worst < 1e-4, qPrintable(QString::number(worst)));
+        QVERIFY(several > 10);
+    }
+
     /// Exact flights integrate polynomials, tracking asks for the extinction place by place, within its bounds.
     void trackingFindsTheSame() {
         std::mt19937 random(6);
@@ -216,8 +256,9 @@ class PartsTest : public QObject {
         const auto prepared = Flattener().prepare(scene);
         QCOMPARE(prepared->parts.curves.size(), std::size_t(3));
         QCOMPARE(prepared->parts.pieceAt.size(), std::size_t(65536 / 16));  // of all curves: their borders are the same
+        std::uint64_t labels{};
         for (int x = 0; x < 7; ++x)
-            QCOMPARE(onlyCurve(prepared->flat, ivec3(x, 3, 3)), 0);
+            QCOMPARE(onlyCurve(prepared->flat, ivec3(x, 3, 3), labels), 0);
         const auto share = [&](float x) {  // of the second part
             int met = 0;
             for (int i = 0; i < 1000; ++i) {
