@@ -3,6 +3,13 @@
 namespace pdr::denoise {
 namespace {
 
+/// Adds weighted differences, not values: where there is no difference the mean is the pixel itself, to the bit. One
+/// channel at a time, since a compiler does not put together what reads and writes more arrays.
+void addDifferences(const float* weights, const float* own, const float* other, float* __restrict sums, int count) {
+    for (int i = 0; i < count; ++i)
+        sums[i] += weights[i] * (other[i] - own[i]);
+}
+
 /// Denoises some rows of the image, one neighbour of all their pixels after the other.
 class Band {
   public:
@@ -36,20 +43,15 @@ class Band {
     }
 
   private:
-    /// Adds weighted differences, not values: where there is no difference the mean is the pixel itself, to the bit.
     void add(int y, ivec2 apart) {
-        const auto own = [&](int c) { return in_.mean[c].row(begin_ + y); };
-        const auto other = [&](int c) { return in_.mean[c].row(begin_ + y + apart.y) + apart.x; };
-        const float *r = own(0), *g = own(1), *b = own(2), *r2 = other(0), *g2 = other(1), *b2 = other(2);
         const float* weights = weights_.data();
-        float* __restrict red = out_[0].row(begin_ + y), * __restrict green = out_[1].row(begin_ + y);
-        float* __restrict blue = out_[2].row(begin_ + y), * __restrict total = totalRow(y);
-        for (int x = 0; x < width_; ++x) {
-            const float weight = weights[x];
-            total[x] += weight;
-            red[x] += weight * (r2[x] - r[x]);
-            green[x] += weight * (g2[x] - g[x]);
-            blue[x] += weight * (b2[x] - b[x]);
+        float* __restrict total = totalRow(y);
+        for (int x = 0; x < width_; ++x)
+            total[x] += weights[x];
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Plane& mean = in_.mean[c];
+            addDifferences(weights, mean.row(begin_ + y), mean.row(begin_ + y + apart.y) + apart.x,
+                           out_[c].row(begin_ + y), width_);
         }
     }
 

@@ -10,17 +10,6 @@ int beginOf(int i, int few, int many) {
     return int(std::int64_t(i) * many / few);
 }
 
-/// The place of a pixel's centre on a line of fewer pixels.
-struct Place {
-    int near;    ///< pixel whose centre is the last before it; -1: none
-    float part;  ///< way from there to the next centre, [0, 1)
-};
-
-Place placeOf(int i, int few, int many) {
-    const float place = (float(i) + 0.5f) * float(few) / float(many) - 0.5f, near = std::floor(place);
-    return {int(near), place - near};
-}
-
 float between(float a, float b, float part) {
     return a + part * (b - a);
 }
@@ -47,25 +36,41 @@ Plane reduced(const Plane& plane, ivec2 size) {
     return out;
 }
 
-Plane enlarged(const Plane& plane, ivec2 size) {
-    const ivec2 few = plane.size();
-    std::vector<Place> across;
-    across.reserve(std::size_t(size.x));
+EnlargedRows::EnlargedRows(ivec2 few, ivec2 size) : few_(few), size_(size) {
+    across_.reserve(std::size_t(size.x));
     for (int x = 0; x < size.x; ++x)
-        across.push_back(placeOf(x, few.x, size.x));
+        across_.push_back(placeOf(x, few.x, size.x));
+}
+
+EnlargedRows::Place EnlargedRows::placeOf(int i, int few, int many) {
+    const float place = (float(i) + 0.5f) * float(few) / float(many) - 0.5f, near = std::floor(place);
+    return {int(near), place - near};
+}
+
+const float* EnlargedRows::row(const Plane& plane, int y, float* to) const {
+    if (few_ == size_)
+        return plane.row(y);
+    std::vector<float> line(std::size_t(few_.x) + 2);  // from one pixel before the first
+    const Place down = placeOf(y, few_.y, size_.y);
+    const float *upper = plane.row(down.near), *lower = plane.row(down.near + 1);
+    for (int x = -1; x <= few_.x; ++x)
+        line[std::size_t(x) + 1] = between(upper[x], lower[x], down.part);
+    for (int x = 0; x < size_.x; ++x) {
+        const Place place = across_[std::size_t(x)];
+        const float* near = line.data() + place.near + 1;
+        to[x] = between(near[0], near[1], place.part);
+    }
+    return to;
+}
+
+Plane enlarged(const Plane& plane, ivec2 size) {
+    if (plane.size() == size)
+        return plane;
+    const EnlargedRows rows(plane.size(), size);
     Plane out(size);
     eachBand(size.y, {}, [&](int begin, int end) {
-        std::vector<float> line(std::size_t(few.x) + 2);  // from one pixel before the first
-        for (int y = begin; y < end; ++y) {
-            const Place down = placeOf(y, few.y, size.y);
-            const float *upper = plane.row(down.near), *lower = plane.row(down.near + 1);
-            for (int x = -1; x <= few.x; ++x)
-                line[std::size_t(x) + 1] = between(upper[x], lower[x], down.part);
-            for (int x = 0; x < size.x; ++x) {
-                const float* near = line.data() + across[std::size_t(x)].near + 1;
-                out.row(y)[x] = between(near[0], near[1], across[std::size_t(x)].part);
-            }
-        }
+        for (int y = begin; y < end; ++y)
+            rows.row(plane, y, out.row(y));
     });
     out.mirror();
     return out;

@@ -1,6 +1,7 @@
 #include "render/edit/light_change.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "render/denoise/resampled.h"
 
@@ -16,8 +17,10 @@ constexpr float kMostFactor = 4;
 /// Part of the mean luminance below which light is too little to form a quotient.
 constexpr float kDimPart = 0.02f;
 
-Plane inSize(const Plane& plane, ivec2 size) {
-    return plane.size() == size ? plane : denoise::enlarged(plane, size);
+/// Changes the light of `count` pixels.
+void lay(const float* light, const float* gain, const float* offset, float* __restrict out, int count) {
+    for (int i = 0; i < count; ++i)
+        out[i] = std::max(gain[i] * light[i] + offset[i], 0.0f);
 }
 
 }  // namespace
@@ -77,10 +80,18 @@ LightChange partOf(const LightChange& change, const Plane& share) {
 }
 
 denoise::Colours laidOn(const denoise::Colours& old, const LightChange& change) {
-    denoise::Colours out;
-    for (std::size_t c = 0; c < 3; ++c)
-        out[c] = combined([](float light, float gain, float offset) { return std::max(gain * light + offset, 0.0f); },
-                          old[c], inSize(change.gain[c], old[c].size()), inSize(change.offset[c], old[c].size()));
+    const ivec2 size = old[0].size();
+    const denoise::EnlargedRows rows(change.gain[0].size(), size);
+    denoise::Colours out = denoise::coloursOf(size);
+    denoise::eachBand(size.y, {}, [&](int begin, int end) {
+        std::vector<float> gains(std::size_t(size.x)), offsets = gains;
+        for (int y = begin; y < end; ++y)
+            for (std::size_t c = 0; c < 3; ++c)
+                lay(old[c].row(y), rows.row(change.gain[c], y, gains.data()),
+                    rows.row(change.offset[c], y, offsets.data()), out[c].row(y), size.x);
+    });
+    for (Plane& plane : out)
+        plane.mirror();
     return out;
 }
 

@@ -113,6 +113,31 @@ class CoarseEditTest : public QObject {
         QVERIFY2(guided < 0.6 * alone, qPrintable(QString::number(guided / alone)));
     }
 
+    /// No plane of the change is made in full size, but its bits are those of the enlarged one.
+    void aChangeIsEnlargedRowByRow() {
+        const auto valued = [](ivec2 size, const Truth& value) {
+            Colours colours = denoise::coloursOf(size);
+            for (std::size_t c = 0; c < 3; ++c) {
+                for (int y = 0; y < size.y; ++y)
+                    for (int x = 0; x < size.x; ++x)
+                        colours[c].row(y)[x] = float(value(x + int(c), y));
+                colours[c].mirror();
+            }
+            return colours;
+        };
+        const Colours old = valued(kSize, discs);
+        const LightChange change{valued({37, 29}, [](int x, int y) { return 0.5 + (x * 7 + y) % 5; }),
+                                 valued({37, 29}, [](int x, int y) { return (x + 3 * y) % 4 - 2.5; })};
+        const Colours laid = laidOn(old, change);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Plane gain = denoise::enlarged(change.gain[c], kSize);
+            const Plane offset = denoise::enlarged(change.offset[c], kSize);
+            for (int y = -1; y <= kSize.y; ++y)  // with the mirror image
+                for (int x = -1; x <= kSize.x; ++x)
+                    QCOMPARE(laid[c].row(y)[x], std::max(gain.row(y)[x] * old[c].row(y)[x] + offset.row(y)[x], 0.0f));
+        }
+    }
+
     void noChangeLeavesTheImageAsItIs() {
         const Edit edit(discs, discs, 0);
         const Colours shown = edit.radiance(), old = kept(edit.then)->all;
