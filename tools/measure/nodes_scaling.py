@@ -146,6 +146,7 @@ def main():
     print(f"leaseSeconds {lease:.6f}")
     arguments.out.write_text(json.dumps({
         "format": "pdrender-scale-runs", "formatVersion": 1, "width": width, "height": height, "clock": "processor",
+        "cores": len(os.sched_getaffinity(0)),
         "leaseSeconds": lease, "machine": f"nodes of one core, {arguments.split}, medians of {arguments.rounds}",
         "runs": list(runs.values())}, indent=1) + "\n")
 

@@ -7,6 +7,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/bench/scale/played_pool.h"
+#include "render/base/image_size.h"
+
 namespace pdr::bench::scale {
 
 namespace {
@@ -25,6 +28,10 @@ std::optional<double> ifThere(const Json& json, const char* name) {
     return json.contains(name) ? std::optional(number(json, name, 0)) : std::nullopt;
 }
 
+int side(const Json& json, const char* name) {
+    return int(std::min(number(json, name, 1), double(kLongestSide)));
+}
+
 MeasuredRun runFrom(const Json& json) {
     constexpr double kLeastRate = 1e-9;
     MeasuredRun run;
@@ -40,9 +47,10 @@ MeasuredRuns runsFrom(const Json& json) {
     if (json.at("format") != "pdrender-scale-runs" || json.at("formatVersion") != 1)
         throw std::invalid_argument("the format is not pdrender-scale-runs, version 1");
     MeasuredRuns runs;
-    runs.pixels = number(json, "width", 1) * number(json, "height", 1);
+    runs.size = {side(json, "width"), side(json, "height")};
     runs.machine = json.value("machine", "");
     runs.byProcessor = json.value("clock", "wall") == "processor";
+    runs.cores = ifThere(json, "cores");
     runs.leaseSeconds = ifThere(json, "leaseSeconds");
     for (const Json& run : json.at("runs"))
         runs.runs.push_back(runFrom(run));
@@ -51,11 +59,18 @@ MeasuredRuns runsFrom(const Json& json) {
     return runs;
 }
 
-/// Returns the bytes of a run whose messages are as large as those of one node.
-std::optional<double> bytesOf(const MeasuredRun& run, const MeasuredRun& one) {
-    if (!run.bytes || !run.messages || !one.bytes || !one.messages || *one.messages == 0)
-        return std::nullopt;
-    return *one.bytes * *run.messages / *one.messages;
+/// Bytes of a result beside those of its pixels: the frame's header and its map.
+constexpr double kResultBytes = 150;
+
+/// Returns what the nodes of a run send, played with these facts.
+PlayedResults playedAs(const MeasuredRun& run, const MeasuredRuns& runs, const ScalingFacts& facts) {
+    const double crowd = runs.cores ? std::max(1.0, run.nodes / std::max(*runs.cores, 1.0)) : 1;
+    return playedResults(runs.size, run.iterations, {run.nodes, crowd * facts.node.sample, crowd * facts.node.launch});
+}
+
+/// Returns the bytes of the pixels of all results, as the model has them.
+double pixelBytesOf(const PlayedResults& results, const ScalingFacts& facts) {
+    return results.sumPixels * facts.sumBytes + results.deepPixels * facts.pixelBytes;
 }
 
 }  // namespace
@@ -81,7 +96,7 @@ Result<MeasuredRuns> readMeasuredRuns(const std::filesystem::path& path) {
 }
 
 std::vector<ComparedRun> compared(const MeasuredRuns& runs, ScalingFacts facts) {
-    facts.work.pixels = runs.pixels;
+    facts.work.pixels = runs.pixels();
     facts.node.launch = runs.leaseSeconds.value_or(facts.node.launch);
     if (runs.byProcessor) {
         facts.link = {0, std::numeric_limits<double>::infinity(), 0};
@@ -94,7 +109,7 @@ std::vector<ComparedRun> compared(const MeasuredRuns& runs, ScalingFacts facts) 
         if (run.messages) {  // as many tiles as in the run, each a launch
             its.work.perLaunch = run.iterations;
             its.tilesPerNode = std::max(1.0, std::round(*run.messages / 2 / run.nodes));
-            its.leastTilePixels = runs.pixels / (its.tilesPerNode * run.nodes) / 2;
+            its.leastTilePixels = runs.pixels() / (its.tilesPerNode * run.nodes) / 2;
         }
         return run.iterations * scaled(its, Distribution::sortFirst, run.nodes).framesPerSecond;
     };
@@ -102,9 +117,18 @@ std::vector<ComparedRun> compared(const MeasuredRuns& runs, ScalingFacts facts) 
     constexpr int kSteps = 60;  // nearly proportional, so a few would do
     for (int step = 0; step < kSteps; ++step)
         facts.node.sample *= rate(runs.ofOne()) / runs.ofOne().iterationsPerSecond;
+    // Scale the bytes of a pixel until the run of one node has as many as were measured
+    const PlayedResults one = playedAs(runs.ofOne(), runs, facts);
+    const auto fixed = [](const PlayedResults& results) { return results.sent * kResultBytes; };
+    std::optional<double> scale;
+    if (runs.ofOne().bytes)
+        scale = std::max(*runs.ofOne().bytes - fixed(one), 0.0) / pixelBytesOf(one, facts);
     std::vector<ComparedRun> all;
-    for (const MeasuredRun& run : runs.runs)
-        all.push_back({run, rate(run), bytesOf(run, runs.ofOne())});
+    for (const MeasuredRun& run : runs.runs) {
+        const PlayedResults played = playedAs(run, runs, facts);
+        const auto bytes = [&](double scaled) { return fixed(played) + scaled * pixelBytesOf(played, facts); };
+        all.push_back({run, rate(run), 2 * played.merged, scale ? std::optional(bytes(*scale)) : std::nullopt});
+    }
     return all;
 }
 

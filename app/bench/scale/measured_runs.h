@@ -6,6 +6,7 @@
 ///    "machine": "two cores, ...",             description for the reader; may be missing
 ///    "clock": "wall",                         or "processor": processor time of the nodes, which excludes transfers
 ///                                             and waits; default wall
+///    "cores": 2,                              processor cores that all nodes share; may be missing: one for each
 ///    "leaseSeconds": 0.001,                   T0, time of a piece of work beside its samples; may be
 ///                                             missing: that of this machine's launches
 ///    "runs": [{"nodes": 1,                    nodes that took samples, whole number from 1
@@ -21,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include "render/base/portable.h"
 #include "render/base/result.h"
 #include "render/timing/scaling.h"
 
@@ -34,12 +36,14 @@ struct MeasuredRun {
 };
 
 struct MeasuredRuns {
-    double pixels = 0;
+    ivec2 size{0};  ///< pixels
     std::string machine;
     bool byProcessor = false;            ///< true: times are processor time
+    std::optional<double> cores;         ///< cores that all nodes share; null: each has its own
     std::optional<double> leaseSeconds;  ///< T0; null: unknown
     std::vector<MeasuredRun> runs;       ///< at least one is of one node
 
+    double pixels() const { return double(size.x) * size.y; }
     const MeasuredRun& ofOne() const;
 };
 
@@ -52,17 +56,20 @@ Result<MeasuredRuns> measuredRunsFrom(const std::string& text, const std::string
 struct ComparedRun {
     MeasuredRun run;
     double foretold = 0;                  ///< predicted iterations per second
-    std::optional<double> foretoldBytes;  ///< predicted; null without messages and bytes
+    double foretoldMessages = 0;          ///< predicted
+    std::optional<double> foretoldBytes;  ///< predicted; null without the bytes of one node
 
     double off() const { return foretold / run.iterationsPerSecond - 1; }
     std::optional<double> bytesOff() const {
-        return foretoldBytes && *run.bytes > 0 ? std::optional(*foretoldBytes / *run.bytes - 1) : std::nullopt;
+        return foretoldBytes && run.bytes && *run.bytes > 0 ? std::optional(*foretoldBytes / *run.bytes - 1)
+                                                            : std::nullopt;
     }
 };
 
-/// Predicts all runs, with messages as large as those of one node. The image is one frame of as many iterations as each
-/// run has, divided into tiles: half as many as there were messages, where that is known. `facts`: those of this
-/// machine; alpha is scaled until one node takes as long as in the run of one node.
+/// Predicts all runs. The image is one frame of as many iterations as each run has, divided into tiles: half as many as
+/// there were messages, where that is known. `facts`: those of this machine; alpha is scaled until one node takes as
+/// long as in the run of one node. Messages and bytes are those of played nodes (played_pool.h), bytes of a pixel those
+/// of one node.
 std::vector<ComparedRun> compared(const MeasuredRuns& runs, ScalingFacts facts);
 
 }  // namespace pdr::bench::scale

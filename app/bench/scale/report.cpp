@@ -92,6 +92,7 @@ Json runJson(const ComparedRun& run) {
               {"iterationsPerSecond", run.run.iterationsPerSecond},
               {"foretold", run.foretold}};
     json["messages"] = run.run.messages ? Json(*run.run.messages) : Json();
+    json["foretoldMessages"] = run.foretoldMessages;
     json["bytes"] = run.run.bytes ? Json(*run.run.bytes) : Json();
     json["foretoldBytes"] = run.foretoldBytes ? Json(*run.foretoldBytes) : Json();
     return json;

@@ -105,13 +105,14 @@ std::string limitsText(const Report& report) {
 }
 
 std::string runsText(const Report& report) {
-    paper::TextTable table(
-        {"nodes", "iterations", "measured it/s", "foretold it/s", "off", "messages", "bytes", "foretold bytes", "off"},
-        0);
+    paper::TextTable table({"nodes", "iterations", "measured it/s", "foretold it/s", "off", "messages", "foretold",
+                            "bytes", "foretold bytes", "off"},
+                           0);
     for (const ComparedRun& run : report.runs)
         table.add({whole(run.run.nodes), whole(run.run.iterations), digits(run.run.iterationsPerSecond),
                    digits(run.foretold), signedPercent(run.off()), run.run.messages ? whole(*run.run.messages) : "-",
-                   run.run.bytes ? bytes(*run.run.bytes) : "-", run.foretoldBytes ? bytes(*run.foretoldBytes) : "-",
+                   whole(run.foretoldMessages), run.run.bytes ? bytes(*run.run.bytes) : "-",
+                   run.foretoldBytes ? bytes(*run.foretoldBytes) : "-",
                    run.bytesOff() ? signedPercent(*run.bytesOff()) : "-"});
     return "\nRuns of real nodes" + (report.machine.empty() ? "" : ", " + report.machine) +
            "; foretold from the one of one node\n\n" + table.text();

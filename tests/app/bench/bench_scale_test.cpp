@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "app/bench/scale/measured_runs.h"
+#include "app/bench/scale/played_pool.h"
 #include "app/bench/scale/plot.h"
 #include "app/bench/scale/report.h"
 #include "app/bench/scale/settings.h"
@@ -153,7 +154,7 @@ class BenchScaleTest : public QObject {
     void runsAreHeldAgainstTheOneOfOneNode() {
         const auto runs = measuredRunsFrom(kRuns, "runs.json");
         QVERIFY(runs);
-        QCOMPARE(runs->pixels, 480.0 * 270);
+        QCOMPARE(runs->pixels(), 480.0 * 270);
         QCOMPARE(*runs->ofOne().messages, 100.0);
         ScalingFacts some = facts();
         some.node = settingsFrom(kGiven)->nodeOf({});
@@ -165,17 +166,35 @@ class BenchScaleTest : public QObject {
 
     void bytesAreHeldAgainstThoseOfOneNode() {
         const auto runs = measuredRunsFrom(
-            R"({"format": "pdrender-scale-runs", "formatVersion": 1, "width": 480, "height": 270, "runs": [
-                {"nodes": 1, "iterations": 256, "iterationsPerSecond": 10, "messages": 100, "bytes": 2000},
-                {"nodes": 2, "iterations": 256, "iterationsPerSecond": 19, "messages": 150, "bytes": 2500},
-                {"nodes": 2, "iterations": 256, "iterationsPerSecond": 19, "bytes": 2500},
-                {"nodes": 2, "iterations": 256, "iterationsPerSecond": 19, "messages": 150}]})",
+            R"({"format": "pdrender-scale-runs", "formatVersion": 1, "width": 240, "height": 180, "cores": 2, "runs": [
+                {"nodes": 1, "iterations": 512, "iterationsPerSecond": 80, "messages": 186, "bytes": 480000},
+                {"nodes": 16, "iterations": 512, "iterationsPerSecond": 800, "bytes": 2000000},
+                {"nodes": 2, "iterations": 512, "iterationsPerSecond": 160}]})",
             "runs.json");
-        QVERIFY(runs);
-        const auto all = compared(*runs, facts());
-        QVERIFY(std::fabs(*all[1].bytesOff() - 0.2) < 1e-12);
+        QVERIFY(runs && *runs->cores == 2);
+        ScalingFacts some = facts();
+        some.node = {0, 3e-7, 0, 0};
+        const auto all = compared(*runs, some);
+        QVERIFY(std::fabs(*all[0].bytesOff()) < 1e-9);
+        QVERIFY(std::fabs(*all[1].bytesOff() - (*all[1].foretoldBytes / 2e6 - 1)) < 1e-9);
         QVERIFY(!all[2].bytesOff());
-        QVERIFY(!all[3].bytesOff());
+        QVERIFY(all[1].foretoldMessages > 2 * all[0].foretoldMessages);
+        auto apart = *runs;  // as many cores as nodes: pieces are larger, and fewer
+        apart.cores.reset();
+        QVERIFY(compared(apart, some)[1].foretoldMessages < all[1].foretoldMessages);
+    }
+
+    /// A film takes each sample once, however many nodes there are; what they check each other for comes on top.
+    void playedNodesSendWhatAnImageNeeds() {
+        const ivec2 size{240, 180};
+        for (const int nodes : {1, 3, 16}) {
+            const PlayedResults results = playedResults(size, 512, {nodes, 3e-7, 1e-3});
+            QVERIFY(results.sumPixels + results.deepPixels > size.x * size.y);
+            QVERIFY(results.merged > nodes && results.sent >= results.merged);
+            QVERIFY(nodes > 1 || results.sent == results.merged);  // there is nobody to check it but the coordinator
+        }
+        QCOMPARE(playedResults(size, 1 << 12, {4, 3e-7, 0}).sumPixels,
+                 playedResults(size, 1 << 12, {4, 3e-7, 0}).sumPixels);
     }
 
     void whatEndsTheGainIsSaid() {
