@@ -65,14 +65,17 @@ double meanOf(const Plane& plane) {
 Plane boxed(const Plane& plane, int radius) {
     const int width = plane.size().x, height = plane.size().y;
     const float share = 1.0f / float((2 * radius + 1) * (2 * radius + 1));
-    Plane across(plane.size()), out(plane.size());
+    Plane across = Plane::unset(plane.size()), out = Plane::unset(plane.size());
     eachBand(height + 2 * radius, {}, [&](int begin, int end) {
-        for (int y = begin - radius; y < end - radius; ++y)
+        for (int y = begin - radius; y < end - radius; ++y) {
+            std::fill_n(across.row(y), width, 0.0f);
             for (int i = -radius; i <= radius; ++i)
                 add(plane.row(y) + i, across.row(y), width);
+        }
     });
     eachBand(height, {}, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
+            std::fill_n(out.row(y), width, 0.0f);
             for (int i = -radius; i <= radius; ++i)
                 add(across.row(y + i), out.row(y), width);
             for (int x = 0; x < width; ++x)
@@ -84,7 +87,7 @@ Plane boxed(const Plane& plane, int radius) {
 }
 
 Plane halved(const Plane& plane, float scale) {
-    Plane out((plane.size() + 1) / 2);
+    Plane out = Plane::unset((plane.size() + 1) / 2);
     eachBand(out.size().y, {}, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
             const float *upper = plane.row(2 * y), *lower = plane.row(2 * y + 1);

@@ -3,13 +3,16 @@
 /// mirror image, kBorder pixels far, so that a filter may read there without checks; code that changes pixels must call
 /// mirror(). Every sum has a fixed order: the bits depend neither on threads nor on the instruction set of the machine.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
 #include "render/base/portable.h"
+#include "render/denoise/plane_memory.h"
 
 namespace pdr::denoise {
 
@@ -19,10 +22,9 @@ class Plane {
 
     Plane() = default;
     /// Creates a plane of zeros; at least 1 x 1.
-    explicit Plane(ivec2 size)
-        : size_(size),
-          stride_(size.x + 2 * kBorder),
-          values_(std::size_t(stride_) * std::size_t(size.y + 2 * kBorder)) {}
+    explicit Plane(ivec2 size) : Plane(size, 0.0f) {}
+    /// Creates a plane whose values are all to be set: the system provides its memory to the threads that set them.
+    static Plane unset(ivec2 size) { return Plane(size, std::nullopt); }
 
     ivec2 size() const { return size_; }
     /// Returns a pointer to pixel (0, y). Both x and y may be up to kBorder outside.
@@ -31,11 +33,18 @@ class Plane {
     void mirror();
 
   private:
+    Plane(ivec2 size, std::optional<float> value)
+        : size_(size),
+          stride_(size.x + 2 * kBorder),
+          values_(std::size_t(stride_) * std::size_t(size.y + 2 * kBorder)) {
+        if (value)
+            std::ranges::fill(values_, *value);
+    }
     std::size_t at(int y) const { return std::size_t(y + kBorder) * std::size_t(stride_) + kBorder; }
 
     ivec2 size_{0};
     int stride_ = 0;
-    std::vector<float> values_;
+    std::vector<float, PlaneAllocator<float>> values_;
 };
 
 /// The three channels of an image, linear Rec. 709.
@@ -51,7 +60,7 @@ void eachBand(int height, const std::stop_token& stop, const std::function<void(
 /// Returns f(x, y...) of each pixel of planes of one size; computed on many threads.
 template <class F, class... Planes>
 Plane combined(const F& f, const Plane& first, const Planes&... others) {
-    Plane out(first.size());
+    Plane out = Plane::unset(first.size());
     eachBand(out.size().y, {}, [&](int begin, int end) {
         for (int y = begin; y < end; ++y)
             for (int x = 0; x < out.size().x; ++x)

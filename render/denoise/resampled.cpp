@@ -18,7 +18,7 @@ float between(float a, float b, float part) {
 
 Plane reduced(const Plane& plane, ivec2 size) {
     const ivec2 full = plane.size();
-    Plane out(size);
+    Plane out = Plane::unset(size);
     eachBand(size.y, {}, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
             const int top = beginOf(y, size.y, full.y), bottom = beginOf(y + 1, size.y, full.y);
@@ -67,7 +67,7 @@ Plane enlarged(const Plane& plane, ivec2 size) {
     if (plane.size() == size)
         return plane;
     const EnlargedRows rows(plane.size(), size);
-    Plane out(size);
+    Plane out = Plane::unset(size);
     eachBand(size.y, {}, [&](int begin, int end) {
         for (int y = begin; y < end; ++y)
             rows.row(plane, y, out.row(y));

@@ -82,7 +82,7 @@ LightChange partOf(const LightChange& change, const Plane& share) {
 denoise::Colours laidOn(const denoise::Colours& old, const LightChange& change) {
     const ivec2 size = old[0].size();
     const denoise::EnlargedRows rows(change.gain[0].size(), size);
-    denoise::Colours out = denoise::coloursOf(size);
+    denoise::Colours out{Plane::unset(size), Plane::unset(size), Plane::unset(size)};
     denoise::eachBand(size.y, {}, [&](int begin, int end) {
         std::vector<float> gains(std::size_t(size.x)), offsets = gains;
         for (int y = begin; y < end; ++y)

@@ -4,6 +4,7 @@
 
 #include "render/base/background_thread.h"
 #include "render/base/thrown.h"
+#include "render/denoise/plane_memory.h"
 #include "render/kernel/random.h"
 #include "render/scene/not_shown.h"
 #include "render/scene/scene.h"
@@ -89,6 +90,7 @@ void Session::Loop::clear() {
     edits_.forget();
     effectCosts_.forget();
     kept_.clear();
+    denoise::dropKeptForPlanes();
     scene_ = {};
     notShown_ = {};
     place_.close();
