@@ -52,15 +52,18 @@ class Sampler {
         const vec2 u = random.pair();
         return {u, random.pair().x};
     }
-    /// Returns the optical depth up to the first event.
-    PDR_HD float depth() const { return freePathDepth(coordinate(coordinateOf(BounceDimension::distance))); }
+    /// Returns the optical depth up to event `event` of the two on the first segment. Each is distributed as if it were
+    /// alone; one lies in the nearer half of the distribution and one in the further half.
+    PDR_HD float depth(int event) const {
+        return freePathDepth(coordinate(coordinateOf(BounceDimension::distance)) ^ (std::uint32_t(event) << 31));
+    }
 
     /// Returns a stream of hashed numbers.
     PDR_HD RandomStream stream(int bounce, BounceDimension dimension) const {
         return random_.stream(bounce + (branch_ << 24), dimension);
     }
 
-    /// Returns the sampler of light path `i` of `count` from the first event, which uses the next points of a denser
+    /// Returns the sampler of event `i` of `count` on the first segment, which uses the next points of a denser
     /// sequence.
     PDR_HD Sampler branch(int i, int count) const {
         Sampler branch = *this;

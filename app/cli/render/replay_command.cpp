@@ -36,31 +36,38 @@ void printLight(const ReplayedLight& light) {
     std::printf(" times a transmittance of %.6g\n", double(light.transmittance));
 }
 
+void printEvent(const ReplayedEvent& event) {
+    if (event.collision < 0) {
+        std::printf("  through to the end: no event\n");
+        return;
+    }
+    const bool surface = event.event.normal != vec3(0);
+    std::printf("  event after %.6g mm\n", double(event.collision));
+    printTriple("    at ", event.placeMm);
+    std::printf(" mm: %.6g HU, extinction %.6g per mm, %s\n", double(event.hu), double(event.extinction),
+                surface ? "a surface reflects" : "the phase function scatters");
+    printTriple("    albedo ", event.event.material.albedo);
+    if (surface)
+        printTriple(", normal ", event.event.normal);
+    if (event.emitted != vec3(0))
+        printTriple(", glow ", event.emitted);
+    std::printf("\n");
+    printLight(event.light);
+}
+
 void printSegment(int number, const ReplayedSegment& segment) {
     std::printf("%d ", number);
     printTriple("from ", segment.startMm);
     printTriple(" mm towards ", segment.direction);
-    if (segment.collision < 0) {
-        std::printf(segment.length > 0 ? ", through to the end: no event\n" : ": nothing in its way\n");
-        printCollected(segment);
-        return;
-    }
-    const bool surface = segment.event.normal != vec3(0);
-    std::printf(", event after %.6g mm\n", double(segment.collision));
+    std::printf(segment.length > 0 ? "\n" : ": nothing in its way\n");
     printCollected(segment);
-    printTriple("    at ", segment.eventMm);
-    std::printf(" mm: %.6g HU, extinction %.6g per mm, %s\n", double(segment.hu), double(segment.extinction),
-                surface ? "a surface reflects" : "the phase function scatters");
-    printTriple("    albedo ", segment.event.material.albedo);
-    if (surface)
-        printTriple(", normal ", segment.event.normal);
-    if (segment.emitted != vec3(0))
-        printTriple(", glow ", segment.emitted);
-    std::printf("\n");
-    for (const ReplayedLight& light : segment.lights)
-        printLight(light);
-    printTriple("    the path goes on with ", segment.throughput);
-    std::printf("\n");
+    if (segment.length > 0)
+        for (const ReplayedEvent& event : segment.events)
+            printEvent(event);
+    if (segment.events.back().collision >= 0) {
+        printTriple("    the path goes on with ", segment.throughput);
+        std::printf("\n");
+    }
 }
 
 Result<void> tell(const ReplayOptions& options) {

@@ -43,31 +43,31 @@ class LaneColumns {
     alignas(64) std::array<std::array<float, kLanes>, kNumbers> columns_{};
 };
 
-/// The starts of as many light paths as there are lanes, with the events that they start at.
+/// As many events as there are lanes, with the random numbers for the light path from each.
 class EventGroup {
   public:
-    /// Number `path` of the light paths from the event of a row.
-    struct Start {
-        int row, path;
+    /// Number `event` of the events on the segment of a row.
+    struct Place {
+        int row, event;
     };
 
     int size() const { return size_; }
-    bool hasRoom(int paths) const { return size_ + paths <= kLanes; }
+    bool isFull() const { return size_ == kLanes; }
     void clear() { size_ = 0; }
-    void add(Start start, const Event& event, const LightNumbers& numbers) {
-        starts_[std::size_t(size_)] = start;
+    void add(Place place, const Event& event, const LightNumbers& numbers) {
+        places_[std::size_t(size_)] = place;
         events_.set(size_, event);
         numbers_.set(size_++, numbers);
     }
 
-    Start start(int lane) const { return starts_[std::size_t(lane)]; }
+    Place place(int lane) const { return places_[std::size_t(lane)]; }
     vec3 emission(int lane) const { return events_.at(lane).material.emission; }
     EventOf<FloatLanes> all() const { return events_.all(); }
     LightNumbersOf<FloatLanes> numbers() const { return numbers_.all(); }
 
   private:
     int size_ = 0;
-    std::array<Start, kLanes> starts_;
+    std::array<Place, kLanes> places_;
     LaneColumns<EventOf> events_;
     LaneColumns<LightNumbersOf> numbers_;
 };

@@ -13,6 +13,8 @@ struct FlightBatch::InLanes {
         Walk walk;
         walk.start(scene, rays.origins(row), rays.directions(row), rays.lengths(row), rays.lanes(batch.depth_, row),
                    randomOf(row));
+        if constexpr (Walk::kEnd == FlightEnd::places)
+            walk.goOnTo(rays.lanes(batch.furtherDepth_, row));
         return walk;
     }
     RandomStreamOf<FloatLanes> randomOf(int row) const {
@@ -24,6 +26,8 @@ struct FlightBatch::InLanes {
     void keep(const FlatScene&, const Walk& walk, int lane, int ray) {
         batch.distance_[ray] = walk.distance[lane];
         batch.passed_[ray] = walk.passed[lane];
+        if constexpr (Walk::kEnd == FlightEnd::places)
+            batch.furtherDistance_[ray] = walk.further[lane];
     }
 };
 
@@ -38,23 +42,24 @@ void FlightBatch::flyAll(const FlatScene& scene) {
     if (lanesCanRead(scene.volume))
         return forTissue(scene, [&]<Tissue Kind>() { flyInLanes<FlightFor<FloatLanes, Kind, End, Thin>>(scene); });
     for (int row = 0; row < size_; ++row) {
-        const Flight flight =
-            Thin == ThinTissue::solved
-                ? freeFlight<End>(scene, rays_.at(row), depth_[row])
-                : lookFlight<End, Thin>(scene, rays_.at(row), depth_[row], RandomStream{{counter_[row], key_[row]}});
+        const Flight flight = Thin == ThinTissue::solved
+                                  ? freeFlight<End>(scene, rays_.at(row), depth_[row], furtherDepth_[row])
+                                  : lookFlight<End, Thin>(scene, rays_.at(row), depth_[row],
+                                                          RandomStream{{counter_[row], key_[row]}}, furtherDepth_[row]);
         distance_[row] = flight.distance;
+        furtherDistance_[row] = flight.further;
         passed_[row] = flight.passed;
     }
 }
 
 void FlightBatch::fly(const FlatScene& scene, FlightEnd end) {
-    end == FlightEnd::place ? flyAll<FlightEnd::place, ThinTissue::solved>(scene)
-                            : flyAll<FlightEnd::whether, ThinTissue::solved>(scene);
+    end == FlightEnd::whether ? flyAll<FlightEnd::whether, ThinTissue::solved>(scene)
+                              : flyAll<FlightEnd::places, ThinTissue::solved>(scene);
 }
 
 void FlightBatch::flyByLooks(const FlatScene& scene, FlightEnd end) {
-    if (end == FlightEnd::place)
-        flyAll<FlightEnd::place, ThinTissue::looked>(scene);
+    if (end != FlightEnd::whether)
+        flyAll<FlightEnd::places, ThinTissue::looked>(scene);
     else if (scene.lightLooks)
         flyAll<FlightEnd::whether, ThinTissue::allLooked>(scene);
     else

@@ -65,20 +65,26 @@ class PixelBatch {
         for (int row = 0; row < active_; ++row) {
             const Path& path = paths_[row];
             if (isFlown(bounces_[row])) {
-                flights_.add(path.segment.ray, path.sampler.depth(), lookStream(path));
+                depths_[flights_.size()] = eventDepths(scene, path);
+                const EventDepths& depths = depths_[flights_.size()];
+                flights_.add(path.segment.ray, depths.nearer, depths.further, lookStream(path));
             } else {
                 rowOfRay_[rays_.size()] = row;
                 rays_.add(path.segment.ray, distanceStream(path, bounces_[row]));
             }
         }
-        fly(scene, FlightEnd::place);
+        fly(scene, FlightEnd::places);
         rays_.track<DeltaTracking>(scene);
         for (const int ray : rays_.overMajorant())
             sampleOf(rowOfRay_[ray]).overMajorant = true;
         for (int row = 0, flight = 0, ray = 0; row < active_; ++row)
-            collision_[row] = isFlown(bounces_[row]) ? flights_.distance(flight++) : rays_.result(ray++);
+            collisions_[row] = isFlown(bounces_[row]) ? collisionsOf(flight++) : Collisions{{rays_.result(ray++)}};
         flights_.clear();
         rays_.clear();
+    }
+
+    Collisions collisionsOf(int flight) const {
+        return depths_[flight].collisions(flights_.distance(flight), flights_.further(flight));
     }
 
     /// As firstFlight() does.
@@ -92,20 +98,30 @@ class PixelBatch {
     void endRowsInLanes(const FlatScene& scene) {
         collectLight<F>(scene);
         for (int row = 0; row < active_; ++row) {
-            const Path& path = paths_[row];
-            const int bounce = bounces_[row], lightPaths = lightPathsFrom(bounce);
             continues_[row] = false;
-            if (!arrive(scene, path, collision_[row], bounce, sampleOf(row), collected_[row]))
-                continue;
-            if (!events_.hasRoom(lightPaths))
-                departInLanes<F>(scene);
-            const Event event = eventOf<F>(scene, path, collision_[row], bounce);
-            if constexpr (has(F, kBounces))
-                onwardNumbers_.set(events_.size(), path.sampler.triple(bounce, BounceDimension::continuation));
-            for (int i = 0; i < lightPaths; ++i)
-                events_.add({row, i}, event, lightNumbers<F>(scene, lightSampler(path, i, bounce), bounce));
+            Event event;
+            for (int i = 0; i < eventsOn(bounces_[row]); ++i)
+                arriveAt<F>(scene, row, i, event);
         }
         departInLanes<F>(scene);
+    }
+
+    /// Gathers event `i` on the segment of a row, if there is one. `event`: the one before, which it may be, too.
+    template <std::uint32_t F>
+    void arriveAt(const FlatScene& scene, int row, int i, Event& event) {
+        const Path& path = paths_[row];
+        const int bounce = bounces_[row];
+        const float collision = collisions_[row].of[i];
+        if (!arrive(scene, path, collision, bounce, sampleOf(row), collected_[row]))
+            return;
+        if (events_.isFull())
+            departInLanes<F>(scene);
+        if (i == 0 || eventsApart(scene))
+            event = eventOf<F>(scene, path, i, collision, bounce);
+        if constexpr (has(F, kBounces))
+            if (goesOnFrom(i, bounce))
+                onwardNumbers_.set(events_.size(), path.sampler.triple(bounce, BounceDimension::continuation));
+        events_.add({row, i}, event, lightNumbers<F>(scene, eventSampler(path, i, bounce), bounce));
     }
 
     /// Finds the light on all segments.
@@ -116,8 +132,9 @@ class PixelBatch {
         int count = 0;
         for (int row = 0; row < active_; ++row) {
             collected_[row] = vec3(0);
-            if (collectsLight<F>(scene, bounces_[row], collision_[row])) {
-                segments.set(count, litSegment(paths_[row], collision_[row]));
+            const float collision = collisions_[row].of[0];
+            if (collectsLight<F>(scene, bounces_[row], collision)) {
+                segments.set(count, litSegment(paths_[row], collision));
                 rows[count++] = row;
             }
             if (count < kLanes && (count == 0 || row + 1 < active_))
@@ -137,21 +154,22 @@ class PixelBatch {
         const EventOf<FloatLanes> events = events_.all();
         const LaneColumns<LightPathOf> lights(directLight<F>(scene, events, events_.numbers()));
         for (int lane = 0; lane < events_.size(); ++lane) {
-            const auto [row, i] = events_.start(lane);
+            const auto [row, i] = events_.place(lane);
             addLightPath(row, i, seen(paths_[row], lights.at(lane), bounces_[row]));
+            addEmission<F>(paths_[row], events_.emission(lane), bounces_[row], sampleOf(row));
         }
         LaneColumns<ContinuationOf> onward;
         if (has(F, kBounces) && scene.maxBounces > 1)
             onward = LaneColumns<ContinuationOf>(
                 continuationFrom<F>(scene, events, onwardNumbers_.all(), scene.lightAlongPath));
         for (int lane = 0; lane < events_.size(); ++lane) {
-            const auto [row, i] = events_.start(lane);
-            if (i > 0)
+            const auto [row, i] = events_.place(lane);
+            if (!goesOnFrom(i, bounces_[row]))
                 continue;
             Path& path = paths_[row];
             const int bounce = bounces_[row];
             PathVertex vertex;
-            depart<F>(scene, path, events_.emission(lane), bounce, sampleOf(row), vertex,
+            depart<F>(scene, bounce, sampleOf(row), vertex,
                       [&, lane = lane] { return goOn(path, onward.at(lane), bounce); });
             continues_[row] = vertex.continues;
         }
@@ -161,14 +179,14 @@ class PixelBatch {
     template <std::uint32_t F>
     void endRows(const FlatScene& scene) {
         for (int row = 0; row < active_; ++row) {
-            const PathVertex vertex = endSegment<F>(scene, paths_[row], collision_[row], bounces_[row], sampleOf(row));
+            const PathVertex vertex = endSegment<F>(scene, paths_[row], collisions_[row], bounces_[row], sampleOf(row));
             continues_[row] = vertex.continues;
-            for (int i = 0; i < kMostLightPaths; ++i)
+            for (int i = 0; i < kMostEvents; ++i)
                 addLightPath(row, i, vertex.scattered[i]);
         }
     }
 
-    /// Adds light path `i` from the event of a row to those that are traced.
+    /// Adds the light path from event `i` of a row to those that are traced.
     PDR_HD_INLINE void addLightPath(int row, int i, const LightPath& light) {
         if (isDark(light))
             return;
@@ -244,14 +262,15 @@ class PixelBatch {
     std::array<int, RayBatch::kCapacity> bounces_;
     std::array<std::size_t, RayBatch::kCapacity> indices_;  ///< positions in samples_
     std::array<bool, RayBatch::kCapacity> continues_;
-    std::array<float, RayBatch::kCapacity> collision_;  ///< distance of the collision; see endSegment()
-    std::array<vec3, RayBatch::kCapacity> collected_;   ///< light on the segment, as the camera sees it
-    EventGroup events_;                                 ///< events whose light is sought next
-    LaneColumns<Vec3> onwardNumbers_;                   ///< and the random numbers for their continuations
+    std::array<Collisions, RayBatch::kCapacity> collisions_;
+    std::array<vec3, RayBatch::kCapacity> collected_;  ///< light on the segment, as the camera sees it
+    EventGroup events_;                                ///< events whose light is sought next
+    LaneColumns<Vec3> onwardNumbers_;                  ///< and the random numbers for their continuations
     // for each ray: first of segments, then of light paths
     FlightBatch flights_;
     RayBatch rays_;
-    static_assert(FlightBatch::kCapacity >= kMostLightPaths * RayBatch::kCapacity);  // light paths of all paths at once
+    static_assert(FlightBatch::kCapacity >= kMostEvents * RayBatch::kCapacity);  // light paths of all paths at once
+    std::array<EventDepths, RayBatch::kCapacity> depths_;
     std::array<int, RayBatch::kCapacity> rowOfRay_;
     std::array<LightOfRow, FlightBatch::kCapacity> lightOfFlight_;
     std::array<LightOfRow, RayBatch::kCapacity> lightOfRay_;

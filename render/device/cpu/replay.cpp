@@ -15,40 +15,44 @@ class PathRecorder {
     PathRecorder(const FlatScene& scene, dvec3 centreMm, std::vector<ReplayedSegment>& segments)
         : scene_(scene), centreMm_(centreMm), segments_(segments) {}
 
-    void segment(const Path& path, int bounce, float collision) {
+    void segment(const Path& path, int bounce, const Collisions& collisions) {
         path_ = &path;
         const Ray& ray = path.segment.ray;
         ReplayedSegment& segment = segments_.emplace_back();
         segment.startMm = patientPlace(ray.origin);
         segment.direction = path.segment.direction;
         segment.length = ray.length;
-        segment.collision = collision;
-        if (!(collision >= 0))
-            return;
-        const vec3 place = ray.origin + ray.direction * collision;
-        segment.eventMm = patientPlace(place);
-        segment.hu = hounsfield(scene_.volume, place);
-        segment.extinction = extinction(scene_, place);
-        segment.event =
-            eventAt<kAll>(scene_, place, -path.segment.direction, path.sampler.number(bounce, BounceDimension::event));
+        for (int i = 0; i < eventsOn(bounce); ++i)
+            segment.events.push_back(eventAfter(collisions.of[i], i, bounce));
     }
 
     void light(const PathVertex& vertex, const float* transmittances) {
         ReplayedSegment& segment = segments_.back();
         segment.collected = vertex.collected;
-        if (!(segment.collision >= 0))
-            return;
-        segment.emitted = vertex.emitted;
-        const int lightPaths = lightPathsFrom(int(segments_.size()) - 1);
-        for (int i = 0; i < lightPaths; ++i) {
+        for (std::size_t i = 0; i < segment.events.size(); ++i) {
+            ReplayedEvent& event = segment.events[i];
+            if (!(event.collision >= 0))
+                continue;
             const LightPath& light = vertex.scattered[i];
-            segment.lights.push_back({light.radiance, scene_.volume.localFromIndex * light.ray.direction,
-                                      light.ray.length, transmittances[i]});
+            event.emitted = vertex.emitted[i];
+            event.light = {light.radiance, scene_.volume.localFromIndex * light.ray.direction, light.ray.length,
+                           transmittances[i]};
         }
         segment.throughput = path_->throughput;
     }
 
   private:
+    ReplayedEvent eventAfter(float collision, int i, int bounce) const {
+        ReplayedEvent event{.collision = collision};
+        if (!(collision >= 0))
+            return event;
+        const vec3 place = path_->segment.ray.origin + path_->segment.ray.direction * collision;
+        event.placeMm = patientPlace(place);
+        event.hu = hounsfield(scene_.volume, place);
+        event.extinction = extinction(scene_, place);
+        event.event = eventOf<kAll>(scene_, *path_, i, collision, bounce);
+        return event;
+    }
     dvec3 patientPlace(vec3 index) const { return dvec3(localPosition(scene_.volume, index)) + centreMm_; }
 
     const FlatScene& scene_;

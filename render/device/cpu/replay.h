@@ -17,20 +17,25 @@ struct ReplayedLight {
     float transmittance = 0;  ///< estimated transmittance of the way to it
 };
 
-/// A segment of the path, and the event at its end.
+/// An event on a segment.
+struct ReplayedEvent {
+    float collision = -1;   ///< mm to the event; < 0: none, the ray leaves, and the rest below is empty
+    dvec3 placeMm{0};       ///< patient space
+    float hu = 0;           ///< Hounsfield units there
+    float extinction = 0;   ///< extinction there [1/mm]
+    Event event{};          ///< a normal of 0: the phase function scatters
+    vec3 emitted{0};        ///< radiance that it adds to the sample
+    ReplayedLight light{};  ///< light sampled from it
+};
+
+/// A segment of the path. The path goes on from the last of its events.
 struct ReplayedSegment {
-    dvec3 startMm{0};                   ///< patient space
-    vec3 direction{0};                  ///< unit, patient axes
-    float length = 0;                   ///< length that it may go [mm]; <= 0: it misses the volume
-    vec3 collected{0};                  ///< radiance of the lights that it met on its way
-    float collision = -1;               ///< mm to the event; < 0: none, the path leaves, and the rest below is empty
-    dvec3 eventMm{0};                   ///< patient space
-    float hu = 0;                       ///< Hounsfield units at the event
-    float extinction = 0;               ///< extinction at the event [1/mm]
-    Event event{};                      ///< the event; a normal of 0: the phase function scatters
-    vec3 emitted{0};                    ///< radiance that it adds to the sample
-    std::vector<ReplayedLight> lights;  ///< lights sampled from the event, one after the other
-    vec3 throughput{1.0f};              ///< throughput of the path after the event
+    dvec3 startMm{0};   ///< patient space
+    vec3 direction{0};  ///< unit, patient axes
+    float length = 0;   ///< length that it may go [mm]; <= 0: it misses the volume
+    vec3 collected{0};  ///< radiance of the lights that it met on its way
+    std::vector<ReplayedEvent> events;
+    vec3 throughput{1.0f};  ///< throughput of the path behind it
 };
 
 struct Replay {

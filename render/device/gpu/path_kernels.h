@@ -3,7 +3,7 @@
 ///
 /// - CameraKernel<Kind, Thin>: a sample's camera ray and first flight. A queue: lanes take the next when one has
 ///   ended.
-/// - ShadeKernel<F>: the end of that flight, and the event there (endSegment). One thread for each, so that all lanes
+/// - ShadeKernel<F>: the end of that flight, and the events there (endSegment). One thread for each, so that all lanes
 ///   look for ends together; in the queue one or two would, while the others wait.
 /// - ShadowKernel<Kind, Thin>: the flights from there to the lights. A queue, with an entry for each light path, so
 ///   that no lane waits for another's second one.
@@ -33,10 +33,11 @@ PDR_HD inline float distanceOf(const FlatScene& scene, const FlightEnding& end) 
 
 /// The first segment of a path, and the result of its flight.
 struct FirstFlight {
-    FlightEnding ending;  ///< where it ends, in Tissue::whole; in others the place is looked for in flight
+    /// Where it passes the depths of its events, in Tissue::whole; in others the places are looked for in flight.
+    FlightEnding nearer, further;
     PathSegment segment;
-    /// Distance of the collision; see endSegment(). 0: it is at `ending`, to be looked for.
-    float collision;
+    /// Distances of the collisions, as in Flight. 0: it is at `nearer` or `further`, to be looked for.
+    float nearerCollision, furtherCollision;
     std::int64_t index;  ///< index of the sample in its launch
 };
 
@@ -48,9 +49,9 @@ struct ShadowFlight {
     Flight flown;  ///< result, without the distance: FlightEnd::whether
 };
 
-/// A vertex with the light paths that lead to it.
+/// A vertex with the light paths that lead to its events.
 struct LitVertex {
-    ShadowFlight to[kMostLightPaths];
+    ShadowFlight to[kMostEvents];
     std::int64_t place;  ///< place of the sample in TraceTarget::radiance
 };
 
@@ -82,7 +83,7 @@ struct CameraKernel {
     std::int64_t first;  ///< index of the first of these samples in the launch
 
     struct Walk {
-        FreeFlight<float, Kind, FlightEnd::place, Thin> flight;
+        FreeFlight<float, Kind, FlightEnd::places, Thin> flight;
         std::int32_t slot;
     };
 
@@ -99,9 +100,11 @@ struct CameraKernel {
         walk.slot = atomicTakeNext(lists.counts->flights);
         FirstFlight& flight = lists.flights[walk.slot];
         flight.segment = path.segment;
-        flight.collision = -1;
+        flight.nearerCollision = flight.furtherCollision = -1;
         flight.index = first + i;
-        walk.flight.start(scene, path.segment.ray, path.sampler.depth(), lookStream(path));
+        const EventDepths events = eventDepths(scene, path);
+        walk.flight.start(scene, path.segment.ray, events.nearer, lookStream(path));
+        walk.flight.goOnTo(events.further);
         return walk.flight.going();
     }
 
@@ -111,12 +114,14 @@ struct CameraKernel {
             walk.flight.step(scene);
         else
             walk.flight.step(scene, [&](const auto&, const auto& way, float left, bool) {
-                flight.ending = {way.hu, way.piece.index, way.begin, way.length, left};
+                (walk.flight.distance < 0 ? flight.nearer : flight.further) = {way.hu, way.piece.index, way.begin,
+                                                                               way.length, left};
                 return 0.0f;
             });
         if (walk.flight.going())
             return true;
-        flight.collision = walk.flight.distance;
+        flight.nearerCollision = walk.flight.distance;
+        flight.furtherCollision = walk.flight.further;
         return false;
     }
 };
@@ -135,16 +140,18 @@ struct ShadeKernel {
         target.at(flight.index, sample);
         Path path{pathSampler(scene, sample.from.pixel, sample.from.sample), flight.segment};
         PathSample found;
-        const PathVertex vertex = endSegment<F>(scene, path, collisionOf(flight), 0, found);
+        const float nearer = placeOf(flight.nearerCollision, flight.nearer);
+        const float further = eventsApart(scene) ? placeOf(flight.furtherCollision, flight.further) : nearer;
+        const Collisions collisions = eventDepths(scene, path).collisions(nearer, further);
+        const PathVertex vertex = endSegment<F>(scene, path, collisions, 0, found);
         target.keep(scene, sample, found);
         handOnLight(path, vertex, sample.place);
         if (vertex.continues)
             lists.onward[atomicTakeNext(lists.counts->onward)] = {path, found, sample};
     }
 
-    PDR_HD float collisionOf(const FirstFlight& flight) const {
-        return flight.collision != 0 || isMasked(scene) || hasParts(scene) ? flight.collision
-                                                                           : distanceOf(scene, flight.ending);
+    PDR_HD float placeOf(float collision, const FlightEnding& ending) const {
+        return collision != 0 || isMasked(scene) || hasParts(scene) ? collision : distanceOf(scene, ending);
     }
 
     PDR_HD void handOnLight(const Path& path, const PathVertex& vertex, std::int64_t place) const {
@@ -155,7 +162,7 @@ struct ShadeKernel {
             return;
         LitVertex& record = lists.lit[atomicTakeNext(lists.counts->lit)];
         record.place = place;
-        for (int i = 0; i < kMostLightPaths; ++i) {
+        for (int i = 0; i < kMostEvents; ++i) {
             const LightPath& light = vertex.scattered[i];
             record.to[i] = {light, isDark(light) ? 0 : shadowDepth(path, i), lightLookStream(path, i), {}};
         }
@@ -175,10 +182,10 @@ struct ShadowKernel {
     };
 
     /// Returns light path number `i`, counted vertex by vertex.
-    PDR_HD ShadowFlight& at(std::int64_t i) const { return lists.lit[i / kMostLightPaths].to[i % kMostLightPaths]; }
+    PDR_HD ShadowFlight& at(std::int64_t i) const { return lists.lit[i / kMostEvents].to[i % kMostEvents]; }
 
     PDR_HD bool start(std::int64_t i, Walk& walk) const {
-        if (i >= std::int64_t(lists.counts->lit) * kMostLightPaths || isDark(at(i).light))
+        if (i >= std::int64_t(lists.counts->lit) * kMostEvents || isDark(at(i).light))
             return false;
         walk.index = std::int32_t(i);
         walk.flight.start(scene, at(i).light.ray, at(i).depth, at(i).random);

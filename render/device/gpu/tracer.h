@@ -60,7 +60,7 @@ void launchPathsOf(G& gpu, const FlatScene& scene, const TraceTarget& target, Pa
         const PathLists lists = memory.emptied(samples, onward);
         launchCamera(gpu, CameraKernel<Kind, Thin>{scene, target, lists, first}, samples);
         gpu.launch(ShadeKernel<F>{scene, target, lists}, samples, GpuStream::compute);
-        launchShadow(gpu, ShadowKernel<Kind, Light>{scene, lists}, samples * kMostLightPaths);
+        launchShadow(gpu, ShadowKernel<Kind, Light>{scene, lists}, samples * kMostEvents);
         launchAddLight(gpu, AddLightKernel{target, lists}, samples);
         if constexpr (has(F, kBounces))
             if (onward)

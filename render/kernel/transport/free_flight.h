@@ -47,9 +47,6 @@ PDR_HD_INLINE Real flightEndOn(const OpticsAlong<Real>& along, Real length, Real
     return whereMonotoneIs(depth, wanted, Real{}, Real{} + 1.0f, ended);
 }
 
-/// What a flight is for: where it ends, or only whether it does, which costs no search.
-enum class FlightEnd { place, whether };
-
 /// How a flight passes thin tissue: by exact integrals, or by looks (ThinWalk), which cost less; light may pass all
 /// tissue by looks (LightFlight). All are unbiased.
 enum class ThinTissue { solved, looked, allLooked };
@@ -64,8 +61,10 @@ class FreeFlight {
 
     /// Distance at which the ray has passed the depth [mm], 0 for FlightEnd::whether; -1: it never does.
     Real distance = Real{} - 1.0f;
-    Real passed{};  ///< optical depth of the whole ray where distance is -1
+    Real further = Real{} - 1.0f;  ///< with FlightEnd::places: the same for the further depth
+    Real passed{};                 ///< optical depth of the whole ray where it passes them
 
+    static constexpr FlightEnd kEnd = End;
     static constexpr bool kLooks = Thin == ThinTissue::looked;
 
     /// Starts the flight. `depth`: the optical depth to pass; > 0. `random`: for looks.
@@ -84,6 +83,8 @@ class FreeFlight {
         start(scene, {ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z},
               ray.length, depth, random);
     }
+    /// With FlightEnd::places: lets the flight go on to this depth, no less than that of start().
+    PDR_HD_INLINE void goOnTo(Real depth) requires(End == FlightEnd::places) { furtherDepth_ = depth; }
 
     PDR_HD Mask going() const { return walk_.going(); }
 
@@ -109,12 +110,16 @@ class FreeFlight {
             ended = ready & (passed > depth_);
             if constexpr (End == FlightEnd::whether) {
                 distance = ended ? Real{} : distance;
-            } else if (any(ended)) {
-                const Mask inside = ended & !looks;
-                if (any(inside))
-                    distance = inside ? placeOf(along, way, depth_ - this->passed, inside) : distance;
-                if constexpr (kLooks)
-                    distance = (ended & looks) ? walk_.cells().looks().first : distance;
+            } else {
+                for (Mask reached = ended; any(reached);) {
+                    Real there{};
+                    const Mask inside = reached & !looks;
+                    if (any(inside))
+                        there = placeOf(along, way, depth_ - this->passed, inside);
+                    if constexpr (kLooks)
+                        there = looks ? walk_.cells().looks().first : there;
+                    reached = arrive(reached, there, passed, ended);
+                }
             }
             this->passed = ready ? passed : this->passed;
             return ready;
@@ -129,12 +134,34 @@ class FreeFlight {
         depth_ = mask ? permuted(other.depth_, from) : depth_;
         distance = mask ? Real{} - 1.0f : distance;
         passed = mask ? Real{} : passed;
+        if constexpr (End == FlightEnd::places) {
+            furtherDepth_ = mask ? permuted(other.furtherDepth_, from) : furtherDepth_;
+            further = mask ? Real{} - 1.0f : further;
+        }
     }
 
     using Walk = PieceWalk<Real, Kind, std::conditional_t<kLooks, ThinWalk<Real>, CellWalk<Real>>>;
     using Way = typename Walk::Way;
 
   private:
+    /// Notes that the lanes of `reached` pass a depth `there`, and takes from `ended` those that fly on. Returns the
+    /// lanes that pass the further depth on the same segment. `passed`: depth at its end.
+    PDR_HD_INLINE Mask arrive(Mask reached, Real there, Real passed, Mask& ended) {
+        if constexpr (End != FlightEnd::places) {
+            distance = reached ? there : distance;
+            return Mask{};
+        } else {
+            const Mask first = unfolded(reached & (distance < 0.0f)),
+                       last = unfolded(reached & (depth_ >= furtherDepth_));
+            distance = first ? there : distance;
+            further = last ? there : further;
+            depth_ = reached ? furtherDepth_ : depth_;
+            const Mask onward = unfolded(reached & !last), again = unfolded(onward & (passed > furtherDepth_));
+            ended = unfolded(ended & !unfolded(onward & !again));
+            return again;
+        }
+    }
+
     /// Makes looks of the segments that are. Returns the optical depth of each segment; of a look that another follows,
     /// none.
     PDR_HD_INLINE Real looked(Mask looks, Real extinction, Real depth) {
@@ -171,7 +198,8 @@ class FreeFlight {
     }
 
     Walk walk_;
-    Real depth_{};
+    Real depth_{};         ///< the next depth to pass
+    Real furtherDepth_{};  ///< the last one, with FlightEnd::places
 };
 
 /// The flight to an end that passes thin tissue in a way.
@@ -183,37 +211,50 @@ using FlightFor =
 struct Flight {
     float distance;  ///< as in FreeFlight
     float passed;
+    float further = -1;
 };
 
+/// `further`: the further depth, with FlightEnd::places.
 template <class Flying>
-PDR_HD inline Flight flown(const FlatScene& scene, const Ray& ray, float depth, const RandomStream& random) {
+PDR_HD inline Flight flown(const FlatScene& scene, const Ray& ray, float depth, const RandomStream& random,
+                           [[maybe_unused]] float further = 0) {
     Flying flight;
     flight.start(scene, ray, depth, random);
+    if constexpr (Flying::kEnd == FlightEnd::places)
+        flight.goOnTo(further);
     while (flight.going())
         flight.step(scene);
-    return {flight.distance, flight.passed};
+    if constexpr (Flying::kEnd == FlightEnd::places)
+        return {flight.distance, flight.passed, flight.further};
+    else
+        return {flight.distance, flight.passed};
 }
 
 /// The exact flight of one ray.
 template <FlightEnd End = FlightEnd::place>
-PDR_HD inline Flight freeFlight(const FlatScene& scene, const Ray& ray, float depth) {
-    return forTissue(scene, [&]<Tissue Kind>() { return flown<FreeFlight<float, Kind, End>>(scene, ray, depth, {}); });
+PDR_HD inline Flight freeFlight(const FlatScene& scene, const Ray& ray, float depth, float further = 0) {
+    return forTissue(
+        scene, [&]<Tissue Kind>() { return flown<FreeFlight<float, Kind, End>>(scene, ray, depth, {}, further); });
 }
 
 /// The flight of one ray that looks.
 template <FlightEnd End = FlightEnd::place, ThinTissue Thin = ThinTissue::looked>
-PDR_HD inline Flight lookFlight(const FlatScene& scene, const Ray& ray, float depth, const RandomStream& random) {
-    return forTissue(
-        scene, [&]<Tissue Kind>() { return flown<FlightFor<float, Kind, End, Thin>>(scene, ray, depth, random); });
+PDR_HD inline Flight lookFlight(const FlatScene& scene, const Ray& ray, float depth, const RandomStream& random,
+                                float further = 0) {
+    return forTissue(scene, [&]<Tissue Kind>() {
+        return flown<FlightFor<float, Kind, End, Thin>>(scene, ray, depth, random, further);
+    });
 }
 
-/// The flight of a path's first segment, and of the light at its end: it looks where that pays.
-template <FlightEnd End = FlightEnd::place>
-PDR_HD inline Flight firstFlight(const FlatScene& scene, const Ray& ray, float depth, const RandomStream& random) {
+/// The flight of a path's first segment to the depths of its events, and of the light there: it looks where that pays.
+template <FlightEnd End>
+PDR_HD inline Flight firstFlight(const FlatScene& scene, const Ray& ray, float depth, const RandomStream& random,
+                                 float further = 0) {
     if constexpr (End == FlightEnd::whether)
         if (scene.lightLooks)
             return lookFlight<End, ThinTissue::allLooked>(scene, ray, depth, random);
-    return scene.looksAtThin ? lookFlight<End>(scene, ray, depth, random) : freeFlight<End>(scene, ray, depth);
+    return scene.looksAtThin ? lookFlight<End>(scene, ray, depth, random, further)
+                             : freeFlight<End>(scene, ray, depth, further);
 }
 
 }  // namespace pdr

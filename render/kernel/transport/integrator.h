@@ -9,6 +9,7 @@
 ///             both up to the first event and its light            firstFlight              by inversion, or looks
 ///   c_e       emission per optical depth: its weight is 1, since the collision's pdf is T sigma_t    depart
 ///   a f       albedo and phase function, or a surface's BRDF with its cosine                  scatterEval, event.h
+///   int_0^d   one event, or two on the first segment, whose flight is paid for once          firstFlight, Collisions
 ///   int_S2    next-event estimation of light from the lights, one light path by resampling (Talbot et al. 2005) with
 ///             multiple importance sampling (Veach & Guibas 1995)              directLight, lightOnSegment
 ///             and, with kBounces, one continuation of the path; Russian roulette keeps its mean    sampleContinuation
@@ -53,10 +54,38 @@ PDR_HD inline bool isFlown(int bounce) {
     return bounce == 0;
 }
 
-/// Light paths from an event. From the first there are two: what leads to it is paid for once.
-inline constexpr int kMostLightPaths = 2;
-PDR_HD inline int lightPathsFrom(int bounce) {
-    return isFlown(bounce) ? kMostLightPaths : 1;
+/// Events on a segment, with a light path from each. On the first there are two, a half of the light each: one flight
+/// finds both. The path goes on from the last.
+inline constexpr int kMostEvents = 2;
+PDR_HD inline int eventsOn(int bounce) {
+    return isFlown(bounce) ? kMostEvents : 1;
+}
+PDR_HD inline bool goesOnFrom(int event, int bounce) {
+    return event + 1 == eventsOn(bounce);
+}
+/// Whether the two events lie at depths of their own. Where paths go on they are one event with two light paths: most
+/// of its noise is that of the path behind it, which a second place would not lower.
+PDR_HD inline bool eventsApart(const FlatScene& scene) {
+    return scene.maxBounces <= 1;
+}
+
+/// Distances of the events on a segment [mm]; negative: the ray left the volume, NaN: see kMostSteps.
+struct Collisions {
+    float of[kMostEvents];
+};
+
+/// The optical depths to the events on a path's first segment, in the order in which a flight passes them.
+struct EventDepths {
+    float nearer, further;
+    bool swapped;  ///< the flight passes event 1 first
+
+    PDR_HD Collisions collisions(float near, float far) const {
+        return swapped ? Collisions{far, near} : Collisions{near, far};
+    }
+};
+PDR_HD inline EventDepths eventDepths(const FlatScene& scene, const Path& path) {
+    const float first = path.sampler.depth(0), second = path.sampler.depth(eventsApart(scene) ? 1 : 0);
+    return first > second ? EventDepths{second, first, true} : EventDepths{first, second, false};
 }
 
 /// The random numbers along a segment that is tracked, and along the light path from its end.
@@ -67,20 +96,24 @@ PDR_HD inline RandomStream shadowStream(const Path& path, int bounce) {
     return path.sampler.stream(bounce, BounceDimension::shadow);
 }
 
+/// Returns the sampler of event `i` on a segment.
+PDR_HD inline Sampler eventSampler(const Path& path, int i, int bounce) {
+    return path.sampler.branch(i, eventsOn(bounce));
+}
+
 /// The random numbers for the looks of a path's first flight, and of the flights from its end to the lights.
 PDR_HD inline RandomStream lookStream(const Path& path) {
     return path.sampler.stream(0, BounceDimension::looks);
 }
-PDR_HD inline RandomStream lightLookStream(const Path& path, int lightPath) {
-    return path.sampler.branch(lightPath, kMostLightPaths).stream(0, BounceDimension::lightLooks);
+PDR_HD inline RandomStream lightLookStream(const Path& path, int event) {
+    return eventSampler(path, event, 0).stream(0, BounceDimension::lightLooks);
 }
 
 /// The transmittance of a light path that flies, with Russian roulette where little is left: a flight of the
 /// depth shadowDepth() ends there, and one that does not leaves shadowTransmittance().
-inline constexpr float kShadowRouletteBelow = 0.1f;
-PDR_HD inline float shadowDepth(const Path& path, int lightPath) {
-    return negativeLog(kShadowRouletteBelow *
-                       path.sampler.branch(lightPath, kMostLightPaths).number(0, BounceDimension::shadow));
+inline constexpr float kShadowRouletteBelow = 0.2f;
+PDR_HD inline float shadowDepth(const Path& path, int event) {
+    return negativeLog(kShadowRouletteBelow * eventSampler(path, event, 0).number(0, BounceDimension::shadow));
 }
 PDR_HD inline float shadowTransmittance(float distance, float passed) {
     return distance >= 0 ? 0 : glm::max(attenuation(passed).left, kShadowRouletteBelow);
@@ -156,30 +189,30 @@ PDR_HD inline bool sampleContinuation(const FlatScene& scene, Path& path, const 
     return goOn(path, continuationFrom<F>(scene, event, u, continuationFindsLight(scene, bounce)), bounce);
 }
 
-/// What happens at the end of a segment: light that starts there, light that is scattered there, and whether the path,
-/// now on its next segment, goes on.
+/// What happens at the end of a segment: light that starts at its events, light that is scattered there, and whether
+/// the path, now on its next segment, goes on.
 struct PathVertex {
-    vec3 emitted{0.0f};                      ///< radiance, linear Rec. 709
-    LightPath scattered[kMostLightPaths]{};  ///< to be traced unless they are isDark(); all together
+    vec3 emitted[kMostEvents]{};         ///< radiance, linear Rec. 709
+    LightPath scattered[kMostEvents]{};  ///< to be traced unless they are isDark()
     bool continues = false;
     bool cut = false;      ///< it would have gone on, but may not
     vec3 collected{0.0f};  ///< radiance of the lights that the segment met
 };
 
-/// Returns the event at the distance `collision` [mm].
+/// Returns event `i` on a segment, at the distance `collision` [mm].
 template <std::uint32_t F>
-PDR_HD inline Event eventOf(const FlatScene& scene, const Path& path, float collision, int bounce) {
+PDR_HD inline Event eventOf(const FlatScene& scene, const Path& path, int i, float collision, int bounce) {
     return eventAt<F>(scene, path.segment.ray.origin + path.segment.ray.direction * collision, -path.segment.direction,
-                      path.sampler.number(bounce, BounceDimension::event));
+                      eventSampler(path, eventsApart(scene) ? i : 0, bounce).number(bounce, BounceDimension::event));
 }
 
-/// Returns the sampler of light path `i` from an event.
-PDR_HD inline Sampler lightSampler(const Path& path, int i, int bounce) {
-    return path.sampler.branch(i, lightPathsFrom(bounce));
+/// Returns the fraction of the radiance from an event on a segment that reaches the camera.
+PDR_HD inline vec3 shareOfEvent(const Path& path, int bounce) {
+    return path.throughput / float(eventsOn(bounce));
 }
 /// Returns the light path `light` from an event as the camera sees it.
 PDR_HD inline LightPath seen(const Path& path, LightPath light, int bounce) {
-    light.radiance *= path.throughput / float(lightPathsFrom(bounce));
+    light.radiance *= shareOfEvent(path, bounce);
     return light;
 }
 
@@ -209,13 +242,13 @@ PDR_HD inline LitSegmentOf<float> litSegment(const Path& path, float collision) 
     return {path.segment.ray.origin, path.segment.direction, path.pdf, collision};
 }
 
-/// The end of a segment whose ray was tracked to `collision` [mm; negative: it left the volume, NaN: see kMostSteps].
-/// The sample gets what the segment itself brings; `collected` is the light on it, as the camera sees it. `bounce`:
-/// segments before this one. Returns whether there is an event.
+/// The end of a segment whose ray was tracked to `collision` [mm], one of its Collisions. The sample gets what the
+/// segment itself brings; `collected` is the light on it, as the camera sees it. `bounce`: segments before this one.
+/// Returns whether there is an event.
 PDR_HD inline bool arrive(const FlatScene& scene, const Path& path, float collision, int bounce, PathSample& sample,
                           vec3 collected) {
     if (collision != collision || (bounce == 0 && collision < 0)) {
-        sample.radiance = missed(scene, path.segment, collision);
+        sample.radiance += missed(scene, path.segment, collision) / float(eventsOn(bounce));
         return false;
     }
     sample.radiance += collected;
@@ -225,38 +258,46 @@ PDR_HD inline bool arrive(const FlatScene& scene, const Path& path, float collis
     return true;
 }
 
-/// What follows an event whose light paths have been found: the sample gets what needs no further ray, and the path,
-/// where it goes on, its next segment: goesOn() sends it there, or returns false where it ends. The event's pdf is T
-/// sigma_t and emission is counted per optical depth, so emission has the weight 1.
+/// What an event itself emits: the sample gets it. The event's pdf is T sigma_t and emission is counted per optical
+/// depth, so emission has the weight 1.
+template <std::uint32_t F>
+PDR_HD inline vec3 addEmission(const Path& path, vec3 emission, int bounce, PathSample& sample) {
+    const vec3 emitted = (has(F, kEmission) ? emission : vec3(0)) * shareOfEvent(path, bounce);
+    sample.radiance += emitted;
+    return emitted;
+}
+
+/// What follows the last event of a segment: the path, where it goes on, gets its next segment: goesOn() sends it
+/// there, or returns false where it ends.
 template <std::uint32_t F, class GoesOn>
-PDR_HD inline void depart(const FlatScene& scene, const Path& path, vec3 emission, int bounce, PathSample& sample,
-                          PathVertex& vertex, GoesOn&& goesOn) {
-    vertex.emitted = has(F, kEmission) ? emission : vec3(0);
+PDR_HD inline void depart(const FlatScene& scene, int bounce, PathSample& sample, PathVertex& vertex, GoesOn&& goesOn) {
     if constexpr (has(F, kBounces)) {
-        vertex.emitted *= path.throughput;
         const bool alive = scene.maxBounces > 1 && goesOn();
         vertex.cut = alive && bounce + 1 >= scene.maxBounces;
         vertex.continues = alive && !vertex.cut;
     }
     sample.cut = vertex.cut;
-    sample.radiance += vertex.emitted;
 }
 
-/// Both, and the event in between. The vertex, empty where nothing was met, holds the light paths that are still to be
-/// traced (addLight) and whether the path goes on.
+/// All of it, and the events in between. The vertex, empty where nothing was met, holds the light paths that are still
+/// to be traced (addLight) and whether the path goes on.
 template <std::uint32_t F>
-PDR_HD inline PathVertex endSegment(const FlatScene& scene, Path& path, float collision, int bounce,
+PDR_HD inline PathVertex endSegment(const FlatScene& scene, Path& path, const Collisions& collisions, int bounce,
                                     PathSample& sample) {
     PathVertex vertex;
-    if (collectsLight<F>(scene, bounce, collision))
-        vertex.collected = path.throughput * lightOnSegment<F>(scene, litSegment(path, collision));
-    if (!arrive(scene, path, collision, bounce, sample, vertex.collected))
-        return vertex;
-    const Event event = eventOf<F>(scene, path, collision, bounce);
-    for (int i = 0; i < lightPathsFrom(bounce); ++i)
-        vertex.scattered[i] = seen(path, directLight<F>(scene, event, lightSampler(path, i, bounce), bounce), bounce);
-    depart<F>(scene, path, event.material.emission, bounce, sample, vertex,
-              [&] { return sampleContinuation<F>(scene, path, event, bounce); });
+    if (collectsLight<F>(scene, bounce, collisions.of[0]))
+        vertex.collected = path.throughput * lightOnSegment<F>(scene, litSegment(path, collisions.of[0]));
+    Event event;
+    for (int i = 0; i < eventsOn(bounce); ++i) {
+        if (!arrive(scene, path, collisions.of[i], bounce, sample, vertex.collected))
+            continue;
+        if (i == 0 || eventsApart(scene))
+            event = eventOf<F>(scene, path, i, collisions.of[i], bounce);
+        vertex.scattered[i] = seen(path, directLight<F>(scene, event, eventSampler(path, i, bounce), bounce), bounce);
+        vertex.emitted[i] = addEmission<F>(path, event.material.emission, bounce, sample);
+        if (goesOnFrom(i, bounce))
+            depart<F>(scene, bounce, sample, vertex, [&] { return sampleContinuation<F>(scene, path, event, bounce); });
+    }
     return vertex;
 }
 
@@ -268,8 +309,11 @@ PDR_HD inline void addLight(PathSample& sample, vec3 radiance, float transmittan
 
 /// The rays of a path's first segment, which fly; see isFlown().
 struct FlownRays {
-    PDR_HD static float collision(const FlatScene& scene, const Path& path, int, PathSample&) {
-        return firstFlight(scene, path.segment.ray, path.sampler.depth(), lookStream(path)).distance;
+    PDR_HD static Collisions collisions(const FlatScene& scene, const Path& path, int, PathSample&) {
+        const EventDepths depths = eventDepths(scene, path);
+        const Flight flight =
+            firstFlight<FlightEnd::places>(scene, path.segment.ray, depths.nearer, lookStream(path), depths.further);
+        return depths.collisions(flight.distance, flight.further);
     }
     PDR_HD static float transmittance(const FlatScene& scene, const Path& path, int, const LightPath& light, int number,
                                       PathSample&) {
@@ -281,8 +325,8 @@ struct FlownRays {
 
 /// The rays of all further segments, which are tracked.
 struct TrackedRays {
-    PDR_HD static float collision(const FlatScene& scene, const Path& path, int bounce, PathSample& sample) {
-        return track<DeltaTracking>(scene, path.segment.ray, distanceStream(path, bounce), sample.overMajorant);
+    PDR_HD static Collisions collisions(const FlatScene& scene, const Path& path, int bounce, PathSample& sample) {
+        return {{track<DeltaTracking>(scene, path.segment.ray, distanceStream(path, bounce), sample.overMajorant)}};
     }
     PDR_HD static float transmittance(const FlatScene& scene, const Path& path, int bounce, const LightPath& light, int,
                                       PathSample& sample) {
@@ -292,18 +336,18 @@ struct TrackedRays {
 
 /// A visitor that records nothing.
 struct NullVisitor {
-    PDR_HD void segment(const Path&, int, float) {}
+    PDR_HD void segment(const Path&, int, const Collisions&) {}
     PDR_HD void light(const PathVertex&, const float*) {}
 };
 
 /// One segment of a path, and what is met at its end; false where the path ends. Rays: FlownRays or TrackedRays.
 template <std::uint32_t F, class Rays, class Visitor>
 PDR_HD_INLINE bool traceSegment(const FlatScene& scene, Path& path, int bounce, PathSample& sample, Visitor&& visitor) {
-    const float collision = Rays::collision(scene, path, bounce, sample);
-    visitor.segment(path, bounce, collision);
-    const PathVertex vertex = endSegment<F>(scene, path, collision, bounce, sample);
-    float transmittances[kMostLightPaths]{};
-    for (int i = 0; i < kMostLightPaths; ++i) {
+    const Collisions collisions = Rays::collisions(scene, path, bounce, sample);
+    visitor.segment(path, bounce, collisions);
+    const PathVertex vertex = endSegment<F>(scene, path, collisions, bounce, sample);
+    float transmittances[kMostEvents]{};
+    for (int i = 0; i < kMostEvents; ++i) {
         const LightPath& light = vertex.scattered[i];
         if (isDark(light))
             continue;
@@ -315,8 +359,8 @@ PDR_HD_INLINE bool traceSegment(const FlatScene& scene, Path& path, int bounce, 
 }
 
 /// One sample of the radiance that the camera sees through `pixel` (x, y). `visitor` is told each segment with the
-/// distance of its event (-1: none), and then the vertex there, empty where there is none, with the transmittance of
-/// the way to the light.
+/// distances of its events (-1: none), and then the vertex there, empty where there is none, with the transmittances
+/// of the ways to the light.
 template <std::uint32_t F, class Visitor>
 PDR_HD inline PathSample tracePath(const FlatScene& scene, ivec2 pixel, std::uint64_t sample, vec2 depths,
                                    Visitor&& visitor) {

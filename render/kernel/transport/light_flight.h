@@ -12,6 +12,9 @@
 
 namespace pdr {
 
+/// What a flight is for: where it ends, where it passes two depths, or only whether it ends, which costs no search.
+enum class FlightEnd { place, places, whether };
+
 /// The light of one ray, or of several in lanes. Kind: the scene's tissue; code for masks and parts is compiled only
 /// where it says so.
 template <class Real, Tissue Kind>
@@ -19,6 +22,8 @@ class LightFlight {
   public:
     using Int = typename SimdTraits<Real>::Int;
     using Mask = typename SimdTraits<Real>::Mask;
+
+    static constexpr FlightEnd kEnd = FlightEnd::whether;
 
     Real distance = Real{} - 1.0f;  ///< 0: the ray passes the depth; -1: it never does
     Real passed{};                  ///< optical depth of the whole ray where distance is -1

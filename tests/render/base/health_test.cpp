@@ -37,9 +37,9 @@ void verifyReplayShows(const PreparedScene& prepared, Fault fault, const FaultCo
                             .arg(first.count)
                             .arg(replay.radiance.x)
                             .arg(replay.segments.size())
-                            .arg(replay.segments[0].collision)
-                            .arg(replay.segments[0].lights[0].radiance.x)
-                            .arg(replay.segments[0].lights[0].transmittance)));
+                            .arg(replay.segments[0].events[0].collision)
+                            .arg(replay.segments[0].events[0].light.radiance.x)
+                            .arg(replay.segments[0].events[0].light.transmittance)));
     QVERIFY(!replay.segments.empty());
 }
 

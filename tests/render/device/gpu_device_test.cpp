@@ -166,7 +166,7 @@ class GpuDeviceTest : public QObject {
                 QVERIFY2(ours && same(test::render(scene, 1, *cpu), *ours), modelName(model));
                 const bool hasLists = !isProjection(model) && estimator == Estimator::unbiased;
                 QCOMPARE(plan->longestQueue,
-                         hasLists ? kMostLightPaths * gpu.gpu().pathsTogether() : raysTogether(gpu.gpu()));
+                         hasLists ? kMostEvents * gpu.gpu().pathsTogether() : raysTogether(gpu.gpu()));
             }
     }
 

@@ -137,6 +137,33 @@ class FreeFlightTest : public QObject {
         }
     }
 
+    /// A flight to two depths finds both places, on lanes as on a single ray, to the bit; on one segment or on several.
+    void aFlightPassesTwoDepths() {
+        std::mt19937 random(9);
+        for (unsigned seed = 1; seed <= 12; ++seed) {
+            const Scene scene = test::anyScene(seed);
+            const auto prepared = Flattener().prepare(scene);
+            FlightBatch batch;
+            const std::vector<Ray> rays = test::raysThrough(*scene.volume, 333, seed);
+            std::vector<std::pair<float, float>> depths;
+            for (const Ray& ray : rays) {
+                const float one = anyDepth(random), other = random() % 2 == 0 ? one * 1.01f : anyDepth(random);
+                depths.push_back(std::minmax({one, other}));
+                batch.add(ray, depths.back().first, depths.back().second, {});
+            }
+            batch.fly(prepared->flat);
+            for (int i = 0; i < batch.size(); ++i) {
+                const auto [nearer, further] = depths[std::size_t(i)];
+                const Ray& ray = rays[std::size_t(i)];
+                const Flight both = freeFlight<FlightEnd::places>(prepared->flat, ray, nearer, further);
+                QCOMPARE(both.distance, freeFlight(prepared->flat, ray, nearer).distance);
+                QCOMPARE(both.further, freeFlight(prepared->flat, ray, further).distance);
+                QCOMPARE(batch.distance(i), both.distance);
+                QCOMPARE(batch.further(i), both.further);
+            }
+        }
+    }
+
     /// Where nobody asks for the place, the same flights end, and the others pass the same.
     void flightsThatOnlySayWhetherTheyEnd() {
         std::mt19937 random(8);

@@ -21,7 +21,7 @@ Scene fog() {
 /// Counts the events of a path.
 struct Events {
     int count = 0;
-    void segment(const Path&, int, float collision) { count += collision >= 0; }
+    void segment(const Path&, int, const Collisions& met) { count += met.of[0] >= 0; }
     void light(const PathVertex&, const float*) {}
 };
 

@@ -26,7 +26,7 @@ Sampler sampler(std::uint32_t pixel, std::uint64_t sample) {
 }
 
 float depthOf(std::uint32_t pixel, std::uint64_t sample) {
-    return -std::expm1(-sampler(pixel, sample).depth());
+    return -std::expm1(-sampler(pixel, sample).depth(0));
 }
 
 /// Returns whether `points` fractions, a power of two, lie one in each of as many equal intervals.
@@ -186,7 +186,15 @@ class SamplerTest : public QObject {
         QVERIFY2(worst < allowed, qPrintable(QString("%1 standard errors, %2 allowed").arg(worst).arg(allowed)));
     }
 
-    /// Light paths from one event are neighbours in a denser sequence, and their hashed numbers differ.
+    /// The two events of a first segment: one lies in the nearer half of the distribution and one in the further half.
+    void eventsShareTheDistribution() {
+        for (std::uint64_t sample = 0; sample < 400; ++sample) {
+            const float first = sampler(3, sample).depth(0), second = sampler(3, sample).depth(1);
+            QVERIFY(first < negativeLog(0.5f) ? second > negativeLog(0.5f) : second < negativeLog(0.5f));
+        }
+    }
+
+    /// The numbers of the events of one segment are neighbours in a denser sequence, and their hashed numbers differ.
     void branchesAreTheNextPoints() {
         for (std::uint64_t sample = 0; sample < 40; ++sample)
             for (int i = 0; i < 2; ++i) {
