@@ -7,6 +7,7 @@
 
 #include "app/remote/steady_time.h"
 #include "app/wire/content.h"
+#include "app/wire/content_hash.h"
 
 namespace pdr::nodes {
 namespace {
@@ -79,6 +80,7 @@ void NodeConnection::take(const wire::Hello& hello) {
                       phrase("its images differ from this machine's in the last bits: it runs a different build"));
     worker_ = coordinator_.leases->join(keyOf(*channel_, hello.boot), hello.name, *version >= wire::kDeepVersion);
     coordinator_.leases->setPaused(*worker_, paused_);
+    keepsSums_ = hello.keptPixels.has_value();
     channel_->send(wire::Welcome{*version, kHeartbeatMs, coordinator_.key});
     channel_->setAdmitted();
     emit joined();
@@ -180,8 +182,14 @@ void NodeConnection::sendLeases() {
         if (!lease)
             return;
         const wire::Nonce nonce = nonces_[lease->number] = newNonce(random_);
-        channel_->send(wire::Lease{lease->number, nonce, lease->scene, lease->tile, lease->samples,
-                                   std::move(lease->before), std::move(lease->moments)});
+        wire::Lease sent{lease->number, nonce, lease->scene, lease->tile, lease->samples, {}, {}};
+        if (lease->isKept && keepsSums_) {
+            sent.kept = wire::sumsHash(coordinator_.key, lease->before, lease->moments);
+        } else {
+            sent.before = std::move(lease->before);
+            sent.moments = std::move(lease->moments);
+        }
+        channel_->send(std::move(sent));
     }
 }
 

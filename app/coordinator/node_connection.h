@@ -100,6 +100,7 @@ class NodeConnection : public QObject {
     bool unasked_ = false;  ///< an answer to no lease has arrived
     bool goodbye_ = false;
     bool paused_ = false;
+    bool keepsSums_ = false;                      ///< the node understands Lease::kept
     bool inLine_ = false;                         ///< the node takes the scene when other coordinators have left it
     std::uint64_t sent_ = 0;                      ///< number of the scene sent last
     std::shared_ptr<const OutgoingScene> scene_;  ///< the scene sent last; null: none

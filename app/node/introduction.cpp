@@ -4,6 +4,7 @@
 
 #include "app/coordinator/node_connection.h"
 #include "app/coordinator/reference_bits.h"
+#include "app/node/kept_sums.h"
 #include "render/base/free_memory.h"
 #include "render/base/version.h"
 #include "render/tiles/reference_tiles.h"
@@ -21,6 +22,7 @@ Result<wire::Hello> introduction(const NodeOptions& options, Device& device, con
     hello.boot = nodes::newNonce(random);
     hello.bits = nodes::bitsOf(*tiles);
     hello.memoryBytes = freeBytes();
+    hello.keptPixels = KeptSums::kMostPixels;
     nameDevice(hello, device.info(), instead);
     return hello;
 }

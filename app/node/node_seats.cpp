@@ -11,16 +11,21 @@ namespace {
 
 /// Time for which a seat is kept after a connection was lost, in case the coordinator comes back.
 constexpr std::chrono::seconds kMemory(60);
+/// Time between two looks for idle seats.
+constexpr std::chrono::seconds kLook(5);
 
 }  // namespace
 
 NodeSeats::NodeSeats(int most, OpenDevice open, FairTurns::Clock clock, std::function<std::uint64_t()> freeMemory,
-                     QObject* parent)
+                     std::function<std::chrono::microseconds()> now, QObject* parent)
     : QObject(parent),
       most_(std::size_t(most)),
       open_(std::move(open)),
       turns_(std::move(clock)),
-      freeMemory_(std::move(freeMemory)) {}
+      freeMemory_(std::move(freeMemory)),
+      now_(std::move(now)) {
+    connect(&look_, &QTimer::timeout, this, &NodeSeats::advance);
+}
 
 NodeSeats::~NodeSeats() = default;
 
@@ -35,9 +40,36 @@ void NodeSeats::ask(NodeSession& session) {
     std::erase_if(taken_, [](const Taken& one) { return !one.session; });
     if (taken_.size() < most_)
         return open(session);
-    if (std::ranges::find(line_, &session) == line_.end())
-        line_.push_back(&session);
+    const auto place = std::ranges::find(line_, &session, &Waiting::session);
+    if (place == line_.end() || place->isIdle) {
+        std::erase_if(line_, [&](const Waiting& one) { return one.session == &session; });
+        line_.insert(std::ranges::find(line_, true, &Waiting::isIdle), {&session});
+    }
     advance();
+}
+
+void NodeSeats::worked(const NodeSession& session) {
+    if (Taken* seat = seatOf(session))
+        seat->worked = now_();
+}
+
+bool NodeSeats::isIdle(const Taken& seat) const {
+    return seat.session && !seat.session->isBusy() && now_() - seat.worked > kIdle;
+}
+
+/// Takes idle seats back, as many as there are others who have work.
+void NodeSeats::freeIdle() {
+    auto wanting = std::ranges::count(line_, false, &Waiting::isIdle);
+    for (auto seat = taken_.begin(); seat != taken_.end() && wanting > 0 && taken_.size() >= most_;) {
+        if (!isIdle(*seat)) {
+            ++seat;
+            continue;
+        }
+        seat->session->rise();
+        line_.push_back({seat->session, true});
+        seat = taken_.erase(seat);
+        --wanting;
+    }
 }
 
 /// Gives `session` the seat that its coordinator, which alone knows the key, had before it lost its connection.
@@ -67,7 +99,8 @@ void NodeSeats::open(NodeSession& session) {
                       &session,
                       {NodeContents(session.key(), [this, number] { return memoryFor(number); }),
                        std::make_unique<LeaseRenderer>(*std::move(device), turns_, answered)},
-                      nullptr});
+                      nullptr,
+                      now_()});
     session.sit(taken_.back().seat);
 }
 
@@ -95,7 +128,7 @@ void NodeSeats::answer(std::uint64_t number, LeaseAnswer answered) {
 }
 
 void NodeSeats::leave(NodeSession& session, bool isLost) {
-    if (std::erase(line_, &session) > 0)
+    if (std::erase_if(line_, [&](const Waiting& one) { return one.session == &session; }) > 0)
         return advance();
     Taken* seat = seatOf(session);
     if (!seat)
@@ -122,13 +155,18 @@ void NodeSeats::advance() {
     for (Taken& one : taken_)
         if (one.session)
             one.session->tryAgain();
+    freeIdle();
     while (!line_.empty() && taken_.size() < most_) {
-        NodeSession* next = line_.front();
+        NodeSession* next = line_.front().session;
         line_.erase(line_.begin());
         open(*next);
     }
     for (std::size_t place = 0; place < line_.size(); ++place)
-        line_[place]->wait(std::uint32_t(place + 1));
+        line_[place].session->wait(std::uint32_t(place + 1));
+    if (line_.empty())
+        look_.stop();
+    else if (!look_.isActive())
+        look_.start(kLook);
 }
 
 void NodeSeats::clear() {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "app/node/introduction.h"
-#include "app/remote/steady_time.h"
 #include "render/device/device_list.h"
 #include "render/tiles/worker_pool.h"
 
@@ -23,12 +22,13 @@ FairTurns::Clock clockOf(const wire::Hello& hello) {
 }  // namespace
 
 NodeService::NodeService(const NodeOptions& options, const wire::Hello& hello, OpenDevice open,
-                         std::function<std::uint64_t()> freeMemory, QObject* parent)
+                         std::function<std::uint64_t()> freeMemory, std::function<std::chrono::microseconds()> now,
+                         QObject* parent)
     : QObject(parent),
       options_(options),
       hello_(hello),
       backoff_({.giveUp = options.giveUp}),
-      seats_(options.coordinators, std::move(open), clockOf(hello), std::move(freeMemory)) {
+      seats_(options.coordinators, std::move(open), clockOf(hello), std::move(freeMemory), std::move(now)) {
     for (QTimer* timer : {&again_, &idle_, &patience_})
         timer->setSingleShot(true);
     connect(&again_, &QTimer::timeout, this, &NodeService::dial);

@@ -15,6 +15,7 @@
 #include "app/remote/backoff.h"
 #include "app/remote/dial.h"
 #include "app/remote/listener.h"
+#include "app/remote/steady_time.h"
 
 namespace pdr::node {
 
@@ -23,9 +24,10 @@ class NodeService : public QObject {
 
   public:
     /// `hello`: first message to each coordinator. `open`: opens the devices that render, one for each coordinator.
-    /// `freeMemory`: returns the bytes that scenes may still take.
+    /// `freeMemory`: returns the bytes that scenes may still take. `now`: monotonic time.
     NodeService(const NodeOptions& options, const wire::Hello& hello, OpenDevice open,
-                std::function<std::uint64_t()> freeMemory = freeBytes, QObject* parent = nullptr);
+                std::function<std::uint64_t()> freeMemory = freeBytes,
+                std::function<std::chrono::microseconds()> now = remote::steadyTime, QObject* parent = nullptr);
     ~NodeService() override;
 
     /// Starts to dial or to listen. Errors: certificates, or an address at which this machine cannot listen.

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "app/remote/steady_time.h"
+#include "app/wire/content_hash.h"
 #include "render/tiles/lease_server.h"
 
 namespace pdr::node {
@@ -84,6 +85,7 @@ void NodeSession::take(const wire::SceneOrder& order) {
     revision_ = order.revision;
     order_ = order;
     told_.reset();
+    seats_.worked(*this);
     if (seat_)
         beginScene();
     else
@@ -94,6 +96,13 @@ void NodeSession::sit(NodeSeat& seat) {
     seat_ = &seat;
     seconds_ -= seat.renderer->seconds();
     beginScene();
+}
+
+void NodeSession::rise() {
+    dropLeases();
+    lacksMemory_ = false;
+    seconds_ = seconds();
+    seat_ = nullptr;
 }
 
 void NodeSession::wait(std::uint32_t place) {
@@ -130,6 +139,7 @@ void NodeSession::askOrRender() {
 void NodeSession::take(const wire::Chunk& chunk) {
     if (!seat_)
         return;  // a chunk of a scene that was taken back
+    seats_.worked(*this);
     const Result<bool> whole = seat_->contents.add(chunk);
     if (!whole)
         channel_->close(whole.error().what);
@@ -144,9 +154,15 @@ void NodeSession::take(wire::Lease& lease) {
     }
     if (leases_.size() >= kMostLeases || leases_.contains(lease.number))
         return channel_->close(phrase("the coordinator gives out leases twice, or more than a node can have"));
+    Lease taken{lease.number,  lease.revision,          lease.tile,
+                lease.samples, std::move(lease.before), std::move(lease.moments)};
+    if (lease.kept && !fillIn(taken, *lease.kept)) {
+        channel_->send(wire::Abandoned{lease.number, lease.nonce, {}});
+        return;
+    }
     leases_[lease.number] = {lease.nonce, lease.revision};
-    seat_->renderer->add(
-        {lease.number, lease.revision, lease.tile, lease.samples, std::move(lease.before), std::move(lease.moments)});
+    seats_.worked(*this);
+    seat_->renderer->add(std::move(taken));
     emit worked();
 }
 
@@ -159,9 +175,15 @@ void NodeSession::take(const wire::Bye& bye) {
     channel_->close(bye.reason);
 }
 
+/// Fills in what the lease continues if it is here and has that hash.
+bool NodeSession::fillIn(Lease& lease, const wire::Hash& kept) const {
+    return kept_.fill(lease) && wire::sumsHash(key_, lease.before, lease.moments) == kept;
+}
+
 /// Drops all leases: their scene is outdated, or the connection is over.
 void NodeSession::dropLeases() {
     leases_.clear();
+    kept_.clear();
     if (seat_)
         seat_->renderer->drop();
 }
@@ -209,6 +231,8 @@ void NodeSession::say(LeaseResult result) {
         return;
     const Taken taken = lease->second;
     leases_.erase(lease);
+    seats_.worked(*this);
+    kept_.keep(result);
     channel_->send(wire::Result{result.number, taken.nonce, taken.revision, result.tile, result.samples,
                                 std::move(result.sums), result.health, result.seconds, std::move(result.moments)});
     lookWhetherDrained();

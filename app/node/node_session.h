@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "app/node/kept_sums.h"
 #include "app/node/node_seats.h"
 #include "app/remote/channel.h"
 #include "app/remote/heartbeat.h"
@@ -23,6 +24,8 @@ class NodeSession : public QObject {
     // Called by the seats.
     /// Begins with the scene that the coordinator has ordered last, at `seat`, which lasts until NodeSeats::leave().
     void sit(NodeSeat& seat);
+    /// Gives the seat up, and waits in line.
+    void rise();
     /// Tells the coordinator its place in line, from 1.
     void wait(std::uint32_t place);
     /// Begins with the scene again if there was not enough memory for it.
@@ -34,6 +37,8 @@ class NodeSession : public QObject {
 
     /// Returns the secret by which the coordinator is known again, after welcome().
     const nodes::ContentKey& key() const { return key_; }
+    /// Whether leases are open.
+    bool isBusy() const { return !leases_.empty(); }
     /// Returns the time that the leases and scenes of the coordinator have taken, as the turns count it [s].
     double seconds() const { return seconds_ + (seat_ ? seat_->renderer->seconds() : 0); }
     /// Accepts no new leases; emits drained() when all are answered.
@@ -78,6 +83,7 @@ class NodeSession : public QObject {
     void beginScene();
     void tell(wire::SceneRefused refused);
     void askOrRender();
+    bool fillIn(Lease& lease, const wire::Hash& kept) const;
     void leaveSeat(bool isLost);
     void dropLeases();
     void lookWhetherDrained();
@@ -98,6 +104,7 @@ class NodeSession : public QObject {
     bool lacksMemory_ = false;                ///< there was not enough memory for it
     std::optional<wire::SceneRefused> told_;  ///< why it cannot be rendered, as told last; none: it can
     std::map<std::uint64_t, Taken> leases_;
+    KeptSums kept_;
     std::optional<wire::Refused> refusal_;
     bool dismissed_ = false;  ///< the coordinator has sent a Bye or refused this node: its scan must be erased
     bool draining_ = false;

@@ -2,10 +2,10 @@
 /// The nodes below a relay. To the coordinator above it a relay is one node; to the nodes that dial it, it is a
 /// coordinator: it passes scenes on, shares leases with them, checks their results, and returns the sums.
 
-#include <map>
 #include <memory>
 
 #include "app/coordinator/render_nodes.h"
+#include "app/coordinator/told_reasons.h"
 #include "app/node/node_options.h"
 #include "app/node/node_seats.h"
 #include "render/tiles/worker_pool.h"
@@ -33,7 +33,7 @@ class Relay : public QObject {
 
     std::shared_ptr<WorkerPool> pool_;
     nodes::RenderNodes nodes_;
-    std::map<nodes::NodeId, Text> told_;  ///< what keeps connected nodes from helping, as said last
+    nodes::ToldReasons told_;
 };
 
 }  // namespace pdr::node

@@ -16,10 +16,10 @@ Result<void> checkImageName(const QString& file) {
 }
 
 Result<void> writeImage(const FilmView& view, Display display, const std::optional<ui::Annotations>& annotations,
-                        const QString& file, const std::stop_token& stop) {
+                        const QString& file, const NodeChecks& checks, const std::stop_token& stop) {
     const std::filesystem::path path = ui::fromQt(file);
     display.denoised = display.denoised && anyPng({path});
-    const Rendered rendered{view.film.status(display), display, view.seconds, view.device, view.bias};
+    const Rendered rendered{view.film.status(display), display, view.seconds, view.device, view.bias, checks};
     JudgedImage image(view.film, view.scene, display, rendered, stop, view.denoised);
     return image.write(path, ui::imagePainter(annotations, view.stop.levels)(image.shown()), stop);
 }

@@ -7,6 +7,7 @@
 
 #include "render/film/file/image_file.h"
 #include "render/session/session.h"
+#include "render/tiles/node_checks.h"
 #include "ui/annotation/annotations.h"
 
 namespace pdr::app {
@@ -15,10 +16,10 @@ namespace pdr::app {
 Result<void> checkImageName(const QString& file);
 
 /// Writes the film of `view` in the format of the file's extension. A PNG carries `annotations`, if there are any, and
-/// with them whether the image is unfinished; OpenEXR carries none. May be called on any thread. Errors: those of
-/// writePng() and writeExr(); cancelled() after a stop request.
+/// with them whether the image is unfinished; OpenEXR carries none. `checks`: those of the samples of render nodes. May
+/// be called on any thread. Errors: those of writePng() and writeExr(); cancelled() after a stop request.
 Result<void> writeImage(const FilmView& view, Display display, const std::optional<ui::Annotations>& annotations,
-                        const QString& file, const std::stop_token& stop = {});
+                        const QString& file, const NodeChecks& checks = {}, const std::stop_token& stop = {});
 
 /// Returns an error that gives `reason` as the reason why `file` was not saved.
 Error notSaved(const QString& file, const Error& reason);

@@ -16,16 +16,18 @@ void ImageSaver::save(const QString& file, const std::optional<ui::Annotations>&
         emit failed(notSaved(file, {phrase("there is no image"), "", phrase("Wait until there is one.")}));
         return;
     }
-    bridge_.lookAtImage([self = QPointer(this), file, annotations,
-                         display = bridge_.display()](const Result<FilmView>& view) -> std::function<void()> {
-        Result<void> written = view ? writeImage(*view, display, annotations, file) : notSaved(file, view.error());
-        return [self, file, written = std::move(written)] {
-            if (self && written)
-                emit self->saved(file);
-            else if (self)
-                emit self->failed(written.error());
-        };
-    });
+    bridge_.lookAtImage(
+        [self = QPointer(this), file, annotations, display = bridge_.display(),
+         checks = bridge_.devices().nodeChecks()](const Result<FilmView>& view) -> std::function<void()> {
+            Result<void> written =
+                view ? writeImage(*view, display, annotations, file, checks()) : notSaved(file, view.error());
+            return [self, file, written = std::move(written)] {
+                if (self && written)
+                    emit self->saved(file);
+                else if (self)
+                    emit self->failed(written.error());
+            };
+        });
 }
 
 }  // namespace pdr::app

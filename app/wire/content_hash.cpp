@@ -56,6 +56,13 @@ Hash ContentHash::finish() {
     return hash;
 }
 
+Hash sumsHash(std::span<const std::byte> key, std::span<const PixelSums> sums, std::span<const Moments> moments) {
+    ContentHash hash(key);
+    hash.add(std::as_bytes(sums));
+    hash.add(std::as_bytes(moments));
+    return hash.finish();
+}
+
 Hash contentHash(std::span<const std::byte> key, std::span<const std::byte> bytes) {
     ContentHash hash(key);
     hash.add(bytes);

@@ -27,6 +27,9 @@ class ContentHash {
     std::unique_ptr<State, Free> state_;
 };
 
+/// Returns the hash of the sums or moments that a lease continues (Lease::kept).
+Hash sumsHash(std::span<const std::byte> key, std::span<const PixelSums> sums, std::span<const Moments> moments);
+
 /// Returns the hash of a whole content. `key`: 1 to 64 bytes.
 Hash contentHash(std::span<const std::byte> key, std::span<const std::byte> bytes);
 

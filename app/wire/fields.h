@@ -31,6 +31,8 @@ void fields(Fields& map, Hello& hello) {
     map.text(6, hello.device, kMostNameBytes);
     map.text(7, hello.details, kMostWordBytes);
     map.number(8, hello.memoryBytes);
+    if (map.optional(9, hello.keptPixels))
+        map.number(9, *hello.keptPixels);
 }
 
 template <class Fields>
@@ -129,6 +131,8 @@ void workFields(Fields& map, Work& work) {
 template <class Fields>
 void fields(Fields& map, Lease& lease) {
     workFields(map, lease);
+    if (map.optional(8, lease.kept))
+        map.bytes(8, *lease.kept);
 }
 
 template <class Fields>

@@ -55,6 +55,8 @@ struct Hello {
     std::string device;             ///< device that renders: "cpu"; at most kMostNameBytes
     std::string details;            ///< details of the device: "16 threads"
     std::uint64_t memoryBytes = 0;  ///< memory for scenes
+    /// Pixels whose sums the node keeps after it has sent them; none: it does not understand Lease::kept.
+    std::optional<std::uint64_t> keptPixels{};
     bool operator==(const Hello&) const = default;
 };
 
@@ -168,6 +170,9 @@ struct Lease {
     std::vector<PixelSums> before;  ///< sums of the block's earlier samples, row by row; empty where there are none;
                                     ///< sent compressed, as payload
     std::vector<Moments> moments;   ///< if deep, instead: moments of all earlier samples; likewise
+    /// Hash of the bytes of these sums or moments, which are not sent: the node has sent them itself and kept them. One
+    /// that has lost them answers by an Abandoned without a reason.
+    std::optional<Hash> kept{};
 };
 
 /// Returns the samples of a lease.

@@ -65,6 +65,8 @@ const char* givePayload(Chunk& chunk, Bytes payload) {
 const char* givePayload(Lease& lease, const Bytes& payload) {
     if (payload.empty())
         return nullptr;
+    if (lease.kept)
+        return "sums that were not to be sent";
     if (lease.samples.first == 0 || (!isDeep(lease.samples) && lease.samples.first % kSamplesPerBlock == 0))
         return "sums of samples before the first one of a block";
     std::span<const std::byte> packed(payload);

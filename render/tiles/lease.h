@@ -28,6 +28,7 @@ struct Lease {
     SampleRange samples;            ///< samples of one block, or of several whole ones
     std::vector<PixelSums> before;  ///< sums of the block's earlier samples, row by row; empty: there are none
     std::vector<Moments> moments;   ///< if deep: moments of the film's earlier samples; empty: there are none
+    bool isKept = false;            ///< the worker probably still has these sums or moments
 };
 
 /// The rendered samples of a lease.

@@ -26,6 +26,7 @@ void LeaseServer::leave(WorkerId id) {
     {
         const std::lock_guard lock(state_->mutex);
         state_->registry.leave(id);
+        state_->kept.forget(id);
         if (state_->request)
             state_->request->giveBackAll(id);
         state_->changed.notify_all();
@@ -172,6 +173,7 @@ void LeaseServer::merge(Worker& worker, const Portion& portion, LeaseResult resu
         request.auditPart(worker, result, *part);
     if (Result<void> taken = request.take(std::move(result)); !taken)
         return state_->quarantine(worker.status.key, taken.error().what);
+    state_->kept.took(worker.status.id, portion.tile, portion.samples);
     request.addContributor(worker.status.key);
     state_->count(&worker, portion);
 }
@@ -195,6 +197,7 @@ void LeaseServer::abandon(WorkerId id, std::uint64_t lease) {
         const std::lock_guard lock(state_->mutex);
         if (Worker* worker = state_->registry.find(id))
             worker->inFlight = std::max(worker->inFlight - 1, 0);
+        state_->kept.forget(id);  // what it has lost is sent with the next lease
         if (state_->request)
             state_->request->giveBack(id, lease);
         state_->changed.notify_all();

@@ -45,7 +45,11 @@ std::optional<Lease> PoolState::leaseFor(const Worker& worker, double now) {
         portion = request->takeProof(id, ability, now);
     if (!portion && !worker.trust.isStranger())
         portion = request->scheduler().take(id, ability, now);
-    return portion ? std::optional(request->leaseOf(*portion)) : std::nullopt;
+    if (!portion)
+        return std::nullopt;
+    Lease lease = request->leaseOf(*portion);
+    lease.isKept = kept.has(id, portion->tile, portion->samples);
+    return lease;
 }
 
 Ability PoolState::abilityOf(const WorkerSpeed& speed, bool isDeep) const {
@@ -85,6 +89,7 @@ Result<void> PoolState::conclude(const Audit& audit, LeaseResult truth) {
         truth.number = claimed.number;
         if (Result<void> taken = request->take(std::move(truth)); !taken)
             return taken;
+        kept.took(isConfirmed ? audit.worker : kOwnDevice, claimed.tile, claimed.samples);
     }
     if (!isConfirmed)
         return {};

@@ -18,6 +18,7 @@
 #include <string>
 #include <utility>
 
+#include "render/tiles/kept_cells.h"
 #include "render/tiles/lease_times.h"
 #include "render/tiles/node_checks.h"
 #include "render/tiles/published_scenes.h"
@@ -50,6 +51,7 @@ class PoolState {
     double unspentProofs = 0;                ///< what earlier requests have left for proofs
     OwnDevice own;
     CellCosts costs;
+    KeptCells kept;  ///< who has rendered which cells of the scene that workers have
     LeaseTimes times;
     std::optional<Split> pinnedSplit;  ///< none: the cost model decides
     SplitChoice split;                 ///< split of the last request

@@ -56,6 +56,7 @@ void SharedWork::sceneChanged() {
     if (const std::uint64_t current = state_->scenes.current().number; current != state_->checkedScene) {
         state_->checkedScene = current;
         state_->checks = {};
+        state_->kept.clear();
     }
     if (state_->request && !state_->isRequestCurrent())
         for (const auto& [id, worker] : state_->registry.all())
@@ -89,8 +90,9 @@ bool SharedWork::begin(Film& film, std::uint64_t scene, const std::vector<TileGo
                                             : chooseSplit(factsOf(*state_, goals));
         if (state_->costs.area() != film.area())
             state_->costs = state_->costs.stretchedOver(film.area());
-        state_->request = std::make_unique<SharedRequest>(film, scene, goals, state_->split.split, state_->nextLease,
-                                                          state_->costs, merged, state_->unspentProofs);
+        state_->request =
+            std::make_unique<SharedRequest>(film, scene, state_->kept.byKeeper(goals), state_->split.split,
+                                            state_->nextLease, state_->costs, merged, state_->unspentProofs);
         for (const auto& [id, worker] : state_->registry.all())
             state_->request->setSuspect(id, worker.isSuspect);
     }
@@ -146,6 +148,7 @@ Result<void> SharedWork::deliverOwn(LeaseResult result) {
             return {};  // a worker was faster
         if (Result<void> taken = state_->request->take(std::move(result)); !taken)
             return taken;
+        state_->kept.took(kOwnDevice, portion.tile, portion.samples);
         own.work += workOf(portion.tile, portion.samples);
     }
     state_->notify();
@@ -170,6 +173,7 @@ NodeChecks SharedWork::checks() const {
 void SharedWork::discarded() {
     const std::lock_guard lock(state_->mutex);
     state_->checks = {};
+    state_->kept.clear();
 }
 
 std::set<std::string> SharedWork::end() {

@@ -59,21 +59,22 @@ std::optional<Portion> TileScheduler::take(WorkerId worker, const Ability& abili
 std::optional<Portion> TileScheduler::cut(WorkerId worker, const Ability& ability, double now) {
     if (open_.empty())
         return std::nullopt;
-    // Cut a tile from the first open goal and put the rest back
-    const TileGoal from = open_.front();
+    // Cut a tile from an open goal and put the rest back
+    const auto open = openFor(worker);
+    const TileGoal from = *open;
     const SampleRange samples = nextSamples(from, ability);
     if (costs_.ofSample(firstCell(from.tile)) * samples.count > ability.most)
         return std::nullopt;
-    open_.pop_front();
+    auto rest = open_.erase(open);
     const bool isCut = split_ == Split::tiles || ability.isLimited();
     const double cost = isCut ? std::min(ability.cost, ability.most) : kUnlimited;
     const Tile tile = part(from.tile, cost / samples.count, isDeep(samples) ? kMostDeepPixels : kMostLeasePixels);
     const Tile& all = from.tile;
     const int right = all.x + all.width - (tile.x + tile.width), below = all.y + all.height - (tile.y + tile.height);
     if (below > 0)
-        open_.push_front({{all.x, tile.y + tile.height, all.width, below}, from.next, from.goal});
+        rest = open_.insert(rest, {{all.x, tile.y + tile.height, all.width, below}, from.next, from.goal, from.keeper});
     if (right > 0)
-        open_.push_front({{tile.x + tile.width, tile.y, right, tile.height}, from.next, from.goal});
+        open_.insert(rest, {{tile.x + tile.width, tile.y, right, tile.height}, from.next, from.goal, from.keeper});
     const Portion portion{number_++, tile, samples};
     // Blocks are independent: the next one need not wait for this one.
     const bool follows = split_ == Split::samples && samples.end() < from.goal;
@@ -81,6 +82,15 @@ std::optional<Portion> TileScheduler::cut(WorkerId worker, const Ability& abilit
         free({tile, samples.end(), from.goal}, false);
     held_.push_back({portion, from.goal, {copyFor(worker, portion, ability, now)}, follows});
     return portion;
+}
+
+/// Returns the first open goal that is meant for the worker; else the first that is meant for nobody; else the last
+/// one, which its keeper would come to last.
+std::deque<TileGoal>::iterator TileScheduler::openFor(WorkerId worker) {
+    for (const WorkerId keeper : {worker, kOwnDevice})
+        if (const auto found = std::ranges::find(open_, keeper, &TileGoal::keeper); found != open_.end())
+            return found;
+    return std::prev(open_.end());
 }
 
 /// Returns the samples of the next portion of a goal: as many whole blocks as are left, since what comes back is as
@@ -188,7 +198,8 @@ void TileScheduler::finish(std::uint64_t number) {
 
 void TileScheduler::free(const TileGoal& goal, bool first) {
     for (TileGoal& open : open_)
-        if (open.next == goal.next && open.goal == goal.goal && join(open.tile, goal.tile))
+        if (open.next == goal.next && open.goal == goal.goal && open.keeper == goal.keeper &&
+            join(open.tile, goal.tile))
             return;
     if (first)
         open_.push_front(goal);
@@ -249,8 +260,10 @@ std::vector<WorkerId> TileScheduler::expire(double now) {
 double TileScheduler::leastCost() const {
     if (open_.empty())
         return 0;
-    const TileGoal& first = open_.front();
-    return costs_.ofSample(firstCell(first.tile)) * nextSamples(first, {.most = 0}).count;
+    // As openFor() has it for a worker that has rendered nothing yet
+    const auto nobodys = std::ranges::find(open_, kOwnDevice, &TileGoal::keeper);
+    const TileGoal& next = nobodys != open_.end() ? *nobodys : open_.back();
+    return costs_.ofSample(firstCell(next.tile)) * nextSamples(next, {.most = 0}).count;
 }
 
 double TileScheduler::openCost() const {

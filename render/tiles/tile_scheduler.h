@@ -22,6 +22,7 @@ namespace pdr {
 struct TileGoal {
     Tile tile;
     std::uint64_t next = 0, goal = 0;  ///< half-open range of sample indices
+    WorkerId keeper = kOwnDevice;      ///< worker that is to have it, if it asks in time; the own device: nobody
 };
 
 /// Cost that a worker asks for, and its speed.
@@ -94,6 +95,7 @@ class TileScheduler {
     };
 
     std::optional<Portion> cut(WorkerId worker, const Ability& ability, double now);
+    std::deque<TileGoal>::iterator openFor(WorkerId worker);
     SampleRange nextSamples(const TileGoal& goal, const Ability& ability) const;
     std::optional<Portion> hedge(WorkerId worker, const Ability& ability, double now);
     Tile part(const Tile& tile, double cost, std::size_t mostPixels) const;

@@ -1,7 +1,8 @@
 /// Renders an image as the window does, frame by frame, with the help of a render node.
-///   shared_window FOLDER|SCENE NODE [--size N] [--samples N] [--threads N]
+///   shared_window FOLDER|SCENE NODE [--size N] [--samples N] [--threads N] [--edits N]
 /// NODE is the address of a node on this machine, which takes all samples. When it is ready the view is shown once
 /// more, so that all its frames are shared: denoised, at the pace that the window chooses, until a pixel has N samples.
+/// Then the opacity of all tissue is edited so often, each time until a pixel has N samples.
 /// Prints how many frames there were, and after how many samples. tools/measure/node_bytes.py counts what is sent
 /// meanwhile.
 
@@ -62,7 +63,23 @@ void awaitNode(const WorkerPool& pool) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
 }
 
-int show(const app::LoadedScene& loaded, const QString& address, std::uint64_t samples, int threads) {
+struct Wanted {
+    int threads;
+    std::uint64_t samples, edits;
+};
+
+/// Waits for an image, and prints after how many samples it was shown. False: it failed.
+bool awaitImage(Frames& frames, std::uint64_t samples) {
+    const std::vector<std::uint64_t> all = frames.await(samples);
+    std::printf("%zu frames, of", all.size());
+    for (std::size_t i = 0; i < all.size(); i += std::max<std::size_t>(all.size() / 16, 1))
+        std::printf(" %llu", static_cast<unsigned long long>(all[i]));
+    std::printf(" ... samples\n");
+    return !all.empty();
+}
+
+int show(const app::LoadedScene& loaded, const QString& address, const Wanted& wanted) {
+    const auto [threads, samples, edits] = wanted;
     const auto pool = nodes::newPool();
     pool->setOwnHelps(false);
     nodes::RenderNodes nodes(pool, *referenceTiles(*makeCpuDevice(threads)));
@@ -77,22 +94,23 @@ int show(const app::LoadedScene& loaded, const QString& address, std::uint64_t s
     session.setStop({.levels = 1e-9, .samples = samples});
     session.setDisplay(loaded.display.withDenoised(true));
     Scene scene = loaded.scene;
-    for (const std::uint64_t wanted : {std::uint64_t(1), samples}) {
+    const auto submit = [&] {
         ++scene.revision;
-        ++scene.seed;
         frames.begin(scene.revision);
         session.submit(scene, false);
-        if (wanted < samples) {
-            awaitNode(*pool);
-            continue;
-        }
-        const std::vector<std::uint64_t> all = frames.await(samples);
-        std::printf("%zu frames, of", all.size());
-        for (std::size_t i = 0; i < all.size(); i += std::max<std::size_t>(all.size() / 16, 1))
-            std::printf(" %llu", static_cast<unsigned long long>(all[i]));
-        std::printf(" ... samples\n");
+    };
+    submit();
+    awaitNode(*pool);
+    ++scene.seed;
+    submit();
+    bool isShown = awaitImage(frames, samples);
+    for (std::uint64_t edit = 0; isShown && edit < edits; ++edit) {
+        for (TransferNode& node : scene.transferFunction.nodes)
+            node.opacity *= 0.98f;
+        submit();
+        isShown = awaitImage(frames, samples);
     }
-    return 0;
+    return isShown ? 0 : 1;
 }
 
 }  // namespace
@@ -101,12 +119,15 @@ int show(const app::LoadedScene& loaded, const QString& address, std::uint64_t s
 int main(int count, char** words) {
     using namespace pdr;
     QCoreApplication application(count, words);
-    const auto options = bench::Options::read({words + 1, words + count}, {"--size", "--samples", "--threads"});
+    const auto options =
+        bench::Options::read({words + 1, words + count}, {"--size", "--samples", "--threads", "--edits"});
     const auto size = options ? options->number("--size", 256, 16) : std::nullopt;
     const auto samples = options ? options->number("--samples", 256, 1) : std::nullopt;
     const auto threads = options ? options->number("--threads", 1, 1) : std::nullopt;
-    if (!size || !samples || !threads || options->files.size() != 2) {
-        std::fprintf(stderr, "usage: shared_window FOLDER|SCENE NODE [--size N] [--samples N] [--threads N]\n");
+    const auto edits = options ? options->number("--edits", 0, 0) : std::nullopt;
+    if (!size || !samples || !threads || !edits || options->files.size() != 2) {
+        std::fprintf(stderr,
+                     "usage: shared_window FOLDER|SCENE NODE [--size N] [--samples N] [--threads N] [--edits N]\n");
         return 2;
     }
     const auto loaded = app::loadScene({.path = options->files[0], .size = ivec2(*size)}, noProgress);
@@ -114,5 +135,6 @@ int main(int count, char** words) {
         std::fprintf(stderr, "%s\n", loaded.error().what.c_str());
         return 1;
     }
-    return show(*loaded, QString::fromStdString(options->files[1]), std::uint64_t(*samples), *threads);
+    return show(*loaded, QString::fromStdString(options->files[1]),
+                {int(*threads), std::uint64_t(*samples), std::uint64_t(*edits)});
 }

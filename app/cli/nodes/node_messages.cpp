@@ -14,22 +14,12 @@ QString reasonOf(const NodeStatus& node) {
     return QString::fromStdString(node.reason);
 }
 
-/// Returns the key that identifies a node across connections: its address if it was dialled; its name if it dialled,
-/// because its port differs each time.
-QString keyOf(const NodeStatus& node) {
-    return node.dialled ? node.address : node.name;
-}
-
 bool isHelpless(const NodeStatus& node) {
     const bool lacksScene = node.state == NodeState::ready && !node.reason.empty();
     return lacksScene || node.state == NodeState::refused || node.state == NodeState::quarantined;
 }
 
 }  // namespace
-
-bool NodeMessages::isNew(const QString& who, const QString& reason) {
-    return said_.size() < kMostReasons && said_.insert({who, reason}).second;
-}
 
 QStringList NodeMessages::follow(const std::vector<NodeStatus>& nodes) {
     QStringList lines;
@@ -45,21 +35,21 @@ QStringList NodeMessages::follow(const std::vector<NodeStatus>& nodes) {
             if (worked)
                 part.work[node.work.id] = node.work;
         }
-        if (!node.reason.empty() && isNew(keyOf(node), reasonOf(node)))
+        if (told_.isNew(node))
             lines << QString("node %1: %2").arg(calledBy(node), reasonOf(node));
     }
     return lines;
 }
 
 QString NodeMessages::gone(const NodeStatus& node) {
-    isNew(keyOf(node), reasonOf(node));
+    told_.isNew(node);
     return QString(node.saidGoodbye ? "node %1 has left: %2" : "node %1 is lost: %2")
         .arg(calledBy(node), reasonOf(node));
 }
 
 QString NodeMessages::turnedAway(const QString& peer, const QString& reason) {
     const QString host = peer.section(':', 0, -2);
-    return isNew(host, reason) ? QString("%1 was turned away: %2").arg(host, reason) : QString();
+    return told_.isNew(host, reason) ? QString("%1 was turned away: %2").arg(host, reason) : QString();
 }
 
 QStringList NodeMessages::report(const std::vector<WorkerStatus>& workers, double ownWork) const {

@@ -3,11 +3,9 @@
 
 #include <QStringList>
 #include <map>
-#include <set>
-#include <utility>
 #include <vector>
 
-#include "app/coordinator/node_status.h"
+#include "app/coordinator/told_reasons.h"
 
 namespace pdr::app {
 
@@ -29,19 +27,14 @@ class NodeMessages {
     /// current ones. `ownWork`: the work of this machine [pixels times samples].
     QStringList report(const std::vector<WorkerStatus>& workers, double ownWork) const;
 
-    /// Largest number of reasons that are reported. It is limited because a node that dials chooses its own name.
-    static constexpr std::size_t kMostReasons = 1000;
-
   private:
     struct Part {
         nodes::NodeStatus last;
         std::map<WorkerId, WorkerStatus> work;  ///< counters of each connection
     };
 
-    bool isNew(const QString& who, const QString& reason);
-
     std::map<nodes::NodeId, Part> parts_;
-    std::set<std::pair<QString, QString>> said_;  ///< node or host, and the reason that was reported
+    nodes::ToldReasons told_;
     int helpless_ = 0;
 };
 

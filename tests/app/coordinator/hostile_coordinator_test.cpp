@@ -124,6 +124,11 @@ class HostileCoordinatorTest : public QObject {
         row("another introduction", saying({wire::Hello{}}), Answer::parts);
         row("a lease of no scene", saying({leaseOf(1)}), Answer::givesBack);
         row("a lease twice", leasing({leaseOf(1), leaseOf(1)}), Answer::parts);
+        row("a lease of sums that it never had", leasing({changed([](auto& lease) {
+                lease.samples = {2, 3};
+                lease.kept = wire::Hash();
+            })}),
+            Answer::givesBack);
         row("a hundred leases", leasing(manyLeases()), Answer::parts);
         row("a lease outside the film", leasing({changed([](auto& lease) {
                 lease.tile = {4096, 4096, 4112, 4112};

@@ -25,7 +25,8 @@ class NodeWithMemory {
         options.listen = remote::Address{"127.0.0.1", 0};
         options.coordinators = coordinators;
         const wire::Hello hello = *node::introduction(options, **open());
-        service_ = std::make_unique<node::NodeService>(options, hello, open, [this] { return bytes.load(); });
+        service_ = std::make_unique<node::NodeService>(
+            options, hello, open, [this] { return bytes.load(); }, [this] { return std::chrono::seconds(now.load()); });
         QObject::connect(service_.get(), &node::NodeService::said, [this](const QString& line) { log += line + "\n"; });
         if (!service_->start())
             qFatal("a render node cannot listen");
@@ -36,6 +37,7 @@ class NodeWithMemory {
     }
 
     std::atomic<std::uint64_t> bytes = std::uint64_t(1) << 40;
+    std::atomic<int> now = 1000;  ///< seconds
     QString log;
 
   private:
@@ -167,6 +169,60 @@ class NodeSeatsTest : public QObject {
         QCOMPARE(second.heard<wire::SceneRefused>()[0].place, std::optional(1u));
         first.say(wire::Forget{});
         QTRY_COMPARE_WITH_TIMEOUT(second.heard<wire::Need>().size(), 1u, kPatience);
+    }
+
+    /// Whoever renders nothing gives its seat to those who would, and is told its place in the line.
+    void anIdleSeatGoesToWhoWaits() {
+        NodeWithMemory node(1);
+        ActedCoordinator first(node.port()), second(node.port(), std::byte{2});
+        QTRY_VERIFY_WITH_TIMEOUT(first.hasNode() && second.hasNode(), kPatience);
+        first.send(first.order(1, largeScene(3)).contents.at(0));
+        QTRY_COMPARE_WITH_TIMEOUT(first.heard<wire::SceneReady>().size(), 1u, kPatience);
+        // A lease is work
+        node.now += 50;
+        wire::Lease lease;
+        lease.revision = 1;
+        lease.tile = {0, 0, 16, 16};
+        lease.samples = {0, 1};
+        first.say(lease);
+        QTRY_COMPARE_WITH_TIMEOUT(first.heard<wire::Result>().size(), 1u, kPatience);
+        node.now += 50;
+        const auto refused = [](const ActedCoordinator& one) { return one.heard<wire::SceneRefused>(); };
+        second.order(1, largeScene(4));
+        QTRY_COMPARE_WITH_TIMEOUT(refused(second).size(), 1u, kPatience);
+        // Then it has none
+        node.now += 50;
+        second.order(2, largeScene(4));
+        QTRY_COMPARE_WITH_TIMEOUT(second.heard<wire::Need>().size(), 1u, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(refused(first).size(), 1u, kPatience);
+        QVERIFY(refused(first)[0].revision == 1u && refused(first)[0].place == 1u);
+        // It comes back when it orders a scene, or nobody needs the seat
+        second.say(wire::Forget{});
+        QTRY_COMPARE_WITH_TIMEOUT(first.heard<wire::Need>().size(), 2u, kPatience);
+    }
+
+    void whoHasLostItsSeatWaitsBehindThoseWithWork() {
+        NodeWithMemory node(1);
+        ActedCoordinator idle(node.port()), second(node.port(), std::byte{2}), third(node.port(), std::byte{3});
+        QTRY_VERIFY_WITH_TIMEOUT(idle.hasNode() && second.hasNode() && third.hasNode(), kPatience);
+        idle.order(1, largeScene(3));
+        QTRY_COMPARE_WITH_TIMEOUT(idle.heard<wire::Need>().size(), 1u, kPatience);
+        node.now += 61;
+        second.order(1, largeScene(4));
+        QTRY_COMPARE_WITH_TIMEOUT(second.heard<wire::Need>().size(), 1u, kPatience);
+        third.order(1, largeScene(5));
+        const auto place = [](const ActedCoordinator& one) {
+            const auto refused = one.heard<wire::SceneRefused>();
+            return refused.empty() ? std::nullopt : refused.back().place;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(place(third) == 1u && place(idle) == 2u, kPatience);
+        idle.order(2, largeScene(3));
+        QTRY_VERIFY_WITH_TIMEOUT(idle.heard<wire::SceneRefused>().back().revision == 2u, kPatience);
+        QVERIFY(place(idle) == 2u);
+        node.now += 61;
+        idle.order(3, largeScene(3));  // of two with work, who has waited longer is next
+        QTRY_COMPARE_WITH_TIMEOUT(third.heard<wire::Need>().size(), 1u, kPatience);
+        QVERIFY(idle.heard<wire::Need>().size() == 1u);
     }
 
   private:

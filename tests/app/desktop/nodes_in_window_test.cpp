@@ -12,6 +12,8 @@
 #include <set>
 
 #include "app/presenters/nodes_presenter.h"
+#include "app/presenters/saving_presenter.h"
+#include "app/rendering/image_saver.h"
 #include "tests/support/desktop/desktop_trial.h"
 #include "tests/support/desktop/named_widget.h"
 #include "tests/support/desktop/the.h"
@@ -100,6 +102,11 @@ void TestNodesInWindow::nodesDialInAndTheImageGoesOnWithoutThem() {
     const QString lastLine = test::named<QLabel>(trial.panel(), "How the work is split").text();
     QVERIFY2(lastLine.startsWith("Tiles: ") && lastLine.endsWith("All nodes compute the same bits as this machine"),
              qPrintable(lastLine));
+    QSignalSpy saved(&trial.desktop.presenter<SavingPresenter>().saver(), &ImageSaver::saved);
+    trial.desktop.presenter<SavingPresenter>().save(trial.folder.filePath("image.png"), ui::Annotate::none);
+    QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
+    const QString checks = QImage(trial.folder.filePath("image.png")).text("pdrender/nodes");
+    QVERIFY2(checks.contains("tiles of render nodes were rendered twice"), qPrintable(checks));
     one.signal(SIGKILL);
     QTRY_COMPARE_WITH_TIMEOUT(trial.nodes().rows().size(), 1, test::kPatience);
     QTRY_VERIFY2_WITH_TIMEOUT(trial.events().contains("one was"), qPrintable(trial.events()), test::kPatience);

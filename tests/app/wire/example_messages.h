@@ -108,6 +108,16 @@ inline std::vector<wire::Message> exampleDeepMessages() {
     return {exampleDeepLease(), exampleDeepResult()};
 }
 
+/// Sums that stay where they are: an addition to version 2 that both sides may lack.
+inline std::vector<wire::Message> exampleKeptMessages() {
+    wire::Hello hello = exampleHello();
+    hello.keptPixels = 1 << 21;
+    wire::Lease lease = exampleLease();
+    lease.before.clear();
+    lease.kept = counting<32>(50);
+    return {hello, lease};
+}
+
 inline std::vector<wire::Message> exampleMessages() {
     return {exampleHello(),
             wire::Welcome{1, 2500, counting<32>(100)},
@@ -139,7 +149,7 @@ bool same(const T& a, const T& b) {
 template <>
 inline bool same(const wire::Lease& a, const wire::Lease& b) {
     return a.number == b.number && a.nonce == b.nonce && a.revision == b.revision && a.tile == b.tile &&
-           a.samples == b.samples && sameSums(a.before, b.before) && sameSums(a.moments, b.moments);
+           a.samples == b.samples && a.kept == b.kept && sameSums(a.before, b.before) && sameSums(a.moments, b.moments);
 }
 template <>
 inline bool same(const wire::Result& a, const wire::Result& b) {

@@ -1,6 +1,7 @@
-/// Frames as released programs send them (golden/v1, one of each type; golden/v2, those that version 2 has added) are
-/// read and written by this one. They are never changed: a new version of the protocol gets a folder of its own. With
-/// PDR_GOLDEN_OUT, a folder, the frames of this program are written there.
+/// Frames as released programs send them (golden/v1, one of each type; golden/v2, those that version 2 has added;
+/// golden/v2-kept, with the fields that say what a node has kept) are read and written by this one. They are never
+/// changed: a new version of the protocol gets a folder of its own. With PDR_GOLDEN_OUT, a folder, the frames of this
+/// program are written there.
 
 #include <QDir>
 #include <QFile>
@@ -78,8 +79,8 @@ class GoldenFramesTest : public QObject {
     }
 
   private:
-    const std::vector<std::pair<QString, std::vector<Message>>> kVersions{{"v1", test::exampleMessages()},
-                                                                          {"v2", test::exampleDeepMessages()}};
+    const std::vector<std::pair<QString, std::vector<Message>>> kVersions{
+        {"v1", test::exampleMessages()}, {"v2", test::exampleDeepMessages()}, {"v2-kept", test::exampleKeptMessages()}};
 };
 
 QTEST_APPLESS_MAIN(GoldenFramesTest)

@@ -132,6 +132,7 @@ std::vector<std::pair<const char*, Message>> senselessWork() {
          })},
         {"samples of two blocks", lease([](Lease& l) { l.samples.count = 57; })},
         {"samples that never come", lease([](Lease& l) { l.samples.first = (std::uint64_t(1) << 53) + 1; })},
+        {"sums beside their hash", lease([](Lease& l) { l.kept.emplace(); })},
         {"sums before a block", lease([](Lease& l) { l.samples.first = 192; })},
         {"too few sums before", lease([](Lease& l) { l.before.pop_back(); })},
         {"too many sums before", lease([](Lease& l) { l.before.emplace_back(); })},
