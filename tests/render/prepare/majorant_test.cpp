@@ -132,7 +132,8 @@ long violations(const FlatScene& scene, std::uint64_t seed, int points) {
             numbers.pair(u[pair], u[3 + pair]);
         const Coordinate x(u[0], u[3], scene.volume.size.x), y(u[1], u[4], scene.volume.size.y);
         const Coordinate z(u[2], u[5], scene.volume.size.z);
-        const FloatLanes met = extinction(scene, Vec3<FloatLanes>{x.place, y.place, z.place});
+        const Vec3<FloatLanes> place{x.place, y.place, z.place};
+        const FloatLanes met = extinction(scene, place, hounsfield(scene.volume, place), ~IntLanes{});
         const FloatLanes fine = gather(grid.fine, (z.cell * grid.fineSize.y + y.cell) * grid.fineSize.x + x.cell);
         const IntLanes coarseCell =
             ((z.cell >> 2) * grid.coarseSize.y + (y.cell >> 2)) * grid.coarseSize.x + (x.cell >> 2);
