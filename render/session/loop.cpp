@@ -4,7 +4,7 @@
 
 #include "render/base/background_thread.h"
 #include "render/base/thrown.h"
-#include "render/denoise/plane_memory.h"
+#include "render/film/error/noisy_film.h"
 #include "render/kernel/random.h"
 #include "render/scene/not_shown.h"
 #include "render/scene/scene.h"
@@ -90,7 +90,7 @@ void Session::Loop::clear() {
     edits_.forget();
     effectCosts_.forget();
     kept_.clear();
-    denoise::dropKeptForPlanes();
+    dropNoisyFilms();
     scene_ = {};
     notShown_ = {};
     place_.close();

@@ -6778,6 +6778,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>Summen von Abtastungen vor der ersten eines Blocks</translation>
     </message>
     <message>
+        <source>sums that were not to be sent</source>
+        <translation>Summen, die nicht gesendet werden sollten</translation>
+    </message>
+    <message>
         <source>surface reflection</source>
         <translation>Spiegelung an Oberflächen</translation>
     </message>

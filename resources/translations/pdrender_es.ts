@@ -6778,6 +6778,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>sumas de muestras anteriores a la primera de un bloque</translation>
     </message>
     <message>
+        <source>sums that were not to be sent</source>
+        <translation>sumas que no debían enviarse</translation>
+    </message>
+    <message>
         <source>surface reflection</source>
         <translation>reflexión en superficies</translation>
     </message>

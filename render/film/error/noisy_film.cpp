@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/denoise/plane_memory.h"
+
 namespace pdr {
 namespace {
 
@@ -123,6 +125,10 @@ denoise::Colours smoothRadiance(const NoisyFilm& noisy, const std::stop_token& s
     const auto tolerated = [](float variance) { return kTolerance * variance; };
     return denoise::denoised(noisy.all.mean, denoise::combined(tolerated, noisy.all.variance), noisy.ratio, stop,
                              features);
+}
+
+void dropNoisyFilms() {
+    denoise::dropKeptForPlanes();
 }
 
 }  // namespace pdr

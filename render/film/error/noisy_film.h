@@ -30,4 +30,8 @@ NoisyFilm noisyFilm(const Film& film, const std::stop_token& stop = {});
 denoise::Colours smoothRadiance(const NoisyFilm& noisy, const std::stop_token& stop = {},
                                 const denoise::Features* features = nullptr);
 
+/// Returns the memory that this thread keeps for planes to the system, so that nothing is left of an image that is
+/// closed.
+void dropNoisyFilms();
+
 }  // namespace pdr

@@ -339,13 +339,13 @@ class FinerImagesTest : public QObject {
   private:
     using Frames = std::vector<std::shared_ptr<const Frame>>;
 
-    /// Returns a device that changes the display of `session` once: in the first call of that name after two full
-    /// images.
+    /// Returns a device that changes the display of `session` once: in the first call of that name after three full
+    /// images; the first two are of the same samples, without their error and with it.
     static std::unique_ptr<Device> changingIn(const std::string& name, const Display& display, Session& session,
                                               Reel& reel) {
         auto mishaps = std::make_shared<test::Mishaps>();
         mishaps->before = [=, &session, &reel, left = 1](const std::string& verb) mutable {
-            if (verb == name && reel.full(1, 2) && left-- > 0)
+            if (verb == name && reel.full(1, 3) && left-- > 0)
                 session.setDisplay(display);
         };
         return test::failing(mishaps);

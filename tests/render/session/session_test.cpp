@@ -260,7 +260,7 @@ class SessionTest : public QObject {
         test::Screen screen;
         Session session(makeCpuDevice(), screen.sink());
         session.setDisplay({1, true});
-        session.setIterationsPerFrame(16);  // enough to judge, not enough for the raw image to be the better one
+        session.setIterationsPerFrame(8);  // enough to judge, not enough for the raw image to be the better one
         Scene scene = someScene(1);
         scene.film = {192, 128};
         session.submit(scene, false);
