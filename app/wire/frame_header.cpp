@@ -1,5 +1,7 @@
 #include "app/wire/frame_header.h"
 
+#include <zlib.h>
+
 #include <bit>
 #include <cstring>
 
@@ -46,7 +48,7 @@ void eachField(Header& header, At&& at) {
     at(header.flags);
     at(header.mapBytes);
     at(header.payloadBytes);
-    at(header.request);
+    at(header.checksum);
 }
 
 }  // namespace
@@ -90,6 +92,16 @@ pdr::Result<FrameHeader> headerOf(Role reader, std::span<const std::byte, kHeade
     if (header.mapBytes > kMostMapBytes || header.payloadBytes > (kind ? kind->mostPayload : kMostPayloadBytes))
         return malformed(phrase("it is longer than such a message is"), kind ? kind->name : "");
     return header;
+}
+
+std::uint64_t checksumOf(FrameHeader header, std::span<const std::byte> map, std::span<const std::byte> payload) {
+    header.checksum = 0;
+    const std::array<std::byte, kHeaderBytes> head = bytesOf(header);
+    uLong crc = 0;
+    for (const std::span<const std::byte> part : {std::span<const std::byte>(head), map, payload})
+        if (!part.empty())
+            crc = crc32_z(crc, reinterpret_cast<const Bytef*>(part.data()), part.size());
+    return std::uint64_t(1) << 32 | crc;
 }
 
 }  // namespace pdr::wire

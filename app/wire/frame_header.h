@@ -1,9 +1,10 @@
 #pragma once
 /// The header is the first 32 bytes of a frame, little endian. A CBOR map of `mapBytes` follows, then a payload of
 /// `payloadBytes`.
-///   magic "PDR1"   version u16   type u16   flags u32   mapBytes u32   payloadBytes u64   request u64
-/// `version` is that of this layout, not of the fields in the maps (Versions in messages.h). `flags` is reserved and 0;
-/// `request` is reserved and ignored. Readers skip unknown types below kFirstCritical; others are an error.
+///   magic "PDR1"   version u16   type u16   flags u32   mapBytes u32   payloadBytes u64   checksum u64
+/// `version` is that of this layout, not of the fields in the maps (Versions in messages.h). `flags` is reserved and 0.
+/// `checksum` is checksumOf() of the frame, or 0 from programs that state none. Readers skip unknown types below
+/// kFirstCritical; others are an error.
 
 #include <array>
 #include <cstdint>
@@ -30,7 +31,7 @@ struct FrameHeader {
     std::uint32_t flags = 0;
     std::uint32_t mapBytes = 0;
     std::uint64_t payloadBytes = 0;
-    std::uint64_t request = 0;
+    std::uint64_t checksum = 0;
 
     std::uint64_t bodyBytes() const { return mapBytes + payloadBytes; }
     bool operator==(const FrameHeader&) const = default;
@@ -52,6 +53,10 @@ std::array<std::byte, kHeaderBytes> bytesOf(const FrameHeader& header);
 /// Parses and checks a header. Errors: no frame of this protocol, an unknown critical type, a message that the peer
 /// must not send, a body over the limit of its type.
 pdr::Result<FrameHeader> headerOf(Role reader, std::span<const std::byte, kHeaderBytes> bytes);
+
+/// Returns 2^32 plus the CRC-32 (ISO 3309) of a frame: its header with a checksum of 0, its map and its payload. Never
+/// 0.
+std::uint64_t checksumOf(FrameHeader header, std::span<const std::byte> map, std::span<const std::byte> payload);
 
 /// Makes the error for malformed input; `where`: name of the message.
 Error malformed(const Text& reason, std::string_view where = "");

@@ -45,6 +45,8 @@ pdr::Result<std::optional<Message>> FrameReader::readOne(std::span<const std::by
         known ? fill(map_, header_->mapBytes, bytes) && fill(payload_, header_->payloadBytes, bytes) : skip(bytes);
     if (!whole)
         return std::optional<Message>();
+    if (known && header_->checksum != 0 && header_->checksum != checksumOf(*header_, map_, payload_))
+        return malformed(phrase("a message that was damaged on its way"), kindOf(header_->type)->name);
     head_.clear();
     ++messages_;
     return decode(*std::exchange(header_, {}), std::exchange(map_, {}), std::exchange(payload_, {}));

@@ -35,10 +35,12 @@ Frame encode(Message message) {
         },
         message);
     const Bytes map = writer.finish();
-    const auto header =
-        bytesOf({.type = typeOf(message), .mapBytes = std::uint32_t(map.size()), .payloadBytes = frame.payload.size()});
-    frame.head.reserve(header.size() + map.size());
-    frame.head.assign(header.begin(), header.end());
+    FrameHeader header{
+        .type = typeOf(message), .mapBytes = std::uint32_t(map.size()), .payloadBytes = frame.payload.size()};
+    header.checksum = checksumOf(header, map, frame.payload);
+    const auto head = bytesOf(header);
+    frame.head.reserve(head.size() + map.size());
+    frame.head.assign(head.begin(), head.end());
     frame.head.insert(frame.head.end(), map.begin(), map.end());
     return frame;
 }

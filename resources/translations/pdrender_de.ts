@@ -4862,6 +4862,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>eine Nachricht, die verstanden werden muss, hier aber unbekannt ist</translation>
     </message>
     <message>
+        <source>a message that was damaged on its way</source>
+        <translation>eine Nachricht, die unterwegs beschädigt wurde</translation>
+    </message>
+    <message>
         <source>a number in it is none</source>
         <translation>eine Zahl darin ist keine</translation>
     </message>

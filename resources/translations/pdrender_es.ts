@@ -4862,6 +4862,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>un mensaje de un tipo que hay que entender, pero que aquí no se conoce</translation>
     </message>
     <message>
+        <source>a message that was damaged on its way</source>
+        <translation>un mensaje dañado por el camino</translation>
+    </message>
+    <message>
         <source>a number in it is none</source>
         <translation>un número en él no lo es</translation>
     </message>

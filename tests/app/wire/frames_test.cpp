@@ -33,9 +33,9 @@ Bytes frameOf(const FrameHeader& header, std::size_t bodyBytes) {
     return bytes;
 }
 
-/// A Ping, with a byte of its header changed.
+/// A Ping without a checksum, with a byte of its header changed.
 test::Heard heardPing(std::size_t place, int value) {
-    Bytes bytes = inOnePiece(encode(Ping{3}));
+    Bytes bytes = test::unchecked(inOnePiece(encode(Ping{3})));
     bytes[place] = std::byte(value);
     return test::heardBy(Role::node, bytes);
 }
@@ -52,7 +52,7 @@ class FramesTest : public QObject {
                                           .flags = 0x05060708,
                                           .mapBytes = 0x090a0b0c,
                                           .payloadBytes = 0x0d0e0f1011121314,
-                                          .request = 0x15161718191a1b1c});
+                                          .checksum = 0x15161718191a1b1c});
         QCOMPARE(QByteArray(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size())).toHex(),
                  QByteArray("50445231"
                             "0201"
@@ -107,6 +107,7 @@ class FramesTest : public QObject {
         for (const Message& message : test::exampleMessages())
             for (const int more : {-1, 1}) {
                 Frame frame = encode(message);
+                frame.head = test::unchecked(frame.head);
                 frame.head[12] = std::byte(std::to_integer<int>(frame.head[12]) + more);
                 frame.head.resize(frame.head.size() + std::size_t(more));
                 QVERIFY2(!test::heardBy(test::readerOf(message), inOnePiece(frame)).error.empty(),
@@ -115,12 +116,33 @@ class FramesTest : public QObject {
     }
 
     void whatIsNoFrameIsRefused() {
-        QVERIFY(heardPing(31, 7).error.empty());                          // the request
         for (const std::size_t place : {0, 1, 2, 3, 4, 5, 8, 9, 10, 11})  // magic, version, flags
             QVERIFY2(!heardPing(place, 0x55).error.empty(), qPrintable(QString::number(place)));
         for (const std::size_t place : {14, 15, 17, 18, 23})  // longer than any
             QVERIFY2(heardPing(place, 0x55).error.find("longer") != std::string::npos,
                      qPrintable(QString::number(place)));
+    }
+
+    void aFrameStatesItsChecksum() {
+        // Python: zlib.crc32 of the frame with zeros in place of the checksum
+        QCOMPARE(checksumOf({.type = 4, .mapBytes = 4}, std::as_bytes(std::span("\xbf\x01\x05\xff", 4)), {}),
+                 0x1d45f6675u);
+        for (const Message& message : test::exampleMessages()) {
+            const Bytes frame = test::unchecked(inOnePiece(encode(message)));
+            QVERIFY(test::heardBy(test::readerOf(message), frame).error.empty());
+        }
+    }
+
+    void noFlippedBitIsTakenForAMessage() {
+        for (const Message& message : test::exampleMessages()) {
+            const Bytes frame = inOnePiece(encode(message));
+            for (std::size_t bit = 0; bit < 8 * frame.size(); ++bit) {
+                Bytes damaged = frame;
+                damaged[bit / 8] ^= std::byte(1) << bit % 8;
+                QVERIFY2(test::heardBy(test::readerOf(message), damaged).messages.empty(),
+                         (test::nameOf(message) + " bit " + std::to_string(bit)).c_str());
+            }
+        }
     }
 
     void messagesOfTheWrongSideAreRefused() {

@@ -1,7 +1,7 @@
 /// Frames as released programs send them (golden/v1, one of each type; golden/v2, those that version 2 has added;
-/// golden/v2-kept, with the fields that say what a node has kept) are read and written by this one. They are never
-/// changed: a new version of the protocol gets a folder of its own. With PDR_GOLDEN_OUT, a folder, the frames of this
-/// program are written there.
+/// golden/v2-kept, with the fields that say what a node has kept; golden/v2-checked, with checksums) are read and
+/// written by this one. They are never changed: a new version of the protocol gets a folder of its own. With
+/// PDR_GOLDEN_OUT, a folder, the frames of this program are written there.
 
 #include <QDir>
 #include <QFile>
@@ -19,8 +19,9 @@ QString fileOf(const QString& folder, const Message& message) {
     return folder + "/" + QString::fromStdString(test::nameOf(message)) + ".bin";
 }
 
-QByteArray written(const Message& message) {
-    const Bytes bytes = inOnePiece(encode(message));
+/// `isChecked`: with its checksum.
+QByteArray written(const Message& message, bool isChecked) {
+    const Bytes frame = inOnePiece(encode(message)), bytes = isChecked ? frame : test::unchecked(frame);
     return {reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size())};
 }
 
@@ -54,7 +55,7 @@ class GoldenFramesTest : public QObject {
             for (const Message& message : messages) {
                 QDir().mkpath(out + "/" + version);
                 if (QFile file(fileOf(out + "/" + version, message)); file.open(QIODevice::WriteOnly))
-                    file.write(written(message));
+                    file.write(written(message, version == kChecked));
             }
     }
 
@@ -73,14 +74,17 @@ class GoldenFramesTest : public QObject {
             for (const Message& message : messages) {
                 const bool packed =
                     std::holds_alternative<Lease>(message) || std::holds_alternative<wire::Result>(message);
-                const QByteArray now = written(message), then = golden(version, message);
+                const QByteArray now = written(message, version == kChecked), then = golden(version, message);
                 QVERIFY2(packed ? mapOf(now) == mapOf(then) : now == then, test::nameOf(message).c_str());
             }
     }
 
   private:
-    const std::vector<std::pair<QString, std::vector<Message>>> kVersions{
-        {"v1", test::exampleMessages()}, {"v2", test::exampleDeepMessages()}, {"v2-kept", test::exampleKeptMessages()}};
+    const QString kChecked = "v2-checked";
+    const std::vector<std::pair<QString, std::vector<Message>>> kVersions{{"v1", test::exampleMessages()},
+                                                                          {"v2", test::exampleDeepMessages()},
+                                                                          {"v2-kept", test::exampleKeptMessages()},
+                                                                          {kChecked, test::exampleMessages()}};
 };
 
 QTEST_APPLESS_MAIN(GoldenFramesTest)

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "tests/app/wire/example_messages.h"
+#include "tests/app/wire/frame_hand.h"
 #include "tests/app/wire/watched_memory.h"
 #include "tests/fuzz/heard.h"
 
@@ -19,7 +19,7 @@ class Attacker {
     Attacker(Role reader, unsigned seed) : random_(seed) {
         for (const Message& message : test::exampleMessages())
             if (test::readerOf(message) == reader)
-                frames_.push_back(inOnePiece(encode(message)));
+                frames_.push_back(test::unchecked(inOnePiece(encode(message))));
     }
 
     /// One to three frames, damaged in one to four places.

@@ -44,7 +44,7 @@ class LaterVersion {
         QObject::connect(&from, &QTcpSocket::disconnected, &to, [&to] { to.disconnectFromHost(); });
     }
     static std::optional<QByteArray> next(Way& way) {
-        constexpr qsizetype kMapBytesAt = 12, kPayloadBytesAt = 16;  // frame_header.h
+        constexpr qsizetype kMapBytesAt = 12, kPayloadBytesAt = 16, kChecksumAt = 24;  // frame_header.h
         if (way.waits.size() < qsizetype(wire::kHeaderBytes))
             return std::nullopt;
         std::uint32_t mapBytes;
@@ -64,6 +64,7 @@ class LaterVersion {
         message.insert(end, field);
         mapBytes += std::uint32_t(field.size());
         std::memcpy(message.data() + kMapBytesAt, &mapBytes, sizeof mapBytes);
+        std::memset(message.data() + kChecksumAt, 0, sizeof(std::uint64_t));
         return message + unknown();
     }
     static QByteArray unknown() {
