@@ -11,11 +11,11 @@ QString keyOf(const NodeStatus& node) {
 
 }  // namespace
 
-bool ToldReasons::isNew(const NodeStatus& node) {
-    return !node.reason.empty() && isNew(keyOf(node), QString::fromStdString(node.reason));
+bool ToldReasons::record(const NodeStatus& node) {
+    return !node.reason.empty() && record(keyOf(node), QString::fromStdString(node.reason));
 }
 
-bool ToldReasons::isNew(const QString& who, const QString& reason) {
+bool ToldReasons::record(const QString& who, const QString& reason) {
     return told_.size() < kMost && told_.insert({who, reason}).second;
 }
 

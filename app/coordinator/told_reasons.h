@@ -11,10 +11,11 @@ namespace pdr::nodes {
 
 class ToldReasons {
   public:
-    /// Records the reason of a node. False: it has none, or it was told before, perhaps on an earlier connection.
-    bool isNew(const NodeStatus& node);
-    /// Records a reason of a host or a node. False: it was told before.
-    bool isNew(const QString& who, const QString& reason);
+    /// Records that the reason of a node was told. False: it has none, or was told before, perhaps on an earlier
+    /// connection.
+    bool record(const NodeStatus& node);
+    /// Records that a reason of a host or a node was told. False: it was told before.
+    bool record(const QString& who, const QString& reason);
 
     /// Largest number of reasons that are told. It is limited because a node that dials chooses its own name.
     static constexpr std::size_t kMost = 1000;

@@ -34,6 +34,11 @@ NodeSeats::Taken* NodeSeats::seatOf(const NodeSession& session) {
     return found == taken_.end() ? nullptr : &*found;
 }
 
+/// False: it was not in the line.
+bool NodeSeats::leaveLine(const NodeSession& session) {
+    return std::erase_if(line_, [&](const Waiting& one) { return one.session == &session; }) > 0;
+}
+
 void NodeSeats::ask(NodeSession& session) {
     if (sitAgain(session))
         return;
@@ -42,7 +47,7 @@ void NodeSeats::ask(NodeSession& session) {
         return open(session);
     const auto place = std::ranges::find(line_, &session, &Waiting::session);
     if (place == line_.end() || place->isIdle) {
-        std::erase_if(line_, [&](const Waiting& one) { return one.session == &session; });
+        leaveLine(session);
         line_.insert(std::ranges::find(line_, true, &Waiting::isIdle), {&session});
     }
     advance();
@@ -128,7 +133,7 @@ void NodeSeats::answer(std::uint64_t number, LeaseAnswer answered) {
 }
 
 void NodeSeats::leave(NodeSession& session, bool isLost) {
-    if (std::erase_if(line_, [&](const Waiting& one) { return one.session == &session; }) > 0)
+    if (leaveLine(session))
         return advance();
     Taken* seat = seatOf(session);
     if (!seat)

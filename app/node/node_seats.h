@@ -75,6 +75,7 @@ class NodeSeats : public QObject {
     };
 
     Taken* seatOf(const NodeSession& session);
+    bool leaveLine(const NodeSession& session);
     bool sitAgain(NodeSession& session);
     void open(NodeSession& session);
     MemoryLeft memoryFor(std::uint64_t number) const;

@@ -13,7 +13,7 @@ Relay::Relay(const std::vector<std::byte>& bits) : pool_(nodes::newPool()), node
     connect(&nodes_, &RenderNodes::joined, this,
             [this](const NodeStatus& node) { emit said(tr("below: %1 is there").arg(node.name)); });
     connect(&nodes_, &RenderNodes::lost, this, [this](const NodeStatus& node) {
-        told_.isNew(node);
+        told_.record(node);
         emit said(tr("below: %1 is gone: %2").arg(node.name, QString::fromStdString(node.reason)));
     });
     connect(&nodes_, &RenderNodes::turnedAway, this,
@@ -24,7 +24,7 @@ Relay::Relay(const std::vector<std::byte>& bits) : pool_(nodes::newPool()), node
 /// Says once what keeps a node from helping, as that it was caught at a wrong result.
 void Relay::tellTroubleOf(const std::vector<nodes::NodeStatus>& nodes) {
     for (const nodes::NodeStatus& node : nodes)
-        if (told_.isNew(node))
+        if (told_.record(node))
             emit said(tr("below: %1: %2").arg(node.name, QString::fromStdString(node.reason)));
 }
 

@@ -35,21 +35,21 @@ QStringList NodeMessages::follow(const std::vector<NodeStatus>& nodes) {
             if (worked)
                 part.work[node.work.id] = node.work;
         }
-        if (told_.isNew(node))
+        if (told_.record(node))
             lines << QString("node %1: %2").arg(calledBy(node), reasonOf(node));
     }
     return lines;
 }
 
 QString NodeMessages::gone(const NodeStatus& node) {
-    told_.isNew(node);
+    told_.record(node);
     return QString(node.saidGoodbye ? "node %1 has left: %2" : "node %1 is lost: %2")
         .arg(calledBy(node), reasonOf(node));
 }
 
 QString NodeMessages::turnedAway(const QString& peer, const QString& reason) {
     const QString host = peer.section(':', 0, -2);
-    return told_.isNew(host, reason) ? QString("%1 was turned away: %2").arg(host, reason) : QString();
+    return told_.record(host, reason) ? QString("%1 was turned away: %2").arg(host, reason) : QString();
 }
 
 QStringList NodeMessages::report(const std::vector<WorkerStatus>& workers, double ownWork) const {
