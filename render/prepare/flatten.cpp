@@ -193,7 +193,8 @@ void Flattener::bound(PreparedScene& prepared) {
     prepared.ranges = sameVolume ? last_->ranges : std::make_shared<const CellRanges>(*prepared.volume);
     prepared.majorants = sameVolume && sameMajorants(*last_, prepared) ? last_->majorants : majorantsOf(prepared);
     flattenMajorants(prepared);
-    prepared.viewDepths = viewDepths(prepared.flat);
+    const bool sameDepths = sameVolume && sameViewDepths(last_->flat, prepared.flat);
+    prepared.viewDepths = sameDepths ? last_->viewDepths : viewDepths(prepared.flat);
     prepared.flat.viewBounds = {prepared.viewDepths.data(), viewBlocks(prepared.flat.camera.film).x};
 }
 

@@ -58,6 +58,38 @@ bool cover(const FlatScene& scene, const ViewProjection& projection, int slab, s
     return !behind;
 }
 
+bool sameView(const FlatCamera& a, const FlatCamera& b) {
+    return a.film == b.film && a.perspective == b.perspective && a.eye == b.eye && a.forward == b.forward &&
+           a.right == b.right && a.up == b.up && a.lensRight == b.lensRight && a.lensUp == b.lensUp &&
+           a.focus == b.focus;
+}
+
+bool samePlanes(const FlatClip& a, const FlatClip& b) {
+    const auto same = [](const FlatPlane& p, const FlatPlane& q) {
+        return p.normal == q.normal && p.offset == q.offset;
+    };
+    return std::equal(a.planes, a.planes + a.count, b.planes, b.planes + b.count, same);
+}
+
+/// Returns whether the same fine cells of two grids of one size have a bound above 0.
+bool sameOccupied(const FlatMajorants& a, const FlatMajorants& b) {
+    if (a.fine == b.fine)
+        return true;
+    const std::size_t perSlab = std::size_t(a.fineSize.x) * std::size_t(a.fineSize.y) * kFinePerCoarse;
+    std::atomic<bool> differ = false;
+    tbb::parallel_for(0, a.coarseSize.z, [&](int slab) {
+        if (differ)
+            return;
+        const float *first = a.fine + std::size_t(slab) * perSlab, *second = b.fine + std::size_t(slab) * perSlab;
+        int differing = 0;  // no early end: all cells are compared at once
+        for (std::size_t i = 0; i < perSlab; ++i)
+            differing |= int(first[i] > 0) ^ int(second[i] > 0);
+        if (differing)
+            differ = true;
+    });
+    return !differ;
+}
+
 }  // namespace
 
 std::vector<vec2> viewDepths(const FlatScene& scene) {
@@ -78,6 +110,10 @@ std::vector<vec2> viewDepths(const FlatScene& scene) {
         std::transform(depths.begin(), depths.end(), some.begin(), depths.begin(), united);
     });
     return depths;
+}
+
+bool sameViewDepths(const FlatScene& a, const FlatScene& b) {
+    return sameView(a.camera, b.camera) && samePlanes(a.clip, b.clip) && sameOccupied(a.majorants, b.majorants);
 }
 
 }  // namespace pdr

@@ -14,4 +14,8 @@ namespace pdr {
 /// infinity).
 std::vector<vec2> viewDepths(const FlatScene& scene);
 
+/// Returns whether those of `b` are those of `a`, another scene of the same volume: both have bounds above 0 in the
+/// same cells, the same view and the same planes that cut. So it is while a hand moves a node or a light.
+bool sameViewDepths(const FlatScene& a, const FlatScene& b);
+
 }  // namespace pdr

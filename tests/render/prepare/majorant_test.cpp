@@ -7,7 +7,9 @@
 #include <QTest>
 #include <atomic>
 #include <cstdlib>
+#include <functional>
 #include <random>
+#include <utility>
 
 #include "render/kernel/medium.h"
 #include "render/kernel/random.h"
@@ -208,6 +210,46 @@ class MajorantTest : public QObject {
             QVERIFY(prepared->majorants->fine == alone->majorants->fine);
             QVERIFY(prepared->majorants->coarse == alone->majorants->coarse);
         }
+    }
+
+    /// The depths of a view are kept only while the same cells hold tissue, the view stays and the same planes cut.
+    void depthsAreThoseOfTheirOwnScene() {
+        Scene scene = test::plainScene(test::bumpyVolume({33, 21, 18}, dvec3(1), 5), 1);
+        scene.film = {96, 64};
+        const Camera first = scene.camera;
+        const std::vector<std::function<void()>> edits{
+            [&] {
+                scene.transferFunction.nodes = {{.hu = 1000, .opacity = 0}, {.hu = 1400, .opacity = 1}};
+            },
+            [&] { scene.transferFunction.nodes[0].hu = 600; },
+            [&] { scene.transferFunction.nodes[1].opacity = 0.5f; },
+            [&] { scene.transferFunction.nodes[0].hu = 800; },
+            [&] { scene.camera.eyeMm.x += 4; },
+            [&] { scene.camera.fovDegrees += 10; },
+            [&] {
+                scene.film = {64, 96};
+            },
+            [&] { scene.camera.apertureMm = 20; },
+            [&] { scene.camera.apertureMm = 8; },
+            [&] {
+                scene.clip.planes = {{{1, 0, 0}, scene.volume->geometry().centreMm()}};
+            },
+            [&] { scene.clip.planes[0].pointMm.x += 5; },
+            [&] {
+                scene.clip.planes[0].normal = {0, 1, 0};
+            },
+            [&] { scene.clip = {}, scene.camera = first; }};
+        Flattener flattener;
+        std::vector<std::size_t> kept;
+        std::vector<vec2> before;
+        for (std::size_t i = 0; i < edits.size(); ++i) {
+            edits[i]();
+            const auto prepared = flattener.prepare(scene);
+            QVERIFY(prepared->viewDepths == Flattener().prepare(scene)->viewDepths);
+            if (std::exchange(before, prepared->viewDepths) == prepared->viewDepths)
+                kept.push_back(i);
+        }
+        QCOMPARE(kept, std::vector<std::size_t>{2});  // all others change them
     }
 };
 
