@@ -1,6 +1,6 @@
 /// Measures how long an image takes to follow an interaction, in the real window: from the event to the end of the
 /// painting of the first image that shows it.
-///   interaction FOLDER [--seconds S] [--threads N] [--only GESTURE]
+///   interaction FOLDER [--seconds S] [--threads N] [--only GESTURE] [--each]
 /// FOLDER holds a CT. Each gesture takes S seconds (default 10), with events as a mouse sends them, 125 a second: a
 /// drag that rotates (turn), one of the brightness, one of a node of the tissue's opacity (node). Then single edits,
 /// views and looks, each after a rest of a second; and views, looks and tissue undone and redone (undo), where an image
@@ -9,7 +9,7 @@
 /// time of the whole program to wall time; and below it how long single events kept the window busy, in wall time and
 /// in its own processor time, and the parts of the way from an event to the first image of its scene, the median and 99
 /// in 100 of each: until the render thread took the scene, until the device had it, the samples, making the image, and
-/// until it was painted.
+/// until it was painted. With --each it prints the same for each first image of a scene as it comes.
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -65,7 +65,7 @@ constexpr std::array<const char*, 5> kParts{"waited", "begun", "samples", "image
 
 class Stopwatch {
   public:
-    explicit Stopwatch(Desktop& desktop) : desktop_(desktop) {
+    Stopwatch(Desktop& desktop, bool each) : desktop_(desktop), each_(each) {
         QObject::connect(&desktop.bridge(), &RenderBridge::frameReady,
                          [this](const std::shared_ptr<const Frame>& frame) { painted(*frame); });
     }
@@ -142,6 +142,15 @@ class Stopwatch {
             parts_[i].push_back(moments[i + 1] - moments[i]);
     }
 
+    /// Prints when an image came, and the parts of the way of the first event that it answers, whose number is `first`.
+    void tell(const Frame& frame, std::size_t first) const {
+        std::printf("%9.1f ms  %4d px wide, %2llu samples", nowMs() - beganMs_, frame.size.x,
+                    (unsigned long long)frame.status.samplesPerPixel);
+        for (std::size_t i = 0; i < kParts.size(); ++i)
+            std::printf("   %s %.1f", kParts[i], parts_[i][first]);
+        std::printf(" ms\n");
+    }
+
     void painted(const Frame& frame) {
         desktop_.window().viewport().repaint();
         widths_.push_back(frame.size.x);
@@ -149,15 +158,19 @@ class Stopwatch {
         const auto answered = std::find_if(unanswered_.rbegin(), unanswered_.rend(),
                                            [&](const Unanswered& event) { return event.isAnsweredBy(frame); });
         const bool isFirst = frame.revision != std::exchange(shown_, frame.revision) && frame.times.taken > 0;
+        const std::size_t first = parts_[0].size();
         for (auto left = unanswered_.rend() - answered; left > 0; --left) {
             if (isFirst)
                 takeParts(unanswered_.front().atMs, frame.times);
             latencies_.push_back(nowMs() - unanswered_.front().atMs);
             unanswered_.pop_front();
         }
+        if (each_ && parts_[0].size() > first)
+            tell(frame, first);
     }
 
     Desktop& desktop_;
+    bool each_;  ///< print each first image of a scene
     std::deque<Unanswered> unanswered_;
     std::vector<double> latencies_, widths_;
     std::array<std::vector<double>, kParts.size()> parts_;
@@ -255,10 +268,10 @@ void undos(Desktop& desktop, Stopwatch& watch, double seconds) {
     });
 }
 
-int run(const QString& folder, double seconds, int threads, const QString& only) {
+int run(const QString& folder, double seconds, int threads, const QString& only, bool each) {
     QTemporaryDir settings;
     Desktop desktop(*bundledLooks(), makeCpuDevice(threads), settings.filePath("settings.ini"), threads);
-    Stopwatch watch(desktop);
+    Stopwatch watch(desktop, each);
     desktop.window().show();
     desktop.window().panelToggle("Tissue")->trigger();
     desktop.open(folder);
@@ -291,10 +304,11 @@ int main(int argc, char** argv) {
     parser.addOption({"seconds", "of each gesture", "S", "10"});
     parser.addOption({"threads", "0: one per core", "N", "0"});
     parser.addOption({"only", "turn, brightness, node, edits or undo", "GESTURE"});
+    parser.addOption({"each", "print the parts of the way of each first image of a scene"});
     parser.addHelpOption();
     parser.process(application);
     if (parser.positionalArguments().size() != 1)
         parser.showHelp(2);
     return pdr::app::run(parser.positionalArguments()[0], parser.value("seconds").toDouble(),
-                         parser.value("threads").toInt(), parser.value("only"));
+                         parser.value("threads").toInt(), parser.value("only"), parser.isSet("each"));
 }
