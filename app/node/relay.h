@@ -23,6 +23,8 @@ class Relay : public QObject {
     Result<void> listen(const NodeOptions& options);
     /// Returns what opens devices that share their leases with the nodes below. One of them may have a scene at a time.
     OpenDevice sharing(OpenDevice own) const;
+    /// Returns how much of what nodes below have rendered of the scene was rendered a second time.
+    NodeChecks checks() const { return pool_->checks(); }
 
   signals:
     /// A line for the log; contains nothing about scenes.
