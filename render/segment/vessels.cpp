@@ -12,6 +12,7 @@
 #include "render/segment/findings.h"
 #include "render/segment/for_each_slice.h"
 #include "render/segment/lung_cells.h"
+#include "render/segment/pieces.h"
 #include "render/segment/smoothed_hu.h"
 #include "render/segment/voxel_flood.h"
 #include "render/volume/value_unit.h"
@@ -20,13 +21,18 @@ namespace pdr::segment {
 namespace {
 
 constexpr std::string_view kStep = "looking for vessels";
-constexpr float kFaintestHu = 200;            ///< blood below it cannot be told from marrow
-constexpr double kCoreShare = 0.75;           ///< least value of a pool, as a share of the blood's
-constexpr double kVesselShare = 0.5;          ///< least value of a vessel, likewise ...
-constexpr int kLeastHu = 150, kMostHu = 210;  ///< ... within these
-constexpr double kBoneShare = 1.4;            ///< least value of bone that is certain, likewise ...
-constexpr int kBoneHu = 350;                  ///< ... but not less than this
-constexpr double kBesideMm = 8;               ///< so near to a pool, bone is not known to be bone
+constexpr float kFaintestHu = 200;                  ///< blood below it cannot be told from marrow
+constexpr double kCoreShare = 0.75;                 ///< least value of a pool, as a share of the blood's
+constexpr double kVesselShare = 0.5;                ///< least value of a vessel, likewise ...
+constexpr int kLeastHu = 150, kMostHu = 210;        ///< ... within these
+constexpr double kBoneShare = 1.4;                  ///< least value of bone that is certain, likewise ...
+constexpr int kBoneHu = 350;                        ///< ... but not less than this
+constexpr double kBesideMm = 8;                     ///< so near to a pool, bone is not known to be bone
+constexpr double kUndilutedShare = 2;               ///< least value of undiluted medium, likewise ...
+constexpr int kUndilutedHu = 700, kMetalHu = 2500;  ///< ... within these
+constexpr double kSolidMm = 3, kSolidMl = 0.5;      ///< balls of a vein full of it, and what their centres fill
+constexpr double kRimMm = 3;                        ///< beside such a vein, its own rim is as dense as bone
+constexpr double kBesideLungMm = 40;                ///< so near to a lung no bone is as solid
 constexpr int kLungVesselHu = -250;
 constexpr double kLungVesselMm = 8, kPleuraMm = 5;  ///< as for the lungs that are shown (body_parts.cpp)
 constexpr std::uint8_t kBlood = 1, kBone = 2;
@@ -57,6 +63,25 @@ Cells insideLungs(const Volume& volume, const CellGrid& grid, const Progress& pr
     return inside;
 }
 
+/// Returns the veins full of undiluted medium: what is denser than bone, solid, near a lung, and beside a pool of
+/// blood.
+Cells undilutedVeins(const CellValues& values, const Markers& markers, const std::vector<float>& fromBlood,
+                     float bloodHu, const Checkpoint& checkpoint) {
+    const CellGrid& grid = markers.grid;
+    const int least = std::max(kUndilutedHu, int(kUndilutedShare * bloodHu));
+    Cells dense(grid.count()), solid(grid.count()), beside(grid.count());
+    for (std::size_t i = 0; i < dense.size(); ++i)
+        dense[i] = values.mean[i] > least && values.mean[i] < kMetalHu;
+    const std::vector<float> depths = squaredDistances(dense, 0, grid, kSolidMm, checkpoint);
+    const Cells nearLung = widened(markers.lung, grid, kBesideLungMm, checkpoint);
+    for (std::size_t i = 0; i < dense.size(); ++i) {
+        solid[i] = dense[i] && nearLung[i] && atLeast(depths[i], kSolidMm);
+        beside[i] = dense[i] && atMost(fromBlood[i], kBesideMm);
+    }
+    const Cells veins = piecesWith(solid, kSolidMl / grid.cellMl(), dense, grid, checkpoint);
+    return piecesWith(beside, 1, veins, grid, checkpoint);
+}
+
 Markers markersOf(const Volume& volume, float bloodHu, const Progress& progress) {
     Markers markers;
     const CellGrid& grid = markers.grid = CellGrid::over(volume.geometry());
@@ -66,8 +91,12 @@ Markers markersOf(const Volume& volume, float bloodHu, const Progress& progress)
     markers.bone = boneCells(values, grid, checkpoint);
     markers.lung = insideLungs(volume, grid, partOf(progress, 0.3, 0.5), checkpointOf(progress, 0.5, kStep));
     const std::vector<float> fromBlood = squaredDistances(markers.blood, 1, grid, kBesideMm, checkpoint);
-    for (std::size_t i = 0; i < markers.bone.size(); ++i)  // what is as dense as bone in a lung is medium
-        markers.bone[i] = markers.bone[i] && !markers.lung[i] && atLeast(fromBlood[i], kBesideMm);
+    const Cells veins = undilutedVeins(values, markers, fromBlood, bloodHu, checkpoint);
+    const Cells rims = widened(veins, grid, kRimMm, checkpoint);
+    for (std::size_t i = 0; i < markers.bone.size(); ++i) {  // what is as dense as bone in a lung is medium
+        markers.bone[i] = markers.bone[i] && !markers.lung[i] && !rims[i] && atLeast(fromBlood[i], kBesideMm);
+        markers.blood[i] |= veins[i];
+    }
     return markers;
 }
 

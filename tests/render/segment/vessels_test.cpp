@@ -65,13 +65,15 @@ class VesselsTest : public QObject {
         QTest::newRow("aorta beside the spine") << 0 << 0.98;
         QTest::newRow("artery along bone") << 1 << 0.94;
         QTest::newRow("vessels in the lungs") << 2 << 0.8;
+        QTest::newRow("vein full of undiluted medium") << 3 << 0.98;
     }
     void vesselsAreToldFromBone() {
         QFETCH(int, number);
         QFETCH(double, branches);
         const test::VesselPhantom phantom = number == 0   ? test::aortaBesideSpine()
                                             : number == 1 ? test::arteryAlongBone()
-                                                          : test::lungVessels();
+                                            : number == 2 ? test::lungVessels()
+                                                          : test::undilutedVein();
         const auto map = findVessels(test::scanOf(phantom), noProgress);
         QVERIFY2(bool(map), map ? "" : map.error().text().c_str());
         const Score score = scoreOf(*map, phantom);

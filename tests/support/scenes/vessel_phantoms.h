@@ -23,9 +23,10 @@ struct VesselPhantom {
     std::function<bool(dvec3)> isBranch;  ///< a thin one
     double bloodHu = 0;
     std::function<double(dvec3)> restHu;
+    std::function<bool(dvec3)> isUndiluted = [](dvec3) { return false; };  ///< a thin one full of undiluted medium
 
     bool isVessel(const dvec3& mm) const { return bloodHu > 0 && (isPool(mm) || isBranch(mm)); }
-    double hu(const dvec3& mm) const { return isVessel(mm) ? bloodHu : restHu(mm); }
+    double hu(const dvec3& mm) const { return isUndiluted(mm) ? 1200 : isVessel(mm) ? bloodHu : restHu(mm); }
 };
 
 /// A trunk of 45 mm radius along z with a spine: a shell of 800 HU around uneven marrow of 150 to 350 HU, 15 mm wide.
@@ -74,6 +75,18 @@ inline VesselPhantom lungVessels() {
                     return -850.0;
                 return std::hypot(mm.x / 1.38, mm.y) < 48 ? 50.0 : -1000.0;
             }};
+}
+
+/// A vein of 6 mm radius full of undiluted medium, between the pool of such lungs and a bone whose shell has 900 HU;
+/// and behind the pool, bone that is as solid as the vein.
+inline VesselPhantom undilutedVein() {
+    const VesselPhantom lungs = lungVessels();
+    const auto vein = [](dvec3 mm) { return distanceFromWay(mm, {-12, -20, 20}, {10, -20, 85}) < 6; };
+    const auto restHu = [rest = lungs.restHu](dvec3 mm) {
+        const double shell = std::hypot(mm.x, mm.y + 35);
+        return std::hypot(mm.x, mm.y - 34) < 6 ? 1100.0 : shell < 4 ? 250.0 : shell < 6 ? 900.0 : rest(mm);
+    };
+    return {lungs.isPool, vein, lungs.bloodHu, restHu, vein};
 }
 
 /// Returns a scan of a phantom: 160 x 120 x 72 voxels of 0.85 x 0.85 x 1.4 mm, each the mean of 8 places, with noise of
