@@ -116,7 +116,7 @@ class FramesTest : public QObject {
     }
 
     void whatIsNoFrameIsRefused() {
-        for (const std::size_t place : {0, 1, 2, 3, 4, 5, 8, 9, 10, 11})  // magic, version, flags
+        for (const std::size_t place : {0, 1, 2, 3, 4, 5, 8, 9, 10, 11, 24, 31})  // magic, version, flags, checksum
             QVERIFY2(!heardPing(place, 0x55).error.empty(), qPrintable(QString::number(place)));
         for (const std::size_t place : {14, 15, 17, 18, 23})  // longer than any
             QVERIFY2(heardPing(place, 0x55).error.find("longer") != std::string::npos,
