@@ -8,6 +8,12 @@
 
 namespace pdr::denoise {
 
+/// The rays of a guide image, one for each of its pixels.
+struct GuideRays {
+    int finer = 1;     ///< pixels of the guide along each of the film
+    vec2 place{0.5f};  ///< where a pixel's ray goes, in parts of its width and height
+};
+
 /// A guide image: planes of one size, `finer` times that of the coarse image.
 struct Guide {
     int finer = 1;

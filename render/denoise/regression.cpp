@@ -16,11 +16,6 @@ constexpr int kTogether = 16;    ///< pixels that are fitted together
 constexpr float kLeastLight = 1e-30f, kBrightest = 1e15f;
 constexpr int kPairs = kFeatures * (kFeatures + 1) / 2;
 
-/// Returns the means of 2 x 2 pixels.
-Plane averaged(const Plane& fine) {
-    return halved(fine, 0.25f);
-}
-
 using Lanes = std::array<float, kTogether>;
 
 /// Calls work(lane) for all lanes; the compiler makes vectors of them.
@@ -175,19 +170,23 @@ class Rows {
 
 }  // namespace
 
-Features::Features(const Guide& guide) {
+Features::Features(const Guides& guides) {
     const auto times = [](float a, float b) { return a * b; };
-    const Plane opacity = averaged(guide.opacity);
+    // Returns the mean over both guides of a plane made of each
+    const auto averaged = [&](const auto& planeOf) {
+        return combined([](float a, float b) { return 0.5f * (a + b); }, planeOf(*guides[0]), planeOf(*guides[1]));
+    };
+    const Plane opacity = averaged([](const Guide& guide) -> const Plane& { return guide.opacity; });
     // Brightness: half of the tissue's mean is as far from 0 as infinity is from it
     const auto light = [](float value) { return value > 0 ? std::min(value, kBrightest) : 0.0f; };
-    const Plane bright = averaged(combined(light, luminance(guide.radiance)));
+    const Plane bright = averaged([&](const Guide& guide) { return combined(light, luminance(guide.radiance)); });
     const double shown = meanOf(opacity), mean = shown > 0 ? meanOf(bright) / shown : 0;
     const auto usual = float(std::clamp(mean, double(kLeastLight), double(kBrightest)));
     planes_[0] = combined([usual](float value) { return 2 * value / (value + usual); }, bright);
     for (std::size_t c = 0; c < 3; ++c)
-        planes_[1 + c] = averaged(guide.normal[c]);
+        planes_[1 + c] = averaged([&](const Guide& guide) -> const Plane& { return guide.normal[c]; });
     // Depth: what is empty lies at the mean
-    const Plane weighted = averaged(combined(times, guide.depth, guide.opacity));
+    const Plane weighted = averaged([&](const Guide& guide) { return combined(times, guide.depth, guide.opacity); });
     const auto middle = float(shown > 0 ? meanOf(weighted) / shown : 0);
     planes_[4] = combined([middle](float sum, float part) { return part > 0 ? (sum / part - middle) / kFarApart : 0; },
                           weighted, opacity);

@@ -4,6 +4,9 @@
 /// becomes what that function is there. Texture and edges that the features have then stay sharp, however few the
 /// samples.
 
+#include <array>
+#include <memory>
+
 #include "render/denoise/guided.h"
 #include "render/denoise/patch_weights.h"
 
@@ -14,13 +17,17 @@ class Features {
   public:
     static constexpr int kCount = 6;
 
-    /// Averages a guide that is twice as fine as the image: its brightness, the normal, the depth and the opacity.
-    explicit Features(const Guide& guide);
+    /// Guides as fine as the image, each with rays at another of kPlaces.
+    using Guides = std::array<std::shared_ptr<const Guide>, 2>;
+    /// Places in a pixel between which what the film averages over all of it is interpolated: on a diagonal, so that
+    /// edges along rows and along columns have both sides.
+    static constexpr std::array<vec2, 2> kPlaces{vec2(0.25f), vec2(0.75f)};
+
+    /// Averages the guides: their brightness, the normal, the depth and the opacity.
+    explicit Features(const Guides& guides);
 
     ivec2 size() const { return planes_[0].size(); }
     const Plane& operator[](int i) const { return planes_[std::size_t(i)]; }
-
-    static constexpr int kFiner = 2;  ///< pixels of the guide along each of the image
 
   private:
     std::array<Plane, kCount> planes_;

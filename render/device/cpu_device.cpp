@@ -37,8 +37,8 @@ class CpuDevice final : public Device {
         return {};
     }
 
-    std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) override {
-        return tracer_.guide(scene_->flat, finer, stop);
+    std::shared_ptr<const denoise::Guide> guide(const denoise::GuideRays& rays, const std::stop_token& stop) override {
+        return tracer_.guide(scene_->flat, rays, stop);
     }
 
     Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,

@@ -41,10 +41,10 @@ class Device {
     /// After a stop request the sums are invalid. Errors: the device's, or that it takes samples for its own films
     /// only.
     virtual Result<void> trace(const Tile& tile, SampleRange samples, TileSums sums, const std::stop_token& stop);
-    /// Renders a guide for images that must come soon: the uploaded scene without noise or shadows, `finer` pixels
-    /// along each pixel of a film. Null if the device has no guide, for this scene or any, or if a stop request came
-    /// before its end.
-    virtual std::shared_ptr<const denoise::Guide> guide(int /*finer*/, const std::stop_token& /*stop*/) {
+    /// Renders a guide for images that must come soon: the uploaded scene without noise or shadows. Null if the device
+    /// has no guide, for this scene or any, or if a stop request came before its end.
+    virtual std::shared_ptr<const denoise::Guide> guide(const denoise::GuideRays& /*rays*/,
+                                                        const std::stop_token& /*stop*/) {
         return nullptr;
     }
     /// Returns whether none of these contributors to a film has lied.

@@ -31,8 +31,8 @@ class SpareDevice final : public Device {
     Result<std::unique_ptr<Accumulator>> film(const Tile& area, std::uint64_t revision,
                                               const Schedule& schedule) override;
     Result<void> trace(const Tile& tile, SampleRange samples, TileSums sums, const std::stop_token& stop) override;
-    std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) override {
-        return device_->guide(finer, stop);
+    std::shared_ptr<const denoise::Guide> guide(const denoise::GuideRays& rays, const std::stop_token& stop) override {
+        return device_->guide(rays, stop);
     }
 
     /// Returns whether the spare device has the scene now. False: it cannot, or need not, do what failed.

@@ -28,7 +28,7 @@ void DisplayPipeline::markReturned() {
 
 bool DisplayPipeline::findGuide(FilmOnDevice& place, int finer, const std::stop_token& stop) {
     if (!guideSought_ && finer > 1) {
-        guide_ = place.guide(finer, stop);
+        guide_ = place.guide({finer}, stop);
         guideSought_ = guide_ || !stop.stop_requested();
     }
     return guide_ != nullptr;

@@ -53,6 +53,7 @@ class DisplayPipeline {
     /// Finds the guide to draw a coarse film on, with `finer` pixels along each of the film's; returns whether there is
     /// one. The device makes it once for all images. It is requested again only if making it was interrupted.
     bool findGuide(FilmOnDevice& place, int finer, const std::stop_token& stop);
+    bool hasGuide() const { return guide_ != nullptr; }
     /// Draws the film on its guide and returns that image; a coarse film has no images in flight. `adds`: the film
     /// holds more samples than when it was last drawn.
     Result<Images> makeOnGuide(FilmOnDevice& place, const Display& asked, bool adds);

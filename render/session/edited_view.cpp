@@ -113,7 +113,7 @@ void EditedView::findGuide(FilmOnDevice& place, const std::stop_token& stop) {
     if (first_.unshadowed())
         return;
     const bool isFull = !edited_ || place.size() == edited_->old().all[0].size();
-    if (const auto guide = place.guide(isFull ? 1 : kCoarseFiner, stop))
+    if (const auto guide = place.guide({isFull ? 1 : kCoarseFiner}, stop))
         first_.keepUnshadowed(*guide);
 }
 

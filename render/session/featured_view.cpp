@@ -5,10 +5,14 @@ namespace pdr {
 void FeaturedView::find(FilmOnDevice& place, std::uint64_t samples, const std::stop_token& stop) {
     if (sought_ || samples >= kEnoughAlone)
         return;
-    const auto guide = place.guide(denoise::Features::kFiner, stop);
-    sought_ = guide || !stop.stop_requested();
-    if (guide)
-        features_ = std::make_shared<const denoise::Features>(*guide);
+    denoise::Features::Guides guides;
+    for (std::size_t i = 0; i < guides.size(); ++i) {
+        guides[i] = place.guide({1, denoise::Features::kPlaces[i]}, stop);
+        sought_ = guides[i] || !stop.stop_requested();
+        if (!guides[i])
+            return;
+    }
+    features_ = std::make_shared<const denoise::Features>(guides);
 }
 
 Result<DisplayedImage> FeaturedView::image(FilmOnDevice& place, const Display& display, bool adds,

@@ -32,8 +32,8 @@ class FilmOnDevice {
     std::uint64_t revision() const { return scene_->revision; }
 
     /// Makes a guide for the film; see Device::guide().
-    std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) {
-        return device_->guide(finer, stop);
+    std::shared_ptr<const denoise::Guide> guide(const denoise::GuideRays& rays, const std::stop_token& stop) {
+        return device_->guide(rays, stop);
     }
     /// Begins an empty film of `scene`. Errors: the device's; there is no film then.
     Result<void> begin(const Scene& scene);

@@ -35,8 +35,8 @@ void FrameScheduler::chooseEdited(int divider) {
     ofEdit_ = divider > 1;
 }
 
-void FrameScheduler::chooseFiner() {
-    divider_ = ofEdit_ ? 1 : ResolutionLadder::next(divider_);
+void FrameScheduler::chooseFiner(ivec2 size, bool onFeatures) {
+    divider_ = ofEdit_ ? 1 : onFeatures ? ladder_.nextOnFeatures(divider_, size) : ResolutionLadder::next(divider_);
     passing_ = ofEdit_ = false;
 }
 
@@ -133,7 +133,7 @@ std::uint32_t FrameScheduler::wanted(const Demand& demand) const {
     const std::uint32_t whole = std::max(paced, std::uint32_t(demand.replaced.value_or(0)));
     const bool isLast = demand.stopsAt > before && demand.stopsAt - before < whole;
     const std::uint32_t all = isLast ? std::uint32_t(demand.stopsAt - before) : whole;
-    if (!demand.isEdit)
+    if (!demand.stopsAtMarks)
         return all;
     const std::uint64_t passed = std::max<std::uint64_t>(demand.replaced.value_or(1), 1) - 1;
     const std::uint64_t left = FirstSamples::leftToMark(before + passed);

@@ -26,9 +26,9 @@ class FrameScheduler {
         std::optional<std::uint64_t> replaced;
         /// No launch goes past a mark, so that the image after the first samples can be kept (edit/first_samples.h).
         bool keepsFirst = false;
-        /// The first images are made with that before an edit: one after each mark, unless it has fewer samples than
-        /// the image that it replaces.
-        bool isEdit = false;
+        /// The first images are made with that before an edit, or on features of the scene: one after each mark, unless
+        /// it has fewer samples than the image that it replaces.
+        bool stopsAtMarks = false;
         /// Other machines have a part of the samples. The sums of a pixel travel for each image, so that images come
         /// less often: after a mark, and then with each block of samples, as far as that is in time.
         bool isShared = false;
@@ -59,9 +59,10 @@ class FrameScheduler {
     int dividerForEdit(ivec2 size) const { return ladder_.editIsInTime(size) ? 1 : ladder_.forEdit(size); }
     /// Chooses the film of that divider after such an edit.
     void chooseEdited(int divider);
-    /// Chooses the next finer film of the same scene; after the coarse film of an edit the full one, whose image is as
-    /// good from the first sample.
-    void chooseFiner();
+    /// Chooses the next finer film of the same scene, whose full film has `size` pixels; after the coarse film of an
+    /// edit the full one, whose image is as good from the first sample. `onFeatures`: images of the full film are made
+    /// on features of the scene.
+    void chooseFiner(ivec2 size, bool onFeatures);
     /// Chooses the full film of a scene at rest.
     void chooseFull();
     int divider() const { return divider_; }  ///< see ResolutionLadder

@@ -148,13 +148,17 @@ void Session::Loop::beginFilm() {
 }
 
 /// Starts the next finer film of the same scene. The current image stays until the new film's image is no worse.
-void Session::Loop::beginFiner() {
+void Session::Loop::beginFiner(const std::stop_token& stop) {
     Result<std::shared_ptr<const Film>> film = place_.film()->film();
     if (!film)
         return failedOnDevice(film.error());
     display_.keepCoarser(*std::move(film));
-    scheduler_.chooseFiner();
+    // Features are at hand where guides are
+    const bool onFeatures = !edits_.hasOld() && display_.hasGuide() && EditedView::canKeep(scene_);
+    scheduler_.chooseFiner(scene_.film, onFeatures);
     beginFilm();
+    if (onFeatures && !coarse() && place_.film() != nullptr)
+        findFeatures(stop);
 }
 
 /// Returns `scene` as it is rendered, of fewer pixels and with other random numbers if the film is coarse.

@@ -46,7 +46,8 @@ class Session::Loop {
     Result<void> show(const RenderCommands::Iteration& step, bool adds);
     Result<void> renderBefore();
     Result<void> prepareEdit(const std::stop_token& stop);
-    bool findFeatures(const RenderCommands::Iteration& step, const Display& display, bool adds);
+    bool showsFeatures(const RenderCommands::Iteration& step, const Display& display, bool adds);
+    void findFeatures(const std::stop_token& stop);
     Result<DisplayPipeline::Images> makeHelped(const Display& asked, const Display& display, bool adds,
                                                const std::stop_token& stop);
     Result<void> showCoarser(const RenderCommands::Iteration& step);
@@ -63,7 +64,7 @@ class Session::Loop {
 
     // Starting and continuing films.
     void beginFilm();
-    void beginFiner();
+    void beginFiner(const std::stop_token& stop);
     void goOnFrom(std::shared_ptr<const Film> film);
     void keepFilm();
     bool comeBack(const std::stop_token& stop);
@@ -84,11 +85,16 @@ class Session::Loop {
     Result<void> beginFrame(const FrameBudget& pace);
     FrameScheduler::Demand demand(const FrameBudget& pace) {
         return {pace,
-                display_.coarserSamples(),
+                replacedSamples(),
                 keepsFirst(),
-                edits_.hasOld() && !coarse(),
+                (edits_.hasOld() && !coarse()) || features_.helps(scheduler_.samples().least),
                 place_.film()->orderSize().isShared && !coarse(),
                 commands.stopRequest().samples()};
+    }
+    /// Returns the samples with which the film's image replaces a coarser one; nothing: there is none.
+    std::optional<std::uint64_t> replacedSamples() const {
+        const bool isBetter = display_.hasCoarser() && features_.helps(scheduler_.samples().least);
+        return isBetter ? 1 : display_.coarserSamples();
     }
     bool overlaps() const { return place_.film()->maxInFlight() > 1; }
     bool hasSamples() const { return scheduler_.samples().least > 0; }

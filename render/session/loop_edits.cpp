@@ -33,7 +33,7 @@ Result<void> Session::Loop::renderBefore() {
         return {};
     if (Result<void> begun = place_.begin(before); !begun)
         return begun;
-    const auto guide = place_.guide(EditedView::kCoarseFiner, {});
+    const auto guide = place_.guide({EditedView::kCoarseFiner}, {});
     Result<FirstSamples> first = firstSamplesOf(*place_.film(), guide, {});
     if (!first)
         return first.error();
@@ -54,7 +54,7 @@ Result<void> Session::Loop::prepareEdit(const std::stop_token& stop) {
         const auto film = device.film(coarse.film, coarse.revision, coarse.schedule);
         if (!film)
             return {};
-        const auto guide = device.guide(EditedView::kCoarseFiner, stop);
+        const auto guide = device.guide({EditedView::kCoarseFiner}, stop);
         Result<FirstSamples> first = firstSamplesOf(**film, guide, stop);
         if (first && !stop.stop_requested())
             edits_.keepNext(coarse.film, *std::move(first));

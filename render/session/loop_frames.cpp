@@ -15,7 +15,7 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
         return finish(step, display_.awaitsFirst() ? showCoarser(step) : show(step, false));
     // Replace a coarse film by the next finer one
     if (step.render && coarse() && !display_.awaitsFirst())
-        beginFiner();
+        beginFiner(step.detour);
     if (place_.film() == nullptr)
         return;
     // Take samples
@@ -32,8 +32,8 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
         return finish(step, done);  // another display: the next step shows the existing image on it
     // Judge and show the image at the end of a frame
     const bool frameEnds = !step.render || display_.isBroken() || scheduler_.isComplete(demand(step.pace));
-    // The first full image does not wait for its judgement, which takes longer than it
-    const bool isEarly = display_.awaitsFirst() && canJudge();
+    // The first full images do not wait for their judgement, which takes longer than they do
+    const bool isEarly = canJudge() && (display_.awaitsFirst() || partSamples() <= ResolutionLadder::kSamples);
     if (done && frameEnds && !isEarly)
         done = judge(step);
     if (done && givesWay() && step.detour.stop_requested()) {

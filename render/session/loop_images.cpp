@@ -21,7 +21,7 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
     const bool within = step.render && !adds;  // the current frame continues
     const bool atOnce = display_.isFresh() || coarse() || scheduler_.isTimed() || !adds;
     const std::stop_token& stop = step.redisplay || !givesWay() ? step.stop : step.detour;
-    const bool edited = showsEdit(display), featured = findFeatures(step, display, adds);
+    const bool edited = showsEdit(display), featured = showsFeatures(step, display, adds);
     const double start = times_.sampled = clock_();
     const bool guided = display.denoised && !edited &&
                         display_.findGuide(place_, ResolutionLadder::finer(scheduler_.divider()), step.stop);
@@ -56,15 +56,18 @@ Result<void> Session::Loop::show(const RenderCommands::Iteration& step, bool add
 
 /// Seeks features of the full film where they would help an image of new samples, unless another display waits; returns
 /// whether the image is made on them. Their time is no image's, since they are made once.
-bool Session::Loop::findFeatures(const RenderCommands::Iteration& step, const Display& display, bool adds) {
+bool Session::Loop::showsFeatures(const RenderCommands::Iteration& step, const Display& display, bool adds) {
     if (!display.denoised || !seeksFeatures())
         return false;
-    if (adds) {
-        const double start = clock_();
-        features_.find(place_, scheduler_.samples().least, step.detour);
-        quality_.addSeconds(clock_() - start);
-    }
+    if (adds)
+        findFeatures(step.detour);
     return features_.helps(scheduler_.samples().least);
+}
+
+void Session::Loop::findFeatures(const std::stop_token& stop) {
+    const double start = clock_();
+    features_.find(place_, scheduler_.samples().least, stop);
+    quality_.addSeconds(clock_() - start);
 }
 
 /// Judges the error of the denoised image, if one is shown at rest and this is due. A change of brightness interrupts

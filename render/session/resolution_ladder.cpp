@@ -11,7 +11,11 @@ namespace {
 /// after one image; the first image of a slower one would keep the user waiting.
 constexpr double kGuess = 1e6;
 constexpr double kEditedGuess = 4e-7;  ///< seconds to show a pixel of the first image after an edit, on two cores
-constexpr double kLeast = 0.4;         ///< least fraction of a frame's time for pixels, whatever else takes time
+/// Time for the first image of a full film made on features, of one sample, in parts of that sample's.
+constexpr double kFeaturedSamples = 3;
+/// Divider below which a coarse film and its guide take more than an eighth of the time for such an image.
+constexpr int kFinestBefore = 6;
+constexpr double kLeast = 0.4;  ///< least fraction of a frame's time for pixels, whatever else takes time
 /// The same after an edit, whose samples tell no more than its guide does not (edit/foretold.h).
 constexpr double kLeastOfEdit = 0.2;
 
@@ -53,6 +57,11 @@ double ResolutionLadder::secondsForEdit() const {
 int ResolutionLadder::forEdit(ivec2 size) const {
     const double affordable = std::max(secondsForEdit() * speed() / kSamples, 1.0);
     return std::clamp(int(std::ceil(std::sqrt(double(size.x) * size.y / affordable))), 2, kCoarsest);
+}
+
+int ResolutionLadder::nextOnFeatures(int divider, ivec2 size) const {
+    const double seconds = kFeaturedSamples * size.x * size.y / speed();
+    return next(divider) < kFinestBefore && seconds <= kFeaturedSeconds ? 1 : next(divider);
 }
 
 int ResolutionLadder::first(ivec2 size) const {

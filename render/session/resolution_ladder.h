@@ -3,7 +3,8 @@
 ///   divider   pixels of the full film, along each side, that become one pixel; 1: the film itself
 ///   samples   total over all pixels
 /// An image is replaced by a finer one only when that has as many samples in each of its pixels. The finer one is then
-/// nowhere noisier, nor darker, as an image of too few samples is behind a curved tone curve.
+/// nowhere noisier, nor darker, as an image of too few samples is behind a curved tone curve. An image that is made on
+/// features of the scene is better with one sample.
 
 #include <cstdint>
 
@@ -21,6 +22,8 @@ class ResolutionLadder {
     /// Time from an edit to the end of making its image from coarse films (edit/coarse_edit.h): a hand that moves waits
     /// for two such images at most.
     static constexpr double kCoarseEditSeconds = 0.035;
+    /// Longest time that a full image made on features may take in place of a coarse one.
+    static constexpr double kFeaturedSeconds = 2;
     /// Samples per pixel of a first image: fewer pixels with less noise are easier to follow.
     static constexpr std::uint32_t kSamples = 4;
     static constexpr int kCoarsest = 24;
@@ -61,6 +64,10 @@ class ResolutionLadder {
     /// Returns the next finer divider, half of this one. All such steps together cost a third of the full film's first
     /// image.
     static int next(int divider) { return divider > 1 ? divider / 2 : 1; }
+    /// Returns the same where images of the full film of `size` pixels are made on features of the scene
+    /// (denoise/regression.h): 1 as soon as the next step is fine enough to take a good part of the time that such an
+    /// image does, and that is not long.
+    int nextOnFeatures(int divider, ivec2 size) const;
 
   private:
     static constexpr std::size_t kRecent = 5;

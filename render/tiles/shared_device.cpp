@@ -43,8 +43,8 @@ class SharedDevice final : public Device {
         return isShared_ && work_->hasWorkers() ? traceTogether(*own_, *work_, scene_, tile, samples, sums, stop)
                                                 : own_->trace(tile, samples, sums, stop);
     }
-    std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) override {
-        return own_->guide(finer, stop);
+    std::shared_ptr<const denoise::Guide> guide(const denoise::GuideRays& rays, const std::stop_token& stop) override {
+        return own_->guide(rays, stop);
     }
     bool trusts(const Contributors& contributors) const override { return !work_->isAnyUntrusted(contributors); }
 

@@ -81,7 +81,7 @@ struct SampledScene {
 /// Returns an empty film of the scene, with the light of its guide `finer` times as fine.
 inline SampledScene sampledScene(Device& device, const Scene& scene, int finer = 1) {
     SampledScene sampled{*startFilm(device, scene), {}};
-    if (const auto guide = device.guide(finer, {}))
+    if (const auto guide = device.guide({finer}, {}))
         sampled.first.keepUnshadowed(*guide);
     return sampled;
 }
@@ -158,7 +158,7 @@ class EditTrial {
             this->add(way + kind, kSamples,
                       image.scaled(truth_.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
         };
-        if (const auto guide = device->guide(finer, {})) {
+        if (const auto guide = device->guide({finer}, {})) {
             const EnlargedFilm guided = EnlargedFilm::onGuide(film, *guide);
             add("guided", drawn(guided.image(display_).rgba, guided.size()));
         }

@@ -77,11 +77,12 @@ void CpuTracer::trace(const FlatScene& scene, const Tile& tile, SampleRange samp
             sums.health->add(health);
 }
 
-std::shared_ptr<const denoise::Guide> CpuTracer::guide(const FlatScene& scene, int finer, const std::stop_token& stop) {
+std::shared_ptr<const denoise::Guide> CpuTracer::guide(const FlatScene& scene, const denoise::GuideRays& rays,
+                                                       const std::stop_token& stop) {
     constexpr int kRows = 8;
     if (!canBeGuided(scene))
         return nullptr;
-    auto guide = std::make_shared<denoise::Guide>(denoise::guideOf(scene.camera.film, finer));
+    auto guide = std::make_shared<denoise::Guide>(denoise::guideOf(scene.camera.film, rays.finer));
     const ivec2 size = guide->depth.size();
     const bool inBackground = worksInBackground();
     const auto work = [&](int band) {
@@ -89,7 +90,7 @@ std::shared_ptr<const denoise::Guide> CpuTracer::guide(const FlatScene& scene, i
         if (inBackground)
             workInBackground();
         if (!stop.stop_requested())
-            guides_.local().look(scene, {0, y, size.x, std::min(kRows, size.y - y)}, *guide);
+            guides_.local().look(scene, {0, y, size.x, std::min(kRows, size.y - y)}, rays.place, *guide);
     };
     arena_.execute([&] { tbb::parallel_for(0, (size.y + kRows - 1) / kRows, work); });
     return stop.stop_requested() ? nullptr : guide;

@@ -26,7 +26,8 @@ class CpuTracer {
     void trace(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums,
                const std::stop_token& stop = {});
     /// Renders a guide; see Device::guide().
-    std::shared_ptr<const denoise::Guide> guide(const FlatScene& scene, int finer, const std::stop_token& stop);
+    std::shared_ptr<const denoise::Guide> guide(const FlatScene& scene, const denoise::GuideRays& rays,
+                                                const std::stop_token& stop);
 
   private:
     int threads_;

@@ -48,13 +48,13 @@ Ray GuideBatch::Pixel::rest() const {
     return {ray.origin + ray.direction * reached, ray.direction, ray.length - reached};
 }
 
-void GuideBatch::look(const FlatScene& scene, const Tile& tile, denoise::Guide& guide) {
+void GuideBatch::look(const FlatScene& scene, const Tile& tile, vec2 place, denoise::Guide& guide) {
     for (int y = tile.y; y < tile.y + tile.height; ++y)
         for (int x = tile.x; x < tile.x + tile.width; ++x) {
             const vec2 depths = depthBounds(scene, ivec2(x, y) / guide.finer);
             if (isBackgroundOnly(scene, depths) && plainBackground(scene) == vec3(0))
                 continue;
-            const vec2 onFilm = (vec2(x, y) + 0.5f) / float(guide.finer);
+            const vec2 onFilm = (vec2(x, y) + place) / float(guide.finer);
             pixels_.push_back({{x, y}, generateCameraRay(scene, onFilm, vec2(0), depths)});
             if (pixels_.size() == FlightBatch::kCapacity)
                 finish(scene, guide);

@@ -17,8 +17,8 @@ bool canBeGuided(const FlatScene& scene);
 /// Renders pixels of a guide. Owns the memory for the rays, so each thread has one.
 class GuideBatch {
   public:
-    /// Renders the pixels `tile` of the guide of `scene`'s film.
-    void look(const FlatScene& scene, const Tile& tile, denoise::Guide& guide);
+    /// Renders the pixels `tile` of the guide of `scene`'s film, each by a ray at `place` in it (denoise::GuideRays).
+    void look(const FlatScene& scene, const Tile& tile, vec2 place, denoise::Guide& guide);
 
   private:
     /// A pixel whose ray is being followed into the depth.

@@ -18,20 +18,21 @@ constexpr ivec2 kSize{96, 64};
 
 using Values = std::function<double(int x, int y)>;
 
-/// Returns a grey guide of an image of `size`, seen straight on; `light` and `depth`: of the image's pixels.
-Guide guideOf(ivec2 size, const Values& light, const Values& depth) {
-    Guide made = denoise::guideOf(size, Features::kFiner);
-    for (int y = 0; y < 2 * size.y; ++y)
-        for (int x = 0; x < 2 * size.x; ++x) {
+/// Returns grey guides of an image of `size`, seen straight on; `light` and `depth`: of the image's pixels.
+Features::Guides guidesOf(ivec2 size, const Values& light, const Values& depth) {
+    Guide made = denoise::guideOf(size, 1);
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
             for (Plane& plane : made.radiance)
-                plane.row(y)[x] = float(light(x / 2, y / 2));
+                plane.row(y)[x] = float(light(x, y));
             made.normal[2].row(y)[x] = made.opacity.row(y)[x] = 1;
-            made.depth.row(y)[x] = float(depth(x / 2, y / 2));
+            made.depth.row(y)[x] = float(depth(x, y));
         }
     for (Plane* plane :
          {&made.radiance[0], &made.radiance[1], &made.radiance[2], &made.normal[2], &made.opacity, &made.depth})
         plane->mirror();
-    return made;
+    const auto shared = std::make_shared<const Guide>(std::move(made));
+    return {shared, shared};
 }
 
 double even(int, int) {
@@ -75,7 +76,7 @@ class RegressionTest : public QObject {
     void textureThatTheFeaturesShowStays() {
         const auto truth = [](int x, int y) { return textured(x, y) * fading(x, y); };
         const NoisyFilm noisy = noisyFilm(test::noisyFilmOf(kSize, truth, 4));
-        const Features features(guideOf(kSize, textured, even));
+        const Features features(guidesOf(kSize, textured, even));
         const double with = errorOf(noisy, truth, &features), without = errorOf(noisy, truth, nullptr);
         QVERIFY2(with < 0.75 * without, qPrintable(QString("%1 %2").arg(with).arg(without)));
     }
@@ -84,7 +85,7 @@ class RegressionTest : public QObject {
     void anEdgeInDepthStaysSharp() {
         const auto truth = [](int x, int) { return x < 48 ? 1.0 : 0.8; };
         const NoisyFilm noisy = noisyFilm(test::noisyFilmOf(kSize, truth, 4));
-        const Features features(guideOf(kSize, even, [](int x, int) { return x < 48 ? 100 : 160; }));
+        const Features features(guidesOf(kSize, even, [](int x, int) { return x < 48 ? 100 : 160; }));
         const auto contrast = [&](const Features* on) {
             const Colours smooth = pdr::smoothRadiance(noisy, {}, on);
             double sum = 0;
@@ -101,7 +102,7 @@ class RegressionTest : public QObject {
         const auto truth = [](int x, int y) { return 1 + 0.5 * std::sin(0.2 * x + 0.1 * y); };
         const NoisyFilm noisy = noisyFilm(test::noisyFilmOf(kSize, truth, 4));
         const auto depth = [&](double from) {
-            return Features(guideOf(kSize, even, [=](int x, int y) { return from + 20 * truth(x, y); }));
+            return Features(guidesOf(kSize, even, [=](int x, int y) { return from + 20 * truth(x, y); }));
         };
         const Features near = depth(10), far = depth(20000);
         const double one = errorOf(noisy, truth, &near), other = errorOf(noisy, truth, &far);
@@ -111,14 +112,14 @@ class RegressionTest : public QObject {
     /// What has nothing to do with the image is found to be so, except for some noise.
     void featuresOfAnotherImageDoLittleHarm() {
         const NoisyFilm noisy = noisyFilm(test::noisyFilmOf(kSize, fading, 16));
-        const Features same(guideOf(kSize, even, even)), other(guideOf(kSize, textured, even));
+        const Features same(guidesOf(kSize, even, even)), other(guidesOf(kSize, textured, even));
         const double with = errorOf(noisy, fading, &other), without = errorOf(noisy, fading, &same);
         QVERIFY2(with < 1.15 * without, qPrintable(QString("%1 %2").arg(with).arg(without)));
     }
 
     void anImageWithoutNoiseOrDifferencesStaysToTheBit() {
         const NoisyFilm noisy = noisyFilm(test::noisyFilmOf(kSize, even, 4, 0));
-        const Features features(guideOf(kSize, textured, fading));
+        const Features features(guidesOf(kSize, textured, fading));
         const Colours smooth = pdr::smoothRadiance(noisy, {}, &features);
         for (int c = 0; c < 3; ++c)
             for (int y = 0; y < kSize.y; ++y)
@@ -131,7 +132,7 @@ class RegressionTest : public QObject {
         const auto truth = [](int x, int y) { return textured(x, y); };
         for (const ivec2 size : {ivec2(1, 1), ivec2(3, 40), ivec2(17, 5), ivec2(40, 33)}) {
             const NoisyFilm noisy = noisyFilm(test::noisyFilmOf(size, truth, 4));
-            const Features features(guideOf(size, textured, even));
+            const Features features(guidesOf(size, textured, even));
             QCOMPARE(features.size(), size);
             const Colours smooth = pdr::smoothRadiance(noisy, {}, &features);
             QVERIFY(areFinite(smooth));
@@ -150,7 +151,7 @@ class RegressionTest : public QObject {
             for (Plane* plane :
                  {&back.all.mean[0], &back.all.mean[1], &back.all.mean[2], &back.all.variance, &back.ratio})
                 turn(*plane);
-            const Features backFeatures(guideOf(size, turned(textured), even));
+            const Features backFeatures(guidesOf(size, turned(textured), even));
             const Colours other = pdr::smoothRadiance(back, {}, &backFeatures);
             for (int y = 0; y < size.y; ++y)
                 for (int x = 0; x < size.x; ++x)
@@ -161,7 +162,7 @@ class RegressionTest : public QObject {
     void lightThatIsNoNumberIsDark() {
         const NoisyFilm noisy = noisyFilm(test::noisyFilmOf(kSize, fading, 4));
         for (const double bad : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
-            const Features features(guideOf(
+            const Features features(guidesOf(
                 kSize, [bad](int x, int) { return x % 9 == 0 ? bad : 1.0; }, even));
             QVERIFY(areFinite(pdr::smoothRadiance(noisy, {}, &features)));
         }
@@ -170,7 +171,7 @@ class RegressionTest : public QObject {
     /// The halves know nothing of each other, so that each can judge the other.
     void aHalfOnFeaturesKnowsItsOwnSamplesAlone() {
         NoisyFilm noisy = noisyFilm(test::noisyFilmOf(kSize, textured, 8));
-        const auto features = std::make_shared<const Features>(guideOf(kSize, textured, even));
+        const auto features = std::make_shared<const Features>(guidesOf(kSize, textured, even));
         const SmoothHalves halves = smootherOn(features)(noisy, {});
         for (Plane& plane : noisy.odd.mean)
             plane = Plane(kSize);
@@ -187,7 +188,7 @@ class RegressionTest : public QObject {
         std::stop_source stop;
         stop.request_stop();
         const NoisyFilm noisy = noisyFilm(test::noisyFilmOf(kSize, textured, 4));
-        const Features features(guideOf(kSize, textured, even));
+        const Features features(guidesOf(kSize, textured, even));
         QCOMPARE(pdr::smoothRadiance(noisy, stop.get_token(), &features)[0].size(), kSize);
     }
 };

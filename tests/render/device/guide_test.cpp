@@ -46,7 +46,7 @@ Scene ball() {
 std::shared_ptr<const denoise::Guide> guideOf(const Scene& scene, int threads = 2) {
     const std::unique_ptr<Device> device = makeCpuDevice(threads);
     (void)device->upload(scene);
-    return device->guide(kFiner, {});
+    return device->guide({kFiner}, {});
 }
 
 }  // namespace
@@ -107,6 +107,18 @@ class GuideTest : public QObject {
         QVERIFY(std::fabs(guide->radiance[1].row(16)[0] - 3) < 0.1f);
     }
 
+    /// A guide twice as fine has rays through the middles of the quarters of a pixel.
+    void raysGoThroughTheirPlaces() {
+        const std::unique_ptr<Device> device = makeCpuDevice(2);
+        (void)device->upload(ball());
+        const auto fine = device->guide({2}, {}), place = device->guide({1, {0.75f, 0.25f}}, {});
+        for (int y = 0; y < place->depth.size().y; ++y)
+            for (int x = 0; x < place->depth.size().x; ++x) {
+                QCOMPARE(place->depth.row(y)[x], fine->depth.row(2 * y)[2 * x + 1]);
+                QCOMPARE(place->normal[0].row(y)[x], fine->normal[0].row(2 * y)[2 * x + 1]);
+            }
+    }
+
     void threadsChangeNoBit() {
         const auto one = guideOf(ball(), 1), three = guideOf(ball(), 3);
         for (int y = 0; y < one->depth.size().y; ++y) {
@@ -131,7 +143,7 @@ class GuideTest : public QObject {
         (void)device->upload(ball());
         std::stop_source stop;
         stop.request_stop();
-        QVERIFY(!device->guide(kFiner, stop.get_token()));
+        QVERIFY(!device->guide({kFiner}, stop.get_token()));
     }
 };
 

@@ -85,9 +85,9 @@ class GuideCounter final : public test::ForwardingDevice {
   public:
     explicit GuideCounter(std::atomic<int>& guides) : ForwardingDevice(makeCpuDevice()), guides_(guides) {}
 
-    std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) override {
-        guides_ += finer == 1;
-        return ForwardingDevice::guide(finer, stop);
+    std::shared_ptr<const denoise::Guide> guide(const denoise::GuideRays& rays, const std::stop_token& stop) override {
+        guides_ += rays.finer == 1 && rays.place == vec2(0.5f);
+        return ForwardingDevice::guide(rays, stop);
     }
 
   private:

@@ -1,9 +1,12 @@
 /// A film of few samples is denoised on features of its scene, one of many samples by itself.
 
 #include <QTest>
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 
 #include "render/session/featured_view.h"
+#include "render/session/resolution_ladder.h"
 #include "tests/support/devices/failing_device.h"
 #include "tests/support/devices/reel.h"
 #include "tests/support/patience.h"
@@ -48,6 +51,21 @@ struct Rendered {
         return test::featuredImageOf(**place.film()->film(), sceneOf(1), kDisplay).rgba;
     }
 };
+
+/// Returns the rms difference of the frame, stretched to `size`, from an image of that size [levels].
+double levelsBetween(const Frame& frame, const Image& image, ivec2 size) {
+    double squares = 0;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const ivec2 at = ivec2(x, y) * frame.size / size;
+            for (int c = 0; c < 3; ++c) {
+                const int shown = frame.rgba[std::size_t(4 * (frame.size.x * at.y + at.x) + c)];
+                const int apart = shown - image.rgba[std::size_t(4 * (size.x * y + x) + c)];
+                squares += apart * apart;
+            }
+        }
+    return std::sqrt(squares / (3.0 * size.x * size.y));
+}
 
 /// A clock by which every device is fast.
 SessionClock unhurried() {
@@ -135,6 +153,31 @@ class FeaturedViewTest : public QObject {
         }
         QVERIFY(few > 0);
         qInfo("%d images on features, %d without", few, many);
+    }
+
+    /// So it replaces that, which has four samples in each of its fewer pixels. The next one has as many, and does not
+    /// wait for its judgement either.
+    void oneSampleOnFeaturesIsBetterThanTheCoarseImage() {
+        Scene scene = test::largeScene(1);
+        Reel reel;
+        Session session(makeCpuDevice(), reel.sink());
+        session.setDisplay(kDisplay);
+        session.setIterationsPerFrame(3);
+        session.submit(scene, false);
+        QTRY_VERIFY_WITH_TIMEOUT(reel.full(1) && reel.of(1).back()->denoisedError, test::kPatience);
+        session.setPaused(true);
+        const auto frames = reel.of(1);
+        const auto full = std::ranges::find(frames, false, [](const auto& frame) { return frame->coarse; });
+        QVERIFY(full != frames.begin() && (*full)->denoised);
+        QCOMPARE((*full)->status.samplesPerPixel, std::uint64_t(1));
+        for (int i : {1, 2})  // and once more with its error
+            QCOMPARE(full[i]->status.samplesPerPixel, std::uint64_t(ResolutionLadder::kSamples));
+        QVERIFY(!full[1]->denoisedError && full[2]->denoisedError);
+        scene.seed += 1000;
+        const Image truth = imageOf(test::render(scene, 64), kDisplay);
+        const double one = levelsBetween(**full, truth, scene.film),
+                     coarse = levelsBetween(*full[-1], truth, scene.film);
+        QVERIFY2(one < coarse, qPrintable(QString("%1 %2").arg(one).arg(coarse)));
     }
 
     void theStatedErrorIsThatOfTheImageOnFeatures() {

@@ -86,7 +86,7 @@ class FrameSchedulerTest : public QObject {
         int divider = planned.scheduler.divider();
         QVERIFY(divider > 1 && planned.scheduler.isCoarse());
         while (planned.scheduler.isCoarse()) {
-            planned.scheduler.chooseFiner();
+            planned.scheduler.chooseFiner(kLarge, false);
             QVERIFY(planned.scheduler.divider() < divider);
             divider = planned.scheduler.divider();
         }
@@ -96,7 +96,7 @@ class FrameSchedulerTest : public QObject {
     void aFilmBegunDuringADragIsReplacedByAnotherOfItsSize() {
         Planned planned(kSmall, true);
         QVERIFY(planned.scheduler.isCoarse() && planned.scheduler.divider() == 1);
-        planned.scheduler.chooseFiner();
+        planned.scheduler.chooseFiner(kLarge, false);
         QVERIFY(!planned.scheduler.isCoarse() && planned.scheduler.divider() == 1);
     }
 

@@ -103,6 +103,18 @@ class ResolutionLadderTest : public QObject {
         QVERIFY(ladder.first(kFilm) > usual);
     }
 
+    /// The full image is not put off for coarse ones that take as long, unless it takes very long itself.
+    void fullImagesOnFeaturesFollowTheCoarsestAtOnce() {
+        constexpr ivec2 kView{447, 655}, kHuge{4000, 3000};
+        const ResolutionLadder ladder = measured(1e6);
+        QCOMPARE(ladder.nextOnFeatures(24, kView), 12);
+        QCOMPARE(ladder.nextOnFeatures(12, kView), 6);
+        for (const int divider : {11, 7, 6, 5, 3, 2, 1})
+            QCOMPARE(ladder.nextOnFeatures(divider, kView), 1);
+        for (int divider = ResolutionLadder::kCoarsest; divider > 0; --divider)
+            QCOMPARE(ladder.nextOnFeatures(divider, kHuge), ResolutionLadder::next(divider));
+    }
+
     void theStepsEndAtTheFilmAndCostAThirdOfIt() {
         for (int first = 1; first <= ResolutionLadder::kCoarsest; ++first) {
             double cost = 0;

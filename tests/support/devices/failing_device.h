@@ -174,9 +174,9 @@ class FailingDevice final : public Device {
         return std::unique_ptr<Accumulator>(std::make_unique<FailingAccumulator>(*std::move(film), mishaps_));
     }
 
-    std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) override {
+    std::shared_ptr<const denoise::Guide> guide(const denoise::GuideRays& rays, const std::stop_token& stop) override {
         mishaps_->before("guide");
-        return inner_->guide(finer, stop);
+        return inner_->guide(rays, stop);
     }
 
   private:

@@ -24,8 +24,8 @@ class ForwardingDevice : public Device {
     Result<void> trace(const Tile& tile, SampleRange samples, TileSums sums, const std::stop_token& stop) override {
         return inner_->trace(tile, samples, sums, stop);
     }
-    std::shared_ptr<const denoise::Guide> guide(int finer, const std::stop_token& stop) override {
-        return inner_->guide(finer, stop);
+    std::shared_ptr<const denoise::Guide> guide(const denoise::GuideRays& rays, const std::stop_token& stop) override {
+        return inner_->guide(rays, stop);
     }
 
   private:

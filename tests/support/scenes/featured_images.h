@@ -12,7 +12,10 @@ namespace pdr::test {
 inline denoise::Features featuresOf(const Scene& scene) {
     const std::unique_ptr<Device> device = makeCpuDevice();
     (void)device->upload(scene);
-    return denoise::Features(*device->guide(denoise::Features::kFiner, {}));
+    denoise::Features::Guides guides;
+    for (std::size_t i = 0; i < guides.size(); ++i)
+        guides[i] = device->guide({1, denoise::Features::kPlaces[i]}, {});
+    return denoise::Features(guides);
 }
 
 /// Returns the image of `film`, a film of such a scene.
