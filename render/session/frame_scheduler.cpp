@@ -133,11 +133,7 @@ std::uint32_t FrameScheduler::wanted(const Demand& demand) const {
     const std::uint32_t whole = std::max(paced, std::uint32_t(demand.replaced.value_or(0)));
     const bool isLast = demand.stopsAt > before && demand.stopsAt - before < whole;
     const std::uint32_t all = isLast ? std::uint32_t(demand.stopsAt - before) : whole;
-    if (!demand.stopsAtMarks)
-        return all;
-    const std::uint64_t passed = std::max<std::uint64_t>(demand.replaced.value_or(1), 1) - 1;
-    const std::uint64_t left = FirstSamples::leftToMark(before + passed);
-    return left < all ? std::min(all, std::uint32_t(passed + left)) : all;
+    return demand.stopsAtMarks ? std::uint32_t(std::min<std::uint64_t>(all, FirstSamples::leftToMark(before))) : all;
 }
 
 bool FrameScheduler::isComplete(const Demand& demand) const {

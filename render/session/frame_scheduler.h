@@ -26,8 +26,8 @@ class FrameScheduler {
         std::optional<std::uint64_t> replaced;
         /// No launch goes past a mark, so that the image after the first samples can be kept (edit/first_samples.h).
         bool keepsFirst = false;
-        /// The first images are made with that before an edit, or on features of the scene: one after each mark, unless
-        /// it has fewer samples than the image that it replaces.
+        /// The first images are made with that before an edit, or on features of the scene: one after each mark, which
+        /// with one sample is better than a coarse one of more.
         bool stopsAtMarks = false;
         /// Other machines have a part of the samples. The sums of a pixel travel for each image, so that images come
         /// less often: after a mark, and then with each block of samples, as far as that is in time.

@@ -84,17 +84,13 @@ class Session::Loop {
     Tile nextPart();
     Result<void> beginFrame(const FrameBudget& pace);
     FrameScheduler::Demand demand(const FrameBudget& pace) {
+        const bool isHelped = (edits_.hasOld() && !coarse()) || features_.helps(scheduler_.samples().least);
         return {pace,
-                replacedSamples(),
+                display_.coarserSamples(),
                 keepsFirst(),
-                (edits_.hasOld() && !coarse()) || features_.helps(scheduler_.samples().least),
+                isHelped && smooths(commands.display()),
                 place_.film()->orderSize().isShared && !coarse(),
                 commands.stopRequest().samples()};
-    }
-    /// Returns the samples with which the film's image replaces a coarser one; nothing: there is none.
-    std::optional<std::uint64_t> replacedSamples() const {
-        const bool isBetter = display_.hasCoarser() && features_.helps(scheduler_.samples().least);
-        return isBetter ? 1 : display_.coarserSamples();
     }
     bool overlaps() const { return place_.film()->maxInFlight() > 1; }
     bool hasSamples() const { return scheduler_.samples().least > 0; }

@@ -207,8 +207,8 @@ class EditedViewTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(edited.reel.full(5), test::kPatience);
         const auto frames = edited.reel.of(5);
         const auto full = std::ranges::find(frames, false, [](const auto& frame) { return frame->coarse; });
-        QCOMPARE((*full)->status.samplesPerPixel, std::uint64_t(ResolutionLadder::kSamples));
-        QVERIFY(!(*full)->denoisedError);  // it did not wait for that
+        QCOMPARE((*full)->status.samplesPerPixel, std::uint64_t(1));  // better than four of each coarse pixel
+        QVERIFY(!(*full)->denoisedError);                             // it did not wait for that
         for (const auto& frame : frames)
             QCOMPARE(frame->size.x, sceneOf(1).film.x);
         edited.rest(5, 64);
