@@ -2,15 +2,15 @@
 # checks.sh, with `folder`, `programs`, SIZE and SAMPLES set. `coordinator` is the process that waits for nodes, empty where there is none.
 coordinator=
 
-preparePictures() {
+prepareImages() {
     "$programs/pdrender-node" --make-certificates "$folder/certificates" >/dev/null
     "$programs/pdrender-cli" example "$folder/ct" >/dev/null 2>&1
     export PDR_BUNDLE=$folder/certificates/node PDR_NODE_PROGRAM=$programs/pdrender-node
     render=("$programs/pdrender-cli" render "$folder/ct" --size "$SIZE" --samples "$SAMPLES")
     "${render[@]}" -o "$folder/alone.exr" >/dev/null 2>&1
 }
-# startPicture PORT NODES: begins when so many nodes are there; 0: any port. Exports PDR_COORDINATOR.
-startPicture() {
+# startImage PORT NODES: begins when so many nodes are there; 0: any port. Exports PDR_COORDINATOR.
+startImage() {
     rm -f "$folder/nodes.exr"
     "${render[@]}" -o "$folder/nodes.exr" --listen "127.0.0.1:$1" --bundle "$folder/certificates/coordinator" --await "$2" \
         --nodes-only >"$folder/said" 2>&1 &
@@ -31,7 +31,7 @@ over() {
     ! kill -0 "$coordinator" 2>/dev/null
 }
 # To its end: it must be the one that was made alone.
-checkPicture() {
+checkImage() {
     local code=0
     wait "$coordinator" || code=$?
     coordinator=
@@ -41,6 +41,6 @@ checkPicture() {
     is 0 "$code" "difference to the image of one machine"
     grep -E '^node .* of the samples' "$folder/said" || true
 }
-stopPicture() {
+stopImage() {
     [ -z "$coordinator" ] || kill "$coordinator" 2>/dev/null || true
 }

@@ -1,14 +1,8 @@
 #!/usr/bin/env bash
 # slurm_cluster.sh SOURCE BUILD: `pdrender-cli cluster start` has a Slurm of the test's own start four nodes, and they render for the
 # next program that listens in its place. Ends with 77 where Slurm is not installed or this is not root.
-set -euo pipefail
-source=$1 programs=$2/bin
-. "$source/tests/slurm/cluster.sh"
-. "$source/tests/slurm/checks.sh"
-haveSlurm || { echo "Slurm is not installed, or this is not root"; exit 77; }
+. "$1/tests/slurm/begin.sh"
 
-folder=$(mktemp -d)
-trap 'stopCluster "$folder"; rm -rf "$folder"' EXIT
 startCluster "$folder" 2
 cd "$folder"
 "$programs/pdrender-node" --make-certificates certificates >/dev/null

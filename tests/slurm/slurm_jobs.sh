@@ -2,14 +2,8 @@
 # slurm_jobs.sh SOURCE: installer/slurm/pdrender-node.sbatch in a Slurm of its own, with a stand-in for the program.
 #   PDR_REQUEUED_BY=script (default) or cluster: who sees to it that tasks run again
 # Prints what was measured. Ends with 77 where Slurm is not installed or this is not root.
-set -euo pipefail
-source=$1
-. "$source/tests/slurm/cluster.sh"
-. "$source/tests/slurm/checks.sh"
-haveSlurm || { echo "Slurm is not installed, or this is not root"; exit 77; }
+. "$1/tests/slurm/begin.sh"
 
-folder=$(mktemp -d)
-trap 'stopCluster "$folder"; rm -rf "$folder"' EXIT
 codes=
 [ "${PDR_REQUEUED_BY:-script}" = script ] || codes=69,70,75,134,137,139
 startCluster "$folder" 4 "$codes"

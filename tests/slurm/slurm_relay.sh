@@ -2,18 +2,11 @@
 # slurm_relay.sh SOURCE BUILD: in a Slurm of the test's own one task is a relay, and four nodes dial it. They fill one image, a node
 # and then the relay are killed and run again, and not a bit of the image differs from that of one machine. Prints what was measured.
 # Ends with 77 where Slurm is not installed or this is not root.
-set -euo pipefail
-source=$1 programs=$2/bin
-. "$source/tests/slurm/cluster.sh"
-. "$source/tests/slurm/checks.sh"
-. "$source/tests/slurm/image.sh"
-haveSlurm || { echo "Slurm is not installed, or this is not root"; exit 77; }
+. "$1/tests/slurm/begin.sh"
 
 readonly SIZE=160x120 SAMPLES=${PDR_SLURM_SAMPLES:-2048} BELOW=4
-folder=$(mktemp -d)
-trap 'stopPicture; stopCluster "$folder"; rm -rf "$folder"' EXIT
 startCluster "$folder" 3
-preparePictures
+prepareImages
 "$programs/pdrender-node" --make-certificates "$folder/below" >/dev/null
 freePort() {
     python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
@@ -30,7 +23,7 @@ below() {
     [ "$(cat "$folder/relay.txt" 2>/dev/null | grep -c 'below: .* is there')" -ge "$1" ]
 }
 within 60 "$BELOW nodes are below the relay" "$(now)" below "$BELOW"
-startPicture "$workstation" 1
+startImage "$workstation" 1
 within 60 "it renders" "$(now)" heard 1 'rendering: '
 within 60 "nodes below work" "$(now)" works "$BELOW" '*'
 
@@ -42,7 +35,7 @@ kill -KILL "$(pgrep -f -- "--name slurm-$relay-0-r0")"
 within 20 "a killed relay works again" "$began" heard 1 "^node slurm-$relay-0-r1 "
 within 30 "all nodes are below it" "$began" below $((2 * BELOW + 1))
 is 0 "$(over && echo 1 || echo 0)" "images that ended before"
-checkPicture
+checkImage
 is 0 "$(grep -c "^node slurm-$job-" "$folder/said" || true)" "nodes that dialled the workstation"
 
 began=$(now)

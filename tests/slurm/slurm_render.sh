@@ -1,19 +1,12 @@
 #!/usr/bin/env bash
 # slurm_render.sh SOURCE BUILD: eight render nodes in a Slurm of its own fill one image, one of them is killed, and not a bit of the
 # image differs from that of one machine. Prints what was measured. Ends with 77 where Slurm is not installed or this is not root.
-set -euo pipefail
-source=$1 programs=$2/bin
-. "$source/tests/slurm/cluster.sh"
-. "$source/tests/slurm/checks.sh"
-. "$source/tests/slurm/image.sh"
-haveSlurm || { echo "Slurm is not installed, or this is not root"; exit 77; }
+. "$1/tests/slurm/begin.sh"
 
 readonly SIZE=160x120 SAMPLES=${PDR_SLURM_SAMPLES:-2048}
-folder=$(mktemp -d)
-trap 'stopPicture; stopCluster "$folder"; rm -rf "$folder"' EXIT
 startCluster "$folder" 4
-preparePictures
-startPicture 0 8
+prepareImages
+startImage 0 8
 
 began=$(now)
 job=$(sbatch --parsable --array=0-7 --output="$folder/job.%A.%a.txt" "$source/installer/slurm/pdrender-node.sbatch")
@@ -30,7 +23,7 @@ began=$(now)
 scancel "${job}_5"
 within 10 "a node at work drains" "$began" drained 5
 is 0 "$(over && echo 1 || echo 0)" "images that ended before"
-checkPicture
+checkImage
 
 began=$(now)
 scancel "$job"

@@ -2,15 +2,9 @@
 # slurm_shares.sh SOURCE BUILD: the shares of an image as an array in a Slurm of its own, some of their programs killed at random, and a
 # job that depends on them and makes the image: not a bit of it differs from that of one machine. The commands are those of
 # installer/slurm/README.md. Ends with 77 where Slurm is not installed or this is not root.
-set -euo pipefail
-source=$1 programs=$2/bin
-. "$source/tests/slurm/cluster.sh"
-. "$source/tests/slurm/checks.sh"
-haveSlurm || { echo "Slurm is not installed, or this is not root"; exit 77; }
+. "$1/tests/slurm/begin.sh"
 
 readonly SHARES=${PDR_SHARES_OF_TEST:-200} KILLED=${PDR_SHARES_KILLED:-12}
-folder=$(mktemp -d)
-trap 'stopCluster "$folder"; rm -rf "$folder"' EXIT
 startCluster "$folder" 4
 "$programs/pdrender-cli" example "$folder/ct" >/dev/null 2>&1
 options=("$folder/ct" --size 320x240)

@@ -3,6 +3,7 @@
 
 #include "app/wire/frame_reader.h"
 #include "tests/app/wire/example_messages.h"
+#include "tests/support/network/frame_places.h"
 
 namespace pdr::test {
 
@@ -35,7 +36,6 @@ inline Heard heardBy(wire::Role role, std::span<const std::byte> bytes, bool adm
 
 /// The frame without its checksum, as programs send it that state none: what is changed in it is not found at once.
 inline wire::Bytes unchecked(wire::Bytes frame) {
-    constexpr std::ptrdiff_t kChecksumAt = 24;
     std::fill_n(frame.begin() + kChecksumAt, sizeof(std::uint64_t), std::byte(0));
     return frame;
 }

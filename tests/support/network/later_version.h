@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/wire/frame_header.h"
+#include "tests/support/network/frame_places.h"
 
 namespace pdr::test {
 
@@ -44,7 +45,6 @@ class LaterVersion {
         QObject::connect(&from, &QTcpSocket::disconnected, &to, [&to] { to.disconnectFromHost(); });
     }
     static std::optional<QByteArray> next(Way& way) {
-        constexpr qsizetype kMapBytesAt = 12, kPayloadBytesAt = 16, kChecksumAt = 24;  // frame_header.h
         if (way.waits.size() < qsizetype(wire::kHeaderBytes))
             return std::nullopt;
         std::uint32_t mapBytes;
