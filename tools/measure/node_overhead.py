@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Processor seconds that an image costs with one render node beside one thread, and with the thread alone.
+"""Processor seconds that an image costs with render nodes of one thread beside one thread, and with the thread alone.
 
-node_overhead.py FOLDER|SCENE [--build build/release] [--base FOLDER] [--size 512] [--samples 64] [--rounds 5]
-Both ways alternate, so that load on the machine affects both; the node runs on, and its seconds of each image count.
---base: a build to compare with, whose ways alternate with the others. Prints seconds of each round, medians, and the
-medians' ratio: what nodes add. Wall seconds are printed beside, for a machine with a core for each."""
+node_overhead.py FOLDER|SCENE [--build build/release] [--base FOLDER] [--size 512] [--samples 64] [--rounds 5] [--nodes 1] [--seconds S]
+Both ways alternate, so that load on the machine affects both; nodes run on, and their seconds of each image count.
+--base: a build to compare with, whose ways alternate with the others. --seconds: no further round after so many. Prints seconds of
+each round, medians, and what nodes add: the median of the rounds' ratios, with its quartiles. Wall seconds likewise, for a machine
+with a core for each."""
 import argparse
 import os
 import pathlib
@@ -21,18 +22,29 @@ def seconds_of(process):
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
+def spread(ratios):
+    """Their median in per cent more than 1, with its quartiles."""
+    more = [100 * (ratio - 1) for ratio in ratios]
+    low, middle, high = statistics.quantiles(more, method="inclusive") if len(more) > 1 else more * 3
+    return f"{middle:.1f} % ({low:.1f} to {high:.1f})"
+
+
 class Build:
-    def __init__(self, programs):
+    def __init__(self, programs, nodes):
         self.programs = programs
-        self.node = subprocess.Popen([programs / "pdrender-node", "--listen", "127.0.0.1:0", "--threads", "1"],
-                                     stderr=subprocess.PIPE, text=True)
-        self.port = int(re.search(r":(\d+)\s*$", self.node.stderr.readline())[1])
-        self.ways = {"alone": [], "with a node": []}
+        self.nodes = [subprocess.Popen([programs / "pdrender-node", "--listen", "127.0.0.1:0", "--threads", "1"],
+                                       stderr=subprocess.PIPE, text=True) for _ in range(nodes)]
+        self.ports = [int(re.search(r":(\d+)\s*$", node.stderr.readline())[1]) for node in self.nodes]
+        self.ways = {"alone": [], "with nodes": []}
+
+    def node_seconds(self):
+        return sum(seconds_of(node) for node in self.nodes)
 
     def image(self, options, way):
-        nodes = ["--node", f"127.0.0.1:{self.port}", "--await", "1"] if way == "with a node" else []
+        there = [word for port in self.ports for word in ("--node", f"127.0.0.1:{port}")]
+        nodes = [*there, "--await", str(len(self.ports))] if way == "with nodes" else []
         with tempfile.TemporaryDirectory() as folder:
-            before, start = seconds_of(self.node), time.monotonic()
+            before, start = self.node_seconds(), time.monotonic()
             program = subprocess.Popen(
                 [self.programs / "pdrender-cli", "render", options.scene, "-o", f"{folder}/image.exr", "--threads", "1",
                  "--device", "cpu", "--size", f"{options.size}x{options.size}", "--samples", str(options.samples),
@@ -41,17 +53,17 @@ class Build:
             if status != 0:
                 raise SystemExit("an image failed")
             wall = time.monotonic() - start
-            node = seconds_of(self.node) - before
+            node = self.node_seconds() - before
         self.ways[way].append((usage.ru_utime + usage.ru_stime + node, wall))
 
     def tell(self, name):
-        medians = {}
         for way, rounds in self.ways.items():
-            medians[way] = statistics.median(cpu for cpu, _ in rounds)
-            walls = statistics.median(wall for _, wall in rounds)
-            print(f"{name:>8} {way:12} {' '.join(f'{cpu:7.2f}' for cpu, _ in rounds)}   median {medians[way]:7.2f} s "
-                  f"of the processor, {walls:6.2f} s")
-        print(f"{name:>8} a node adds {100 * (medians['with a node'] / medians['alone'] - 1):.1f} %")
+            cpus, walls = zip(*rounds)
+            print(f"{name:>8} {way:12} {' '.join(f'{cpu:7.2f}' for cpu in cpus)}   median {statistics.median(cpus):7.2f} s of the "
+                  f"processor, {statistics.median(walls):6.2f} s")
+        pairs = list(zip(*self.ways.values()))
+        processor, clock = ([there[i] / alone[i] for alone, there in pairs] for i in (0, 1))
+        print(f"{name:>8} nodes add {spread(processor)} of the processor, {spread(clock)} of the clock")
 
 
 def main():
@@ -62,18 +74,24 @@ def main():
     parser.add_argument("--size", type=int, default=512)
     parser.add_argument("--samples", type=int, default=64)
     parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--nodes", type=int, default=1)
+    parser.add_argument("--seconds", type=float, default=float("inf"))
     parser.add_argument("--option", action="append", default=[], help="of pdrender-cli render, as --option=--look=bones")
     options = parser.parse_args()
-    builds = {name: Build(build / "bin") for name, build in (("this", options.build), ("base", options.base)) if build}
+    builds = {name: Build(build / "bin", options.nodes) for name, build in (("this", options.build), ("base", options.base)) if build}
     try:
+        began = time.monotonic()
         for _ in range(options.rounds):
-            for way in ("alone", "with a node"):
+            if time.monotonic() - began > options.seconds:
+                break
+            for way in ("alone", "with nodes"):
                 for build in builds.values():
                     build.image(options, way)
     finally:
         for build in builds.values():
-            build.node.terminate()
-            build.node.wait()
+            for node in build.nodes:
+                node.terminate()
+                node.wait()
     for name, build in builds.items():
         build.tell(name)
 
