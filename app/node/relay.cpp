@@ -1,5 +1,6 @@
 #include "app/node/relay.h"
 
+#include <chrono>
 #include <utility>
 
 #include "app/coordinator/new_pool.h"
@@ -19,6 +20,12 @@ Relay::Relay(const std::vector<std::byte>& bits) : pool_(nodes::newPool()), node
     connect(&nodes_, &RenderNodes::turnedAway, this,
             [this](const QString& peer, const QString& reason) { emit said(peer + ": " + reason); });
     connect(&nodes_, &RenderNodes::seen, this, &Relay::tellTroubleOf);
+    connect(&minute_, &QTimer::timeout, this, &Relay::tellChecks);
+    minute_.start(std::chrono::minutes(1));
+}
+
+Relay::~Relay() {
+    tellChecks();
 }
 
 /// Says once what keeps a node from helping, as that it was caught at a wrong result.
@@ -26,6 +33,19 @@ void Relay::tellTroubleOf(const std::vector<nodes::NodeStatus>& nodes) {
     for (const nodes::NodeStatus& node : nodes)
         if (told_.record(node))
             emit said(tr("below: %1: %2").arg(node.name, QString::fromStdString(node.reason)));
+}
+
+/// Says what was checked since the start, if there is more than it has said.
+void Relay::tellChecks() {
+    const NodeChecks all = checks();
+    // What was found to be wrong before its use is no result.
+    const std::uint64_t found = all.results + all.wrong;
+    if (found == std::exchange(toldResults_, found))
+        return;
+    emit said(tr("below: %1 tiles, %2 % of their samples rendered twice; %3 wrong")
+                  .arg(all.results)
+                  .arg(100 * all.share(), 0, 'f', 1)
+                  .arg(all.wrong));
 }
 
 Result<void> Relay::listen(const NodeOptions& options) {

@@ -12,6 +12,7 @@ struct NodeChecks {
     std::uint64_t results = 0;  ///< results of workers in the film: tiles
     double work = 0;            ///< pixels times samples of these results
     double checked = 0;         ///< part of `work` that another machine rendered again, and found the same
+    std::uint64_t wrong = 0;    ///< results that were found to be wrong
 
     /// Returns the fraction of the workers' samples that was checked; 1 where there are none.
     double share() const { return work > 0 ? checked / work : 1; }

@@ -71,8 +71,10 @@ void PoolState::addTime(WorkerId worker, WorkerSpeed& speed, const Portion& port
 }
 
 void PoolState::count(Worker* worker, const Portion& portion) {
-    ++checks.results;
-    checks.work += workOf(portion.tile, portion.samples);
+    for (NodeChecks* counted : {&checks, &allChecks}) {
+        ++counted->results;
+        counted->work += workOf(portion.tile, portion.samples);
+    }
     if (worker)
         worker->count(portion);
 }
@@ -81,10 +83,13 @@ Result<void> PoolState::conclude(const Audit& audit, LeaseResult truth) {
     const LeaseResult& claimed = audit.claimed;
     const Text lied = phrase("a tile of it was not what this machine found when it did it again");
     const bool isConfirmed = confirms(truth, audit);
-    if (audit.second && !isSame(truth, audit.second->result))
+    const bool isSecondWrong = audit.second && !isSame(truth, audit.second->result);
+    if (isSecondWrong)
         quarantine(audit.second->key, lied);
     if (!isConfirmed)
         quarantine(audit.key, lied);
+    for (NodeChecks* counted : {&checks, &allChecks})
+        counted->wrong += (isConfirmed ? 0 : 1) + (isSecondWrong ? 1 : 0);
     if (audit.isWithheld) {
         truth.number = claimed.number;
         if (Result<void> taken = request->take(std::move(truth)); !taken)
@@ -97,7 +102,8 @@ Result<void> PoolState::conclude(const Audit& audit, LeaseResult truth) {
     Worker* worker = registry.find(audit.worker);
     if (audit.isWithheld)
         count(worker, portion);
-    checks.checked += workOf(portion.tile, portion.samples);
+    for (NodeChecks* counted : {&checks, &allChecks})
+        counted->checked += workOf(portion.tile, portion.samples);
     if (worker) {
         worker->trust.confirmed(audit.cost);
         ++worker->status.audited;

@@ -58,6 +58,7 @@ class PoolState {
     bool checksAll = false;            ///< every result of a worker is withheld until it has been rendered again
     NodeChecks checks;                 ///< what was checked for the scene that workers have
     std::uint64_t checkedScene = 0;    ///< number of that scene
+    NodeChecks allChecks;              ///< what was checked for all scenes so far
 
     // The caller of these holds `mutex`.
 

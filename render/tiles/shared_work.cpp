@@ -170,6 +170,11 @@ NodeChecks SharedWork::checks() const {
     return state_->checks;
 }
 
+NodeChecks SharedWork::allChecks() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->allChecks;
+}
+
 void SharedWork::discarded() {
     const std::lock_guard lock(state_->mutex);
     state_->checks = {};

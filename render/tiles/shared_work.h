@@ -60,6 +60,8 @@ class SharedWork {
     std::set<std::string> end();
     /// Returns what was checked of the results of workers for the scene that they have.
     NodeChecks checks() const;
+    /// Returns that for all scenes that there have been.
+    NodeChecks allChecks() const;
     /// Records that all samples of that scene were discarded.
     void discarded();
     /// Whether one of these workers has been quarantined for a wrong result.

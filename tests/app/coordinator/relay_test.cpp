@@ -1,5 +1,6 @@
 /// Relays: render nodes that share their work with nodes below them.
 
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -111,6 +112,10 @@ class RelayTest : public QObject {
         QVERIFY(sameBits(trial.image(smallScene(), kOrders, 1), alone));
         for (const auto& node : relay.nodes)
             QTRY_VERIFY_WITH_TIMEOUT(node->log().contains("works for"), kPatience);
+        relay.signal(SIGTERM);
+        QCOMPARE(relay.code(), 0);
+        const QRegularExpression checks("below: \\d+ tiles, .* % of their samples rendered twice; 0 wrong\n");
+        QCOMPARE(QString(relay.log()).count(checks), below > 0 ? 1 : 0);
     }
 
     /// A relay without the nodes that it had is a node by itself, and a lost relay is a lost node.
@@ -204,6 +209,9 @@ class RelayTest : public QObject {
         } while (imagesAfter < 3);
         QCOMPARE(relay.log().count("a tile of it"), 1);
         QCOMPARE(trial.pool->workers().at(0).state, WorkerState::ready);
+        relay.signal(SIGTERM);
+        QCOMPARE(relay.code(), 0);
+        QVERIFY2(QString(relay.log()).contains(QRegularExpression("rendered twice; [1-9]\\d* wrong")), relay.log());
     }
 
     void allThatIsRenderedBelowIsCheckedWhereThatIsWanted() {
@@ -225,6 +233,12 @@ class RelayTest : public QObject {
             }
         } while (relay.checks().work < 0.2 * all);
         QCOMPARE(relay.checks().share(), 1.0);
+        QString said;
+        QObject::connect(&relay, &node::Relay::said, [&said](const QString& line) { said = line; });
+        auto* const minute = relay.findChild<QTimer*>();
+        QVERIFY(minute->isActive());
+        minute->setInterval(0);  // it is over
+        QTRY_VERIFY_WITH_TIMEOUT(said.contains("100.0 % of their samples rendered twice; 0 wrong"), kPatience);
     }
 
     void relayThatLiesIsCaughtAsANodeIs() {
