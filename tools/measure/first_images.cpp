@@ -1,4 +1,4 @@
-/// Measures how good the image is soon after an edit, in the real window: the image after 0.1, 1, 2 and 10 seconds,
+/// Measures how good the image is soon after an edit, in the real window: the image after 0.1, 1 and 10 seconds,
 /// denoised and raw, against an image of many samples of another seed.
 ///   first_images FOLDER [-o SHEET.jpg] [--reference N] [--threads N] [--look NAME]
 ///                [--edit KIND:AMOUNT [--film N] [--json FILE]] [--window W,H] [--labels FILE] [--each]
@@ -8,7 +8,7 @@
 /// drawn on one sheet: raw above, denoised below, the reference on the right. No film is kept, so that none of this
 /// view comes back. With --each it prints when each image came, and of how many samples. With --edit the look is edited
 /// instead (edit_trial.h), once the film has N samples (default 256): the images after 1, 4, 16 and 64 samples, and
-/// those in the window after so many seconds; each with the error of the change over tiles of 16 x 16 pixels, in
+/// those in the window after 0.1, 1 and 10 seconds; each with the error of the change over tiles of 16 x 16 pixels, in
 /// parts of the mean change. Their sheet: those of the window above, the image before the edit and new samples alone
 /// below, denoised, the reference on the right.
 
@@ -34,7 +34,7 @@
 namespace pdr::app {
 namespace {
 
-constexpr std::array<double, 4> kSeconds{0.1, 1, 2, 10};
+constexpr std::array<double, 3> kSeconds{0.1, 1, 10};
 
 struct Plan {
     QString folder, out, look;
