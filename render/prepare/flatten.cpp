@@ -1,7 +1,6 @@
 #include "render/prepare/flatten.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -166,30 +165,16 @@ std::shared_ptr<PreparedScene> Flattener::flattened(const Scene& scene) const {
     return prepared;
 }
 
-/// Computes the majorants, in memory that no scene needs any more if there is some.
 std::shared_ptr<const Majorants> Flattener::majorantsOf(const PreparedScene& prepared) {
-    const ivec3 size = prepared.volume->size();
-    if (prepared.flat.optics.model == FlatModel::maximumIntensity)
-        return std::make_shared<const Majorants>(highestHu(*prepared.ranges, size, prepared.flat.mask));
-    std::swap(newest_, spare_);
-    if (!newest_ || newest_.use_count() > 1)
-        newest_ = std::make_shared<Majorants>();
-    std::atomic_thread_fence(std::memory_order_acquire);  // another thread may have let go of it
-    if (mask_ != prepared.mask) {
-        mask_ = prepared.mask;
-        weights_ = {prepared.flat.mask, size, prepared.ranges->fineSize()};
-    }
-    newest_->compute(*prepared.ranges, prepared.tables, size, weights_, prepared.flat.parts);
-    return newest_;
+    if (prepared.flat.optics.model != FlatModel::maximumIntensity)
+        return edited_.of(prepared);
+    return std::make_shared<const Majorants>(highestHu(*prepared.ranges, prepared.volume->size(), prepared.flat.mask));
 }
 
 void Flattener::bound(PreparedScene& prepared) {
     const bool sameVolume = last_ && last_->ranges && last_->volume == prepared.volume;
-    if (!sameVolume) {
-        newest_ = spare_ = nullptr;
-        mask_ = nullptr;
-        weights_ = {};
-    }
+    if (!sameVolume)
+        edited_ = {};
     prepared.ranges = sameVolume ? last_->ranges : std::make_shared<const CellRanges>(*prepared.volume);
     prepared.majorants = sameVolume && sameMajorants(*last_, prepared) ? last_->majorants : majorantsOf(prepared);
     flattenMajorants(prepared);

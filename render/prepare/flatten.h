@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "render/prepare/edited_majorants.h"
 #include "render/prepare/prepared_scene.h"
 
 namespace pdr {
@@ -10,7 +11,8 @@ namespace pdr {
 struct Scene;
 
 /// Prepares scenes one after the other and keeps what the next one can reuse: the ranges as long as the volume stays
-/// the same, and the majorants as long as the transfer function and the visible parts stay the same, too.
+/// the same, and the majorants as long as the transfer function and the visible parts stay the same, too; after an edit
+/// of a curve, those of the tissue that it leaves as it was.
 class Flattener {
   public:
     /// Prepares everything that a ray needs on the host. `scene` must have passed Scene::check().
@@ -25,11 +27,7 @@ class Flattener {
     std::shared_ptr<const Majorants> majorantsOf(const PreparedScene& prepared);
 
     std::shared_ptr<const PreparedScene> last_;
-    /// Majorants computed last, and those before, whose memory the next ones take once no scene needs them: to clear
-    /// new memory takes longer than to compute them.
-    std::shared_ptr<Majorants> newest_, spare_;
-    std::shared_ptr<const Mask> mask_;  ///< mask of weights_; null: none
-    HighestWeights weights_;
+    EditedMajorants edited_;
 };
 
 }  // namespace pdr

@@ -1,53 +1,35 @@
+#include "render/prepare/majorants.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <span>
 
 #include "render/kernel/bounds/mask_bound.h"
-#include "render/kernel/bounds/part_bound.h"
-#include "render/prepare/majorants.h"
-#include "render/prepare/opacity_maximum.h"
+#include "render/prepare/bound_cells.h"
 
 namespace pdr {
 
 namespace {
 
-/// The index-space box of all fine cells with a bound above 0; empty (low > high) if there are none.
-struct Box {
-    vec3 low{1e30f}, high{-1e30f};
-
-    void include(ivec3 cell) {
-        low = glm::min(low, lowCorner(cell));
-        high = glm::max(high, highCorner(cell));
-    }
-};
-
-/// Bounds on the extinction of one curve.
-class CurveBound {
-  public:
-    CurveBound(const FlatTransferFunction& curve, HuRange domain)
-        : maximum_(curve, domain), extinctionPerMm_(curve.extinctionPerMm), highest_(highestOpacity(curve)) {}
-
-    float over(HuRange range) const { return extinctionBound(extinctionPerMm_, maximum_.over(range), highest_); }
-    /// Sets the bounds over `count` ranges.
-    void over(const HuRange* ranges, float* __restrict bounds, int count) const {
+/// Sets the bounds of `count` fine cells of a row, from `first` on.
+void boundRow(const BoundedTissue& tissue, ivec3 first, int count, float* bounds) {
+    const ivec3 size = tissue.ranges.fineSize();
+    const HuRange* cells = &tissue.ranges.cells()[std::size_t(cellIndex(first, size))];
+    const auto cellOf = [first](int i) { return ivec3(first.x + i, first.y, first.z); };
+    const auto boundOfParts = [&](HuRange range, ivec3 cell) {
+        float most = 0;
+        forCurvesIn(tissue.parts, tissue.volumeSize, size, cell,
+                    [&](int curve) { most = std::max(most, tissue.curves[std::size_t(curve)].over(range)); });
+        return most;
+    };
+    if (tissue.parts.labels == nullptr)
+        tissue.curves[0].over(cells, bounds, count);
+    else
         for (int i = 0; i < count; ++i)
-            bounds[i] = over(ranges[i]);
-    }
-
-  private:
-    OpacityMaximum maximum_;
-    float extinctionPerMm_, highest_;
-};
-
-std::vector<CurveBound> curveBounds(const FlatTransferFunction& common, const FlatParts& parts, HuRange domain) {
-    std::vector<CurveBound> bounds;
-    bounds.reserve(std::size_t(std::max(parts.curveCount, 1)));
-    for (int i = 0; i < parts.curveCount; ++i)
-        bounds.emplace_back(parts.curves[i], domain);
-    if (bounds.empty())
-        bounds.emplace_back(common, domain);
-    return bounds;
+            bounds[i] = boundOfParts(cells[i], cellOf(i));
+    for (int i = 0; tissue.weights.hasMask() && i < count; ++i)
+        if (bounds[i] > 0)
+            bounds[i] = maskedBound(bounds[i], tissue.weights.at(cellOf(i)));
 }
 
 /// Raises the bounds of the coarse cells of a row to those of its `count` fine cells.
@@ -58,67 +40,128 @@ void raise(const float* fine, int count, float* coarse) {
     }
 }
 
-/// Bounds the fine cells of a slab, row by row by boundRow(first range, first bound, first cell), and the coarse ones,
-/// which are 0. Returns the box of all above 0.
-template <class BoundRow>
-Box boundSlab(Majorants& majorants, const CellRanges& ranges, int slab, const BoundRow& boundRow) {
+bool overlap(HuRange a, HuRange b) {
+    return a.lowest <= b.highest && b.lowest <= a.highest;
+}
+
+/// Coarse cells of a row, side by side.
+struct Run {
+    int first, count;
+};
+
+/// Finds the runs of the coarse cells of a row that hold HU of `changed`.
+void findChanged(std::span<const HuRange> row, HuRange changed, std::vector<Run>& runs) {
+    runs.clear();
+    const auto isChanged = [&](std::size_t i) { return i < row.size() && overlap(row[i], changed); };
+    for (std::size_t i = 0, count = 0; i < row.size(); i += count + 1) {
+        for (count = 0; isChanged(i + count);)
+            ++count;
+        if (count > 0)
+            runs.push_back({int(i), int(count)});
+    }
+}
+
+/// Bounds the coarse cells of some runs, in the row that begins with the cell `start`, and their fine cells: one row of
+/// these after the other, as they lie in memory.
+void boundRuns(Majorants& majorants, const BoundedTissue& tissue, ivec3 start, std::span<const Run> runs) {
     static_assert(kFinePerCoarse == 4);
-    const ivec3 size = ranges.fineSize(), coarseSize = ranges.coarseSize();
-    const auto isSeen = [](float bound) { return bound > 0; };
-    Box box;
-    for (int k = slab * kFinePerCoarse; k < (slab + 1) * kFinePerCoarse; ++k)
-        for (int j = 0; j < size.y; ++j) {
-            const std::size_t row = (std::size_t(k) * size.y + j) * size.x;
-            const std::span<float> fine(&majorants.fine[row], std::size_t(size.x));
-            boundRow(&ranges.cells()[row], fine.data(), ivec3(0, j, k));
-            const auto first = std::ranges::find_if(fine, isSeen);
-            if (first == fine.end())
-                continue;
-            const auto last = std::find_if(fine.rbegin(), fine.rend(), isSeen);
-            box.include({int(first - fine.begin()), j, k});
-            box.include({int(fine.rend() - last) - 1, j, k});
-            raise(fine.data(), size.x,
-                  &majorants.coarse[(std::size_t(slab) * coarseSize.y + j / kFinePerCoarse) * coarseSize.x]);
-        }
-    return box;
+    float* coarse = &majorants.coarse[std::size_t(cellIndex(start, tissue.ranges.coarseSize()))];
+    for (const Run& run : runs)
+        std::fill_n(coarse + run.first, run.count, 0.0f);  // raised below
+    for (int k = 0; k < kFinePerCoarse; ++k)
+        for (int j = 0; j < kFinePerCoarse; ++j)
+            for (const Run& run : runs) {
+                const int count = run.count * kFinePerCoarse;
+                const ivec3 cell = (start + ivec3(run.first, 0, 0)) * kFinePerCoarse + ivec3(0, j, k);
+                float* fine = &majorants.fine[std::size_t(cellIndex(cell, tissue.ranges.fineSize()))];
+                boundRow(tissue, cell, count, fine);
+                raise(fine, count, coarse + run.first);
+            }
+}
+
+/// The fine cells from `low` to `high`; empty (low > high) without any.
+struct CellBox {
+    ivec3 low{INT32_MAX}, high{INT32_MIN};
+
+    void include(ivec3 first, ivec3 last) {
+        low = glm::min(low, first);
+        high = glm::max(high, last);
+    }
+    bool contains(ivec3 first, ivec3 last) const {
+        return glm::all(glm::lessThanEqual(low, first)) && glm::all(glm::lessThanEqual(last, high));
+    }
+};
+
+/// Includes the fine cells with a bound above 0 of a coarse cell. Those of most cells add nothing to the box.
+void includeOccupied(CellBox& box, const Majorants& majorants, ivec3 coarse, ivec3 fineSize) {
+    const ivec3 first = coarse * kFinePerCoarse, last = first + (kFinePerCoarse - 1);
+    if (box.contains(first, last))
+        return;
+    for (int k = first.z; k <= last.z; ++k)
+        for (int j = first.y; j <= last.y; ++j)
+            for (int i = first.x; i <= last.x; ++i)
+                if (majorants.fine[std::size_t(cellIndex({i, j, k}, fineSize))] > 0)
+                    box.include({i, j, k}, {i, j, k});
+}
+
+/// Finds the box of all fine cells with a bound above 0, and clips it to the volume.
+void findOccupied(Majorants& majorants, const BoundedTissue& tissue) {
+    const ivec3 size = tissue.ranges.coarseSize();
+    CellBox all;
+    for (std::size_t i = 0; i < majorants.coarse.size(); ++i)
+        if (majorants.coarse[i] > 0)
+            includeOccupied(all, majorants, cellAt(std::int64_t(i), size), tissue.ranges.fineSize());
+    const bool isEmpty = all.low.x > all.high.x;
+    const vec3 low = isEmpty ? vec3(1e30f) : lowCorner(all.low), high = isEmpty ? vec3(-1e30f) : highCorner(all.high);
+    majorants.occupiedLow = glm::max(low, vec3(-0.5f));
+    majorants.occupiedHigh = glm::min(high, vec3(tissue.volumeSize) - 0.5f);
 }
 
 }  // namespace
 
+HugePageVector<HuRange> coarseRanges(const CellRanges& ranges) {
+    const ivec3 size = ranges.coarseSize(), fine = ranges.fineSize();
+    HugePageVector<HuRange> coarse(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+    tbb::parallel_for(0, size.z, [&](int slab) {
+        std::fill_n(&coarse[std::size_t(cellIndex({0, 0, slab}, size))], size.x * size.y, kEmptyRange);
+        for (int k = slab * kFinePerCoarse; k < (slab + 1) * kFinePerCoarse; ++k)
+            for (int j = 0; j < fine.y; ++j)
+                for (int i = 0; i < fine.x; ++i)
+                    coarse[std::size_t(cellIndex(ivec3(i, j, k) / kFinePerCoarse, size))].include(
+                        ranges.cells()[std::size_t(cellIndex({i, j, k}, fine))]);
+    });
+    return coarse;
+}
+
+void boundAll(Majorants& majorants, const BoundedTissue& tissue) {
+    const ivec3 size = tissue.ranges.coarseSize();
+    majorants.fine.resize(tissue.ranges.cells().size());
+    majorants.coarse.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+    tbb::parallel_for(0, size.z, [&](int slab) {
+        const Run whole{0, size.x};
+        for (int row = 0; row < size.y; ++row)
+            boundRuns(majorants, tissue, {0, row, slab}, {&whole, 1});
+    });
+    findOccupied(majorants, tissue);
+}
+
+void boundChanged(Majorants& majorants, const BoundedTissue& tissue, const HugePageVector<HuRange>& coarse,
+                  HuRange changed) {
+    const ivec3 size = tissue.ranges.coarseSize();
+    tbb::parallel_for(0, size.z, [&](int slab) {
+        std::vector<Run> runs;
+        for (int row = 0; row < size.y; ++row) {
+            const ivec3 start(0, row, slab);
+            findChanged({&coarse[std::size_t(cellIndex(start, size))], std::size_t(size.x)}, changed, runs);
+            boundRuns(majorants, tissue, start, runs);
+        }
+    });
+    findOccupied(majorants, tissue);
+}
+
 void Majorants::compute(const CellRanges& ranges, const TransferTables& tables, ivec3 volumeSize,
                         HighestWeights& weights, const FlatParts& parts) {
-    const ivec3 size = ranges.fineSize(), coarseSize = ranges.coarseSize();
-    fine.resize(ranges.cells().size());
-    coarse.assign(std::size_t(coarseSize.x) * coarseSize.y * coarseSize.z, 0.0f);
-    const std::vector<CurveBound> curves = curveBounds(tables.flat(), parts, ranges.whole());
-    const auto boundOfParts = [&](HuRange range, ivec3 cell) {
-        float most = 0;
-        forCurvesIn(parts, volumeSize, size, cell,
-                    [&](int curve) { most = std::max(most, curves[std::size_t(curve)].over(range)); });
-        return most;
-    };
-    const auto boundRow = [&](const HuRange* cells, float* bounds, ivec3 first) {
-        const auto cellAt = [first](int i) { return ivec3(i, first.y, first.z); };
-        if (parts.labels == nullptr)
-            curves[0].over(cells, bounds, size.x);
-        else
-            for (int i = 0; i < size.x; ++i)
-                bounds[i] = boundOfParts(cells[i], cellAt(i));
-        for (int i = 0; weights.hasMask() && i < size.x; ++i)
-            if (bounds[i] > 0)
-                bounds[i] = maskedBound(bounds[i], weights.at(cellAt(i)));
-    };
-    // Bound the fine and coarse cells, slab by slab in parallel.
-    std::vector<Box> boxes(coarseSize.z);
-    tbb::parallel_for(0, coarseSize.z, [&](int slab) { boxes[slab] = boundSlab(*this, ranges, slab, boundRow); });
-    // Unite the boxes of the slabs and clip them to the volume.
-    Box all;
-    for (const Box& box : boxes) {
-        all.low = glm::min(all.low, box.low);
-        all.high = glm::max(all.high, box.high);
-    }
-    occupiedLow = glm::max(all.low, vec3(-0.5f));
-    occupiedHigh = glm::min(all.high, vec3(volumeSize) - 0.5f);
+    boundAll(*this, {ranges, volumeSize, weights, parts, curveBounds(tables.flat(), parts, ranges.whole())});
 }
 
 }  // namespace pdr

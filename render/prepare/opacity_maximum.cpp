@@ -27,4 +27,16 @@ OpacityMaximum::OpacityMaximum(const FlatTransferFunction& function, HuRange dom
             seen_.include({whole(i), whole(i + 1)});
 }
 
+HuRange OpacityMaximum::changedFrom(const OpacityMaximum& before) const {
+    HuRange changed = kEmptyRange;
+    for (int i = 0; i < stride_; ++i) {
+        const auto hu = std::int16_t(first_ + i);
+        if (maxima_[i] != before.maxima_[i])
+            changed.include({hu, hu});
+        if (maxima_[stride_ + i] != before.maxima_[stride_ + i])  // that after the last one is 0 in both
+            changed.include({hu, std::int16_t(hu + 1)});
+    }
+    return changed;
+}
+
 }  // namespace pdr

@@ -19,6 +19,9 @@ class OpacityMaximum {
 
     /// Returns highestOpacity(function, range).
     float over(HuRange range) const;
+    /// Returns the HU outside of which over() is that of `before`, a table of the same domain; empty if it is so
+    /// everywhere.
+    HuRange changedFrom(const OpacityMaximum& before) const;
 
   private:
     /// Returns the level of the maxima over that many bins: the number of binary digits that it has. No bit_width(),

@@ -13,7 +13,9 @@
 
 #include "render/kernel/medium.h"
 #include "render/kernel/random.h"
+#include "render/prepare/bound_cells.h"
 #include "tests/support/scenes/masks.h"
+#include "tests/support/scenes/part_scenes.h"
 #include "tests/support/scenes/scenes.h"
 
 using namespace pdr;
@@ -151,6 +153,29 @@ int pointsPerEdit() {
     return named ? std::atoi(named) : 100000;
 }
 
+/// Changes the curve as a hand does: one node between its neighbours, or the highest, or all.
+void moveNode(TransferFunction& function, std::mt19937& random) {
+    std::uniform_real_distribution<float> unit(0, 1);
+    std::vector<TransferNode>& nodes = function.nodes;
+    const std::size_t i = 1 + random() % (nodes.size() - 2);
+    nodes[i].opacity = random() % 3 ? 0.9f * unit(random) : 0;
+    nodes[i].hu = nodes[i - 1].hu + (nodes[i + 1].hu - nodes[i - 1].hu) * unit(random);
+    if (random() % 8 == 0)
+        nodes.back().opacity = 0.9f + 0.1f * unit(random);
+    if (random() % 16 == 0)
+        function.extinctionPerMm *= 0.5f + unit(random);
+}
+
+/// Returns a curve with a band thinner than 1 HU between wider pieces.
+TransferFunction curveToMove() {
+    TransferFunction function;
+    const float hu[] = {-1000, -200, 30.2f, 30.4f, 30.6f, 300, 1200, 1800},
+                opacity[] = {0, 0, 0, 0.5f, 0, 0.2f, 0.9f, 1};
+    for (int i = 0; i < 8; ++i)
+        function.nodes.push_back({.hu = hu[i], .opacity = opacity[i]});
+    return function;
+}
+
 }  // namespace
 
 class MajorantTest : public QObject {
@@ -210,6 +235,67 @@ class MajorantTest : public QObject {
             QVERIFY(prepared->majorants->fine == alone->majorants->fine);
             QVERIFY(prepared->majorants->coarse == alone->majorants->coarse);
         }
+    }
+
+    /// A hand that moves nodes gets the bounds of the whole curve, under one mask after the other, with parts that have
+    /// curves of their own and without.
+    void boundsOfAnEditAreThoseOfTheWholeCurve() {
+        const auto all = volume();
+        Scene scene = test::plainScene(all, 1);
+        scene.film = {1, 1};
+        Flattener flattener;
+        std::mt19937 random(11);
+        scene.transferFunction = curveToMove();
+        for (unsigned number = 0; number < 80; ++number) {
+            if (number % 20 == 10)
+                scene.mask = number % 40 == 10 ? test::anyMask(*all, number) : nullptr;
+            if (number % 16 == 8)
+                scene.parts.map = number % 32 == 8 ? test::anyParts(*all, 2, number) : nullptr;
+            scene.parts.curves.clear();
+            if (scene.parts.map) {
+                scene.parts.curves = {{1, scene.transferFunction}, {2, scene.transferFunction}};
+                moveNode(scene.parts.curves[number % 2].transferFunction, random);
+            }
+            moveNode(scene.transferFunction, random);
+            const auto prepared = flattener.prepare(scene), alone = Flattener().prepare(scene);
+            QVERIFY(prepared->majorants->fine == alone->majorants->fine);
+            QVERIFY(prepared->majorants->coarse == alone->majorants->coarse);
+            QCOMPARE(prepared->majorants->occupiedLow, alone->majorants->occupiedLow);
+            QCOMPARE(prepared->majorants->occupiedHigh, alone->majorants->occupiedHigh);
+        }
+    }
+
+    /// An edit leaves the bounds of cells alone whose HU have the opacity that they had.
+    void boundsOfUnchangedTissueStay() {
+        const auto tissue =
+            test::makeVolume({64, 16, 16}, dvec3(1), [](int i, int, int) { return i < 32 ? 100 : 900; });
+        const CellRanges ranges(*tissue);
+        const auto coarse = coarseRanges(ranges);
+        HighestWeights weights;
+        const auto bounded = [&](Majorants& majorants, float opacity, const CurveBound* before) {
+            TransferFunction function;
+            function.nodes = {{.hu = 0, .opacity = opacity}, {.hu = 500, .opacity = 0.5f}, {.hu = 1000, .opacity = 1}};
+            const TransferTables tables(function);
+            const auto curves = curveBounds(tables.flat(), {}, ranges.whole());
+            const BoundedTissue all{ranges, tissue->size(), weights, {}, curves};
+            if (before)
+                boundChanged(majorants, all, coarse, curves[0].changedFrom(*before));
+            else
+                boundAll(majorants, all);
+            return curves[0];
+        };
+        Majorants majorants;
+        const CurveBound before = bounded(majorants, 0.1f, nullptr);
+        const auto at = [&](int i) -> float& {
+            return majorants.fine[std::size_t(cellIndex({i, 2, 2}, ranges.fineSize()))];
+        };
+        const float soft = at(2), dense = at(14);
+        at(14) = 7;  // what is bounded anew has another value
+        bounded(majorants, 0.2f, &before);
+        QVERIFY(at(2) > soft);
+        QCOMPARE(at(14), 7.0f);
+        bounded(majorants, 0.2f, nullptr);
+        QCOMPARE(at(14), dense);
     }
 
     /// The depths of a view are kept only while the same cells hold tissue, the view stays and the same planes cut.
