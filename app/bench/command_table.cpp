@@ -140,7 +140,7 @@ constexpr Command kCommands[] = {
      "  --bandwidth B    bytes a second of a link; default 125000000\n"
      "  --message S      that a message costs who shows the image; default 0.00002\n"
      "  --pixel-bytes B  of a finished pixel from a node; default 25\n"
-     "  --order-bytes B  of requests, per finished pixel; default 7\n"
+     "  --order-bytes B  of requests, per finished pixel; default 0.5\n"
      "  --sum-bytes B    of a pixel's 64 samples, to which others add; default 18\n"
      "  --checked P      part of the samples that a second node takes, to check the first; default 0.02\n"
      "  --relays N       between coordinator and nodes; default 0\n"

@@ -34,7 +34,7 @@ struct ScalingFacts {
     double leastTilePixels = 256;  ///< least size of a tile: nodes beyond pixels / this have nothing to do; >= 1
     Link link;
     double pixelBytes = 25;     ///< a finished pixel from a node: mean and variance of up to 1024 samples, packed; > 0
-    double orderBytes = 7;      ///< requests and what goes with them, per finished pixel; > 0
+    double orderBytes = 0.5;    ///< requests and what goes with them, per finished pixel; > 0
     double sumBytes = 18;       ///< a pixel's sums of a block, to which others add, packed
     double checkedPart = 0.02;  ///< part of the samples that a second node takes, to check the first; from 0 to 1
     double relays = 0;          ///< machines between coordinator and nodes, which pass on the scan; 0: none
