@@ -21,7 +21,7 @@ class ResolutionLadder {
     static constexpr double kEditSeconds = 0.12;
     /// Time from an edit to the end of making its image from coarse films (edit/coarse_edit.h): a hand that moves waits
     /// for two such images at most.
-    static constexpr double kCoarseEditSeconds = 0.035;
+    static constexpr double kCoarseEditSeconds = 0.027;
     /// Longest time that a full image made on features may take in place of a coarse one.
     static constexpr double kFeaturedSeconds = 2;
     /// Samples per pixel of a first image: fewer pixels with less noise are easier to follow.

@@ -241,6 +241,17 @@ std::uint64_t rest(Desktop& desktop, const Stopwatch& watch) {
     return watch.last()->status.samplesPerPixel;
 }
 
+/// Waits until an image of the scene at rest, with its mask, has been judged: it is what an edit is laid on.
+void awaitJudged(Desktop& desktop, const Stopwatch& watch) {
+    const auto isJudged = [&] {
+        const Frame& frame = *watch.last();
+        return frame.revision == desktop.document().scene().revision && frame.denoisedError && !frame.maskAwaited;
+    };
+    QTest::qWait(1000);
+    (void)QTest::qWaitFor(isJudged, 60'000);
+    QTest::qWait(1000);
+}
+
 /// Leaves an image by `edit`, comes back by undo and leaves it again by redo, with a rest before each.
 void undo(Desktop& desktop, Stopwatch& watch, double seconds, const char* name, const std::function<void()>& edit) {
     constexpr double kSecondsEach = 2;
@@ -286,7 +297,7 @@ int run(const QString& folder, double seconds, int threads, const QString& only,
     for (const auto& [name, gesture] : std::initializer_list<std::pair<const char*, Gesture>>{
              {"turn", turn}, {"brightness", brighten}, {"node", bend}, {"edits", edits}, {"undo", undos}})
         if (only.isEmpty() || only == name) {
-            QTest::qWait(3000);
+            awaitJudged(desktop, watch);
             gesture(desktop, watch, seconds);
         }
     return 0;

@@ -265,6 +265,39 @@ class MajorantTest : public QObject {
         }
     }
 
+    /// After edits of soft tissue alone, the dense half gets its bounds anew if anything else changes them.
+    void anotherScaleMaskOrPartsBoundAllTissue() {
+        const auto tissue =
+            test::makeVolume({64, 32, 32}, dvec3(1), [](int i, int, int) { return i < 32 ? 100 : 900; });
+        Scene scene = test::plainScene(tissue, 1);
+        scene.film = {1, 1};
+        scene.transferFunction.nodes = {
+            {.hu = 0, .opacity = 0.1f}, {.hu = 500, .opacity = 0.5f}, {.hu = 1000, .opacity = 1}};
+        TransferFunction denser = scene.transferFunction;
+        denser.nodes[1].opacity = 0.9f;
+        Flattener flattener;
+        const auto follows = [&](const char* change) {
+            for (int edit = 0; edit < 4; ++edit) {  // the memory of two scenes takes turns
+                scene.transferFunction.nodes[0].opacity = 0.1f + 0.05f * float(edit);
+                const auto edited = flattener.prepare(scene), alone = Flattener().prepare(scene);
+                QVERIFY2(edited->majorants->fine == alone->majorants->fine, change);
+                QVERIFY2(edited->majorants->coarse == alone->majorants->coarse, change);
+            }
+        };
+        follows("soft tissue alone");
+        scene.transferFunction.extinctionPerMm *= 2;
+        follows("scale");
+        scene.mask = test::anyMask(*tissue, 3);
+        follows("mask");
+        scene.mask = nullptr;
+        follows("no mask");
+        scene.parts.curves = {{1, scene.transferFunction}, {2, denser}};
+        for (const unsigned map : {1, 2, 3, 4}) {
+            scene.parts.map = test::anyParts(*tissue, 2, map);
+            follows("parts");
+        }
+    }
+
     /// An edit leaves the bounds of cells alone whose HU have the opacity that they had.
     void boundsOfUnchangedTissueStay() {
         const auto tissue =
@@ -296,6 +329,18 @@ class MajorantTest : public QObject {
         QCOMPARE(at(14), 7.0f);
         bounded(majorants, 0.2f, nullptr);
         QCOMPARE(at(14), dense);
+    }
+
+    /// A peak between two HU, which no whole number shows, counts as a change of both.
+    void peaksBetweenTwoHuAreChanges() {
+        const auto maximum = [](float opacity) {
+            TransferFunction function;
+            function.nodes = {
+                {.hu = 30.2f, .opacity = 0}, {.hu = 30.4f, .opacity = opacity}, {.hu = 30.6f, .opacity = 0}};
+            return OpacityMaximum(TransferTables(function).flat(), {-100, 200});
+        };
+        QVERIFY((maximum(0.5f).changedFrom(maximum(0.25f)) == HuRange{30, 31}));
+        QVERIFY(maximum(0.5f).changedFrom(maximum(0.5f)).empty());
     }
 
     /// The depths of a view are kept only while the same cells hold tissue, the view stays and the same planes cut.
