@@ -43,7 +43,7 @@ void Session::Loop::work(const RenderCommands::Iteration& step) {
     }
     if (done && hasSamples() && frameEnds)
         done = show(step, step.render && scheduler_.hasIterations());
-    if (done && isEarly && !display_.awaitsFirst())
+    if (done && isEarly && frameEnds && !display_.awaitsFirst())
         done = judgeShown(step);
     finish(step, std::move(done));
 }
