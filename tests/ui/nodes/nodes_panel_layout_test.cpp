@@ -137,7 +137,8 @@ void TestNodesPanelLayout::itLeavesTheImageItsPart() {
     QVERIFY(!test::the<NodesPanel>(window).isVisible());
 }
 
-/// Measures the time on the window's thread, including repainting, when all rows change each time.
+/// Measures the time on the window's thread, including repainting, when all rows change each time. A machine may be
+/// slow: the bar is 2.6 times what the panel alone takes to paint, 2 ms where that takes 0.77 ms.
 void TestNodesPanelLayout::sixtyFourNodesTenTimesASecondCostNext() {
     NodesPanel panel;
     panel.resize(1000, 200);
@@ -146,9 +147,10 @@ void TestNodesPanelLayout::sixtyFourNodesTenTimesASecondCostNext() {
     panel.show();
     QVERIFY(QTest::qWaitForWindowExposed(&panel));
     panel.table().selectRow(3);
+    constexpr double kMost = 2.6;
     double best = 1e9;  // best of some rounds: other processes evict the caches
-    for (int round = 0; round < 60 && best >= 2; ++round) {
-        std::vector<double> painted;
+    for (int round = 0; round < 20 && best >= kMost; ++round) {
+        std::vector<double> updated, painted;
         for (int i = 0; i < 300; ++i) {
             for (NodeRow& row : rows) {
                 row.iterationsPerSecond = 2 + 0.01 * (i % 100);
@@ -158,15 +160,20 @@ void TestNodesPanelLayout::sixtyFourNodesTenTimesASecondCostNext() {
             const test::ProcessorTime time;
             panel.setNodes(rows);
             QCoreApplication::processEvents();
-            painted.push_back(1000 * time.seconds());
+            updated.push_back(1000 * time.seconds());
+            const test::ProcessorTime alone;
+            panel.repaint();
+            painted.push_back(1000 * alone.seconds());
         }
+        std::ranges::sort(updated);
         std::ranges::sort(painted);
-        const double p99 = painted[painted.size() * 99 / 100];
-        qInfo("an update of 64 nodes and its painting: p99 %.2f ms (median %.2f)", p99, painted[painted.size() / 2]);
-        best = std::min(best, p99);
+        const double p99 = updated[updated.size() * 99 / 100], median = painted[painted.size() / 2];
+        qInfo("an update of 64 nodes and its painting: p99 %.2f ms (median %.2f); painting alone: %.2f", p99,
+              updated[updated.size() / 2], median);
+        best = std::min(best, p99 / median);
     }
 #if !defined(__SANITIZE_ADDRESS__)  // which takes three times as long
-    QVERIFY2(best < 2, qPrintable(QString::number(best)));
+    QVERIFY2(best < kMost, qPrintable(QString::number(best)));
 #endif
 }
 
