@@ -13,8 +13,12 @@ namespace {
 /// Longest duration of a launch, so that a change of brightness or device, a pause or a snapshot need not wait for a
 /// long frame; and of a piece of a launch, if it can be split. On a busy machine both take several times as long.
 constexpr double kLaunchSeconds = 0.06, kPieceSeconds = 0.015;
-/// Longest time for the samples of an image of a shared film. A pause or a snapshot waits for it.
-constexpr double kSharedSeconds = 2;
+/// Longest and shortest time for the samples of an image of a shared film. A pause or a snapshot waits for the longest.
+/// Images that follow sooner than the shortest are hardly seen, and travel all the same.
+constexpr double kSharedSeconds = 2, kLeastSharedSeconds = 0.2;
+/// Growth of the samples of a shared film after which an image is worth sending: the error halves. An image has at most
+/// kMostSharedGrowth times the samples of the one before, which tell how fast they are.
+constexpr std::uint64_t kSharedGrowth = 4, kMostSharedGrowth = 64;
 constexpr double kMeasureSeconds = 2;  ///< between two frames whose display is timed alone
 
 double pixelsOf(const Tile& tile) {
@@ -87,18 +91,23 @@ std::uint64_t FrameScheduler::leftToMark() const {
     return FirstSamples::leftToMark(sweep_.partSamples());
 }
 
-/// Returns the samples of the next image of a shared film, which may well have `usual` ones: up to a mark or, past the
-/// last one, to the end of a block, where no sums of a part of it travel; fewer where the image would be late.
+/// Returns the samples of the next image of a shared film, which may well have `usual` ones: up to a power of
+/// kSharedGrowth; where the image would be late, those that are in time, if they can to the end of a block, where no
+/// sums of a part of it travel.
 std::uint32_t FrameScheduler::worthSending(std::uint32_t usual) const {
     const std::uint64_t had = sweep_.partSamples(), before = had - std::min<std::uint64_t>(done_.n, had);
-    const bool isFirst = before < kSamplesPerBlock;
-    const std::uint64_t left =
-        isFirst ? FirstSamples::leftToMark(before) : kSamplesPerBlock - before % kSamplesPerBlock;
-    const double inTime = ladder_.speed() / partPixels() * kSharedSeconds;
-    const std::uint64_t most = std::max<std::uint64_t>(usual, std::uint64_t(std::clamp(inTime, 1.0, double(left))));
-    if (isFirst || most < left)
-        return std::uint32_t(std::min(most, left));
-    return std::uint32_t(most - (before + most) % kSamplesPerBlock);
+    const double speed = ladder_.speed() / partPixels();
+    const auto within = [&](double seconds) {
+        return std::max<std::uint64_t>(usual, std::uint64_t(std::clamp(speed * seconds, 1.0, 1e6)));
+    };
+    std::uint64_t end = 1;
+    while (end < std::min(before + within(kLeastSharedSeconds), kMostSharedGrowth * before))
+        end *= kSharedGrowth;
+    const std::uint64_t late = before + within(kSharedSeconds);
+    if (end <= late)
+        return std::uint32_t(end - before);
+    const std::uint64_t blocks = late - late % kSamplesPerBlock;
+    return std::uint32_t((blocks > before ? blocks : late) - before);
 }
 
 /// Returns the part of a coarse frame's time that its samples may take [s].
@@ -129,11 +138,14 @@ std::uint32_t FrameScheduler::wanted(const Demand& demand) const {
     const std::uint32_t usual =
         isCoarse() ? ResolutionLadder::kSamples : std::uint32_t(larger * timer_.iterations(demand.pace));
     const std::uint64_t before = samples().least - std::min<std::uint64_t>(done_.n, samples().least);
-    const std::uint32_t paced = demand.isShared && demand.pace.automatic ? worthSending(usual) : usual;
+    const bool isSent = demand.isShared && demand.pace.automatic;
+    const std::uint32_t paced = isSent ? worthSending(usual) : usual;
     const std::uint32_t whole = std::max(paced, std::uint32_t(demand.replaced.value_or(0)));
     const bool isLast = demand.stopsAt > before && demand.stopsAt - before < whole;
     const std::uint32_t all = isLast ? std::uint32_t(demand.stopsAt - before) : whole;
-    return demand.stopsAtMarks ? std::uint32_t(std::min<std::uint64_t>(all, FirstSamples::leftToMark(before))) : all;
+    return demand.stopsAtMarks && !isSent
+               ? std::uint32_t(std::min<std::uint64_t>(all, FirstSamples::leftToMark(before)))
+               : all;
 }
 
 bool FrameScheduler::isComplete(const Demand& demand) const {

@@ -30,7 +30,7 @@ class FrameScheduler {
         /// with one sample is better than a coarse one of more.
         bool stopsAtMarks = false;
         /// Other machines have a part of the samples. The sums of a pixel travel for each image, so that images come
-        /// less often: after a mark, and then with each block of samples, as far as that is in time.
+        /// less often: when the samples have grown fourfold, or after two seconds.
         bool isShared = false;
         /// Samples of every pixel with which rendering stops: no image has more; 0: no limit.
         std::uint64_t stopsAt = 0;

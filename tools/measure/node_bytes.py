@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Bytes that one render node sends and gets for a pixel: a program renders through a relay that counts.
 
-node_bytes.py FOLDER|SCENE [--build build/release] [--size 256] [--samples 256] [--window [--edits N] [--unhurried]]
+node_bytes.py FOLDER|SCENE [--build build/release] [--size 256] [--samples 256] [--window [--edits N] [--faster N]]
               [--option=--levels=4]...
 The image is one for a file, by pdrender-cli with these options; with --window, one on the screen, frame by frame
-(tools/measure/shared_window), and so many edits of it; --unhurried: after the same samples on a busy machine, too.
+(tools/measure/shared_window), and so many edits of it; --faster: by a clock that is so many times slower, as if as many nodes of
+this speed shared the work.
 The node has one thread and takes all samples; the program's own checks them.
 Prints what the program says, bytes a pixel of each way, without the scan, by kind of message, and what a frame of 1920 x 1080 would come to."""
 import argparse
@@ -76,7 +77,7 @@ def serve(listener, port, ways):
 def command(options, address, folder):
     if options.window:
         return [options.build / "tools/shared_window", options.scene, address, "--size", str(options.size), "--samples",
-                str(options.samples), "--edits", str(options.edits), *(["--unhurried"] if options.unhurried else [])]
+                str(options.samples), "--edits", str(options.edits), "--faster", str(options.faster)]
     return [options.build / "bin/pdrender-cli", "render", options.scene, "-o", f"{folder}/image.exr", "--threads", "1",
             "--device", "cpu", "--size", f"{options.size}x{options.size}", "--samples", str(options.samples),
             "--nodes-only", "--await", "1", "--node", address, *options.option]
@@ -110,7 +111,7 @@ def main():
     parser.add_argument("--option", action="append", default=[], help="of pdrender-cli render, as --option=--seconds=5")
     parser.add_argument("--window", action="store_true")
     parser.add_argument("--edits", type=int, default=0, help="after the image on the screen")
-    parser.add_argument("--unhurried", action="store_true", help="frames of the window by a clock on which all is fast")
+    parser.add_argument("--faster", type=int, default=1)
     options = parser.parse_args()
     ways = counted(options)
     pixels = options.size ** 2

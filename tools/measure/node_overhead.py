@@ -1,8 +1,12 @@
 #!/usr/bin/env python3
 """Processor seconds that an image costs with render nodes of one thread beside one thread, and with the thread alone.
 
+As many images are rendered alone at once as there are threads with nodes, so that both ways keep as many cores busy: a core is
+slower beside a busy one.
+
 node_overhead.py FOLDER|SCENE [--build build/release] [--base FOLDER] [--size 512] [--samples 64] [--rounds 5] [--nodes 1] [--seconds S]
-Both ways alternate, so that load on the machine affects both; nodes run on, and their seconds of each image count.
+Both ways alternate, so that load on the machine affects both; nodes run on, and their seconds of each image count. Seconds of the
+clock are those of one image, of images at once that of all divided by their number.
 --base: a build to compare with, whose ways alternate with the others. --seconds: no further round after so many. Prints seconds of
 each round, medians, and what nodes add: the median of the rounds' ratios, with its quartiles. Wall seconds likewise, for a machine
 with a core for each."""
@@ -40,21 +44,24 @@ class Build:
     def node_seconds(self):
         return sum(seconds_of(node) for node in self.nodes)
 
-    def image(self, options, way):
-        there = [word for port in self.ports for word in ("--node", f"127.0.0.1:{port}")]
-        nodes = [*there, "--await", str(len(self.ports))] if way == "with nodes" else []
+    def images(self, options, way):
+        is_alone = way == "alone"
+        there = [word for port in self.ports for word in ("--node", f"127.0.0.1:{port}")] + ["--await", str(len(self.ports))]
+        count = 1 + len(self.ports) if is_alone else 1
         with tempfile.TemporaryDirectory() as folder:
             before, start = self.node_seconds(), time.monotonic()
-            program = subprocess.Popen(
-                [self.programs / "pdrender-cli", "render", options.scene, "-o", f"{folder}/image.exr", "--threads", "1",
+            programs = [subprocess.Popen(
+                [self.programs / "pdrender-cli", "render", options.scene, "-o", f"{folder}/image{each}.exr", "--threads", "1",
                  "--device", "cpu", "--size", f"{options.size}x{options.size}", "--samples", str(options.samples),
-                 *nodes, *options.option], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            _, status, usage = os.wait4(program.pid, 0)
-            if status != 0:
+                 *([] if is_alone else there), *options.option], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                for each in range(count)]
+            ended = [os.wait4(program.pid, 0) for program in programs]
+            if any(status != 0 for _, status, _ in ended):
                 raise SystemExit("an image failed")
             wall = time.monotonic() - start
             node = self.node_seconds() - before
-        self.ways[way].append((usage.ru_utime + usage.ru_stime + node, wall))
+        own = sum(usage.ru_utime + usage.ru_stime for _, _, usage in ended)
+        self.ways[way].append(((own + node) / count, wall / count))
 
     def tell(self, name):
         for way, rounds in self.ways.items():
@@ -86,7 +93,7 @@ def main():
                 break
             for way in ("alone", "with nodes"):
                 for build in builds.values():
-                    build.image(options, way)
+                    build.images(options, way)
     finally:
         for build in builds.values():
             for node in build.nodes:

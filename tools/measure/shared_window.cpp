@@ -1,9 +1,9 @@
 /// Renders an image as the window does, frame by frame, with the help of a render node.
-///   shared_window FOLDER|SCENE NODE [--size N] [--samples N] [--threads N] [--edits N] [--unhurried]
+///   shared_window FOLDER|SCENE NODE [--size N] [--samples N] [--threads N] [--edits N] [--faster N]
 /// NODE is the address of a node on this machine, which takes all samples. When it is ready the view is shown once
 /// more, so that all its frames are shared: denoised, at the pace that the window chooses, until a pixel has N samples.
 /// Then the opacity of all tissue is edited so often, each time until a pixel has N samples.
-/// --unhurried: by a clock on which all is fast, so that frames come after the same samples on a busy machine.
+/// --faster: by a clock that is so many times slower, as if as many nodes shared the work.
 /// Prints how many frames there were, and after how many samples. tools/measure/node_bytes.py counts what is sent
 /// meanwhile.
 
@@ -69,12 +69,12 @@ void awaitNode(const WorkerPool& pool) {
 struct Wanted {
     int threads;
     std::uint64_t samples, edits;
-    bool isUnhurried;
+    double faster;
 };
 
-/// Advances by 20 ms each time that it is read.
-SessionClock fastClock() {
-    return [seconds = std::make_shared<std::atomic<double>>(0)] { return *seconds += 0.02; };
+/// Returns a clock by which all is so many times faster.
+SessionClock clockOf(double faster) {
+    return [faster] { return steadySeconds() / faster; };
 }
 
 /// Waits for an image, and prints after how many samples it was shown. False: it failed.
@@ -88,7 +88,7 @@ bool awaitImage(Frames& frames, std::uint64_t samples) {
 }
 
 int show(const app::LoadedScene& loaded, const QString& address, const Wanted& wanted) {
-    const auto [threads, samples, edits, isUnhurried] = wanted;
+    const auto [threads, samples, edits, faster] = wanted;
     const auto pool = nodes::newPool();
     pool->setOwnHelps(false);
     nodes::RenderNodes nodes(pool, *referenceTiles(*makeCpuDevice(threads)));
@@ -99,8 +99,7 @@ int show(const app::LoadedScene& loaded, const QString& address, const Wanted& w
     Frames frames;
     Session session(
         shareDevice(makeCpuDevice(threads), pool),
-        [&](const std::shared_ptr<const Frame>& frame) { frames.take(*frame); }, {},
-        isUnhurried ? fastClock() : steadySeconds);
+        [&](const std::shared_ptr<const Frame>& frame) { frames.take(*frame); }, {}, clockOf(faster));
     session.setPace({.automatic = true});
     session.setStop({.levels = 1e-9, .samples = samples});
     session.setDisplay(loaded.display.withDenoised(true));
@@ -131,15 +130,16 @@ int main(int count, char** words) {
     using namespace pdr;
     QCoreApplication application(count, words);
     const auto options = bench::Options::read({words + 1, words + count},
-                                              {"--size", "--samples", "--threads", "--edits"}, {"--unhurried"});
+                                              {"--size", "--samples", "--threads", "--edits", "--faster"}, {});
     const auto size = options ? options->number("--size", 256, 16) : std::nullopt;
     const auto samples = options ? options->number("--samples", 256, 1) : std::nullopt;
     const auto threads = options ? options->number("--threads", 1, 1) : std::nullopt;
     const auto edits = options ? options->number("--edits", 0, 0) : std::nullopt;
-    if (!size || !samples || !threads || !edits || options->files.size() != 2) {
+    const auto faster = options ? options->number("--faster", 1, 1) : std::nullopt;
+    if (!size || !samples || !threads || !edits || !faster || options->files.size() != 2) {
         std::fprintf(stderr,
                      "usage: shared_window FOLDER|SCENE NODE [--size N] [--samples N] [--threads N] [--edits N] "
-                     "[--unhurried]\n");
+                     "[--faster N]\n");
         return 2;
     }
     const auto loaded = app::loadScene({.path = options->files[0], .size = ivec2(*size)}, noProgress);
@@ -147,7 +147,6 @@ int main(int count, char** words) {
         std::fprintf(stderr, "%s\n", loaded.error().what.c_str());
         return 1;
     }
-    return show(
-        *loaded, QString::fromStdString(options->files[1]),
-        {int(*threads), std::uint64_t(*samples), std::uint64_t(*edits), options->named.contains("--unhurried")});
+    return show(*loaded, QString::fromStdString(options->files[1]),
+                {int(*threads), std::uint64_t(*samples), std::uint64_t(*edits), double(*faster)});
 }

@@ -46,6 +46,24 @@ struct Planned {
     }
 };
 
+/// Returns the samples of the images of a shared film that gets so many samples a second, until it has `enough`.
+std::vector<std::uint64_t> samplesOfSharedImages(double perSecond, std::uint64_t enough) {
+    Planned planned(kSmall);
+    FrameScheduler::Demand shared{{.automatic = true}, {}, true};
+    shared.isShared = true;
+    std::vector<std::uint64_t> shown;
+    while (planned.scheduler.samples().least < enough) {
+        planned.begin();
+        while (!planned.scheduler.isComplete(shared)) {
+            const Sweep::Order order = planned.scheduler.next(shared, true);
+            planned.scheduler.took(order, order.n * order.tile.height / (kSmall.y * perSecond));
+        }
+        planned.scheduler.addImage({planned.scheduler.endFrame()});
+        shown.push_back(planned.scheduler.samples().least);
+    }
+    return shown;
+}
+
 }  // namespace
 
 class FrameSchedulerTest : public QObject {
@@ -164,33 +182,18 @@ class FrameSchedulerTest : public QObject {
         QVERIFY(!planned.scheduler.isTimed() && !planned.scheduler.timer().settled());
     }
 
-    void imagesOfASharedFilmComeAfterMarksAndThenBlocks() {
-        Planned planned(kSmall);
-        FrameScheduler::Demand shared{{.automatic = true}, {}, true};
-        shared.isShared = true;
-        std::vector<std::uint64_t> shown;
-        while (planned.scheduler.samples().least < 4 * kSamplesPerBlock) {
-            planned.frame(planned.whole, shared, 1e-6);
-            shown.push_back(planned.scheduler.samples().least);
-        }
-        QCOMPARE(shown, (std::vector<std::uint64_t>{1, 4, 16, 64, 128, 192, 256}));
+    void imagesOfASharedFilmComeWhenItsErrorHasHalved() {
+        QCOMPARE(samplesOfSharedImages(10, 16), (std::vector<std::uint64_t>{1, 4, 16}));
+    }
+
+    void imagesOfAFastSharedFilmComeNoSoonerThanTheyAreSeen() {
+        QCOMPARE(samplesOfSharedImages(145, 256), (std::vector<std::uint64_t>{1, 64, 256}));
+        QCOMPARE(samplesOfSharedImages(1e6, 4096), (std::vector<std::uint64_t>{1, 64, 4096}));
     }
 
     void imagesOfASlowSharedFilmComeEveryTwoSeconds() {
-        Planned planned(kSmall);
-        FrameScheduler::Demand shared{{.automatic = true}, {}, true};
-        shared.isShared = true;
-        std::vector<std::uint64_t> shown;
-        while (planned.scheduler.samples().least < kSamplesPerBlock / 2) {
-            planned.scheduler.beginFrame(planned.whole, false, false);
-            while (!planned.scheduler.isComplete(shared)) {  // two samples of each pixel a second
-                const Sweep::Order order = planned.scheduler.next(shared, true);
-                planned.scheduler.took(order, 0.5 * order.n * order.tile.height / kSmall.y);
-            }
-            planned.scheduler.addImage({planned.scheduler.endFrame()});
-            shown.push_back(planned.scheduler.samples().least);
-        }
-        QCOMPARE(shown, (std::vector<std::uint64_t>{1, 4, 8, 12, 16, 20, 24, 28, 32}));
+        QCOMPARE(samplesOfSharedImages(2, 32), (std::vector<std::uint64_t>{1, 4, 8, 12, 16, 20, 24, 28, 32}));
+        QCOMPARE(samplesOfSharedImages(40, 256), (std::vector<std::uint64_t>{1, 16, 64, 128, 192, 256}));
     }
 
     void aSharedFilmIsSampledInPieces() {
