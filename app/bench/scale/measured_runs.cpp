@@ -61,16 +61,26 @@ MeasuredRuns runsFrom(const Json& json) {
 
 /// Bytes of a result beside those of its pixels: the frame's header and its map.
 constexpr double kResultBytes = 150;
+/// Bytes of a pixel of tissue as it is sent, packed: of sums and of moments. Others take next to none.
+constexpr double kSumBytes = 44, kMomentBytes = 48;
+/// Least part of an image that shows tissue.
+constexpr double kLeastTissue = 0.01;
 
-/// Returns what the nodes of a run send, played with these facts.
-PlayedResults playedAs(const MeasuredRun& run, const MeasuredRuns& runs, const ScalingFacts& facts) {
-    const double crowd = runs.cores ? std::max(1.0, run.nodes / std::max(*runs.cores, 1.0)) : 1;
-    return playedResults(runs.size, run.iterations, {run.nodes, crowd * facts.node.sample, crowd * facts.node.launch});
+/// Returns what part of the image shows tissue, from what one node has sent of it; all, if that is not known.
+double tissueIn(const MeasuredRuns& runs) {
+    const std::optional<double> bytes = runs.ofOne().bytes;
+    return bytes ? std::clamp(*bytes / (kMomentBytes * runs.pixels()), kLeastTissue, 1.0) : 1;
 }
 
-/// Returns the bytes of the pixels of all results, as the model has them.
-double pixelBytesOf(const PlayedResults& results, const ScalingFacts& facts) {
-    return results.sumPixels * facts.sumBytes + results.deepPixels * facts.pixelBytes;
+/// Returns what the nodes of a run send, played with those times of a sample and of a launch.
+PlayedResults playedAs(const MeasuredRun& run, const MeasuredRuns& runs, double sample, double launch) {
+    const double crowd = runs.cores ? std::max(1.0, run.nodes / std::max(*runs.cores, 1.0)) : 1;
+    return playedResults(runs.size, run.iterations, {run.nodes, crowd * sample, crowd * launch, tissueIn(runs)});
+}
+
+/// Returns the bytes of the pixels of all results.
+double pixelBytesOf(const PlayedResults& results) {
+    return results.sumPixels * kSumBytes + results.deepPixels * kMomentBytes;
 }
 
 }  // namespace
@@ -96,6 +106,7 @@ Result<MeasuredRuns> readMeasuredRuns(const std::filesystem::path& path) {
 }
 
 std::vector<ComparedRun> compared(const MeasuredRuns& runs, ScalingFacts facts) {
+    const double launch = facts.node.launch;  // T0 of the runs also has what nodes lose to each other on busy cores
     facts.work.pixels = runs.pixels();
     facts.node.launch = runs.leaseSeconds.value_or(facts.node.launch);
     if (runs.byProcessor) {
@@ -118,15 +129,15 @@ std::vector<ComparedRun> compared(const MeasuredRuns& runs, ScalingFacts facts) 
     for (int step = 0; step < kSteps; ++step)
         facts.node.sample *= rate(runs.ofOne()) / runs.ofOne().iterationsPerSecond;
     // Scale the bytes of a pixel until the run of one node has as many as were measured
-    const PlayedResults one = playedAs(runs.ofOne(), runs, facts);
+    const PlayedResults one = playedAs(runs.ofOne(), runs, facts.node.sample, launch);
     const auto fixed = [](const PlayedResults& results) { return results.sent * kResultBytes; };
     std::optional<double> scale;
     if (runs.ofOne().bytes)
-        scale = std::max(*runs.ofOne().bytes - fixed(one), 0.0) / pixelBytesOf(one, facts);
+        scale = std::max(*runs.ofOne().bytes - fixed(one), 0.0) / pixelBytesOf(one);
     std::vector<ComparedRun> all;
     for (const MeasuredRun& run : runs.runs) {
-        const PlayedResults played = playedAs(run, runs, facts);
-        const auto bytes = [&](double scaled) { return fixed(played) + scaled * pixelBytesOf(played, facts); };
+        const PlayedResults played = playedAs(run, runs, facts.node.sample, launch);
+        const auto bytes = [&](double scaled) { return fixed(played) + scaled * pixelBytesOf(played); };
         all.push_back({run, rate(run), 2 * played.merged, scale ? std::optional(bytes(*scale)) : std::nullopt});
     }
     return all;

@@ -1,6 +1,7 @@
 #include "app/bench/scale/played_pool.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <limits>
 #include <memory>
@@ -23,6 +24,22 @@ class Pool final : public LeaseServer, public SharedWork {
     explicit Pool(const std::shared_ptr<PoolState>& state) : LeaseServer(state), SharedWork(state) {}
 };
 
+/// Cost of a sample of tissue, in those of the background (render/tiles/cell_costs.h learns it).
+constexpr double kTissueCost = 6;
+
+/// Returns the middle of an image, of that part of its area.
+Tile middleOf(ivec2 size, double part) {
+    const ivec2 middle = glm::max(ivec2(glm::round(dvec2(size) * std::sqrt(part))), ivec2(1)), at = (size - middle) / 2;
+    return {at.x, at.y, middle.x, middle.y};
+}
+
+/// Returns the pixels that both have.
+double commonPixels(const Tile& a, const Tile& b) {
+    const int width = std::min(a.x + a.width, b.x + b.width) - std::max(a.x, b.x);
+    const int height = std::min(a.y + a.height, b.y + b.height) - std::max(a.y, b.y);
+    return double(std::max(width, 0)) * std::max(height, 0);
+}
+
 /// Returns a result for that lease, of samples without light.
 LeaseResult darkResult(const Lease& lease) {
     const std::size_t pixels = std::size_t(lease.tile.width) * std::size_t(lease.tile.height);
@@ -41,7 +58,10 @@ struct Node {
 class Play {
   public:
     Play(ivec2 size, const PlayedNodes& nodes)
-        : facts_(nodes), state_(std::make_shared<PoolState>(kSeed, [this] { return now_; })), film_(size, 0) {
+        : facts_(nodes),
+          tissue_(middleOf(size, nodes.tissue)),
+          state_(std::make_shared<PoolState>(kSeed, [this] { return now_; })),
+          film_(size, 0) {
         state_->own.helps = false;
         state_->pinnedSplit = Split::tiles;
         auto scene = std::make_shared<Scene>();
@@ -120,9 +140,8 @@ class Play {
         const Lease lease = std::move(node.leases.front());
         node.leases.pop_front();
         node.done = node.leases.empty() ? kNever : now_ + secondsOf(node.leases.front());
-        const double pixels = double(lease.tile.width) * lease.tile.height;
         results_.sent += 1;
-        (isDeep(lease.samples) ? results_.deepPixels : results_.sumPixels) += pixels;
+        (isDeep(lease.samples) ? results_.deepPixels : results_.sumPixels) += commonPixels(lease.tile, tissue_);
         LeaseResult result = darkResult(lease);
         result.seconds = secondsOf(lease);
         pool_.deliver(node.id, std::move(result));
@@ -136,10 +155,16 @@ class Play {
     }
 
     double secondsOf(const Lease& lease) const {
-        return facts_.leaseSeconds + facts_.sampleSeconds * workOf(lease.tile, lease.samples);
+        const auto cost = [this](const Tile& tile) {
+            return double(tile.width) * tile.height + (kTissueCost - 1) * commonPixels(tile, tissue_);
+        };
+        const Tile image = film_.area();
+        const double mean = cost(image) / (double(image.width) * image.height);
+        return facts_.leaseSeconds + facts_.sampleSeconds * lease.samples.count * cost(lease.tile) / mean;
     }
 
     PlayedNodes facts_;
+    Tile tissue_;  ///< pixels that show tissue
     double now_ = 0;
     std::shared_ptr<PoolState> state_;
     Pool pool_{state_};

@@ -197,6 +197,13 @@ class BenchScaleTest : public QObject {
                  playedResults(size, 1 << 12, {4, 3e-7, 0}).sumPixels);
     }
 
+    /// One node sends each pixel of tissue once, but for those of its first pieces, which lie above the tissue.
+    void playedBackgroundTakesNoBytes() {
+        const PlayedResults results = playedResults({240, 180}, 512, {1, 3e-7, 1e-3, 0.25});
+        QCOMPARE(results.sumPixels, 0.0);
+        QCOMPARE(results.deepPixels, 120.0 * 90);
+    }
+
     void whatEndsTheGainIsSaid() {
         const QByteArray text = outputOf(with(kGiven, {"--relays", "3", "--nodes", "64"}));
         for (const NodeLimit limit : {NodeLimit::results, NodeLimit::orders, NodeLimit::messages, NodeLimit::tiles})
