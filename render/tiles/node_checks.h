@@ -14,6 +14,14 @@ struct NodeChecks {
     double checked = 0;         ///< part of `work` that another machine rendered again, and found the same
     std::uint64_t wrong = 0;    ///< results that were found to be wrong
 
+    NodeChecks& operator+=(const NodeChecks& more) {
+        results += more.results;
+        work += more.work;
+        checked += more.checked;
+        wrong += more.wrong;
+        return *this;
+    }
+
     /// Returns the fraction of the workers' samples that was checked; 1 where there are none.
     double share() const { return work > 0 ? checked / work : 1; }
     /// Returns the probability that a worker with all of these results would have been caught if it had falsified a

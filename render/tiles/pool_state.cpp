@@ -71,10 +71,8 @@ void PoolState::addTime(WorkerId worker, WorkerSpeed& speed, const Portion& port
 }
 
 void PoolState::count(Worker* worker, const Portion& portion) {
-    for (NodeChecks* counted : {&checks, &allChecks}) {
-        ++counted->results;
-        counted->work += workOf(portion.tile, portion.samples);
-    }
+    ++checks.results;
+    checks.work += workOf(portion.tile, portion.samples);
     if (worker)
         worker->count(portion);
 }
@@ -88,8 +86,7 @@ Result<void> PoolState::conclude(const Audit& audit, LeaseResult truth) {
         quarantine(audit.second->key, lied);
     if (!isConfirmed)
         quarantine(audit.key, lied);
-    for (NodeChecks* counted : {&checks, &allChecks})
-        counted->wrong += (isConfirmed ? 0 : 1) + (isSecondWrong ? 1 : 0);
+    checks.wrong += (isConfirmed ? 0 : 1) + (isSecondWrong ? 1 : 0);
     if (audit.isWithheld) {
         truth.number = claimed.number;
         if (Result<void> taken = request->take(std::move(truth)); !taken)
@@ -102,13 +99,17 @@ Result<void> PoolState::conclude(const Audit& audit, LeaseResult truth) {
     Worker* worker = registry.find(audit.worker);
     if (audit.isWithheld)
         count(worker, portion);
-    for (NodeChecks* counted : {&checks, &allChecks})
-        counted->checked += workOf(portion.tile, portion.samples);
+    checks.checked += workOf(portion.tile, portion.samples);
     if (worker) {
         worker->trust.confirmed(audit.cost);
         ++worker->status.audited;
     }
     return {};
+}
+
+void PoolState::forgetFilm() {
+    earlierChecks += std::exchange(checks, {});
+    kept.clear();
 }
 
 void PoolState::quarantine(const std::string& key, const Text& reason) {

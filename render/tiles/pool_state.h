@@ -58,7 +58,7 @@ class PoolState {
     bool checksAll = false;            ///< every result of a worker is withheld until it has been rendered again
     NodeChecks checks;                 ///< what was checked for the scene that workers have
     std::uint64_t checkedScene = 0;    ///< number of that scene
-    NodeChecks allChecks;              ///< what was checked for all scenes so far
+    NodeChecks earlierChecks;          ///< what was checked before `checks`
 
     // The caller of these holds `mutex`.
 
@@ -81,6 +81,8 @@ class PoolState {
     /// sent the same, quarantines one that did not, and merges `truth` if the result was withheld. Error: the film
     /// refuses the sums.
     Result<void> conclude(const Audit& audit, LeaseResult truth);
+    /// Forgets what is known of a film that is no longer rendered.
+    void forgetFilm();
     /// Quarantines all workers of that key and takes their portions back.
     void quarantine(const std::string& key, const Text& reason);
 

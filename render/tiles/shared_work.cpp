@@ -55,8 +55,7 @@ void SharedWork::withdraw(std::uint64_t scene) {
 void SharedWork::sceneChanged() {
     if (const std::uint64_t current = state_->scenes.current().number; current != state_->checkedScene) {
         state_->checkedScene = current;
-        state_->checks = {};
-        state_->kept.clear();
+        state_->forgetFilm();
     }
     if (state_->request && !state_->isRequestCurrent())
         for (const auto& [id, worker] : state_->registry.all())
@@ -172,13 +171,13 @@ NodeChecks SharedWork::checks() const {
 
 NodeChecks SharedWork::allChecks() const {
     const std::lock_guard lock(state_->mutex);
-    return state_->allChecks;
+    NodeChecks all = state_->earlierChecks;
+    return all += state_->checks;
 }
 
 void SharedWork::discarded() {
     const std::lock_guard lock(state_->mutex);
-    state_->checks = {};
-    state_->kept.clear();
+    state_->forgetFilm();
 }
 
 std::set<std::string> SharedWork::end() {

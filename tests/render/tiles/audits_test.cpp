@@ -74,6 +74,19 @@ class AuditsTest : public QObject {
         QCOMPARE(nodes.ownAudits(), nodes.checks().results);
     }
 
+    /// A relay tells of all that it has checked since it began.
+    void checksOfEarlierFilmsAreKept() {
+        MadeUpNodes nodes(1, {{}});
+        nodes.state().checksAll = true;
+        Film film = square(256);
+        QVERIFY(!nodes.renders(film, 64));
+        const NodeChecks before = nodes.checks();
+        nodes.discarded();
+        QVERIFY(before.results > 0 && nodes.checks().results == 0);
+        QCOMPARE(nodes.allChecks().results, before.results);
+        QCOMPARE(nodes.allChecks().checked, before.checked);
+    }
+
     /// Whoever tells another result of somebody's samples is judged by the own device.
     void whoChecksWronglyIsFound() {
         MadeUpNodes nodes(1, {{}, {.checksWrongly = 100}, {}});
