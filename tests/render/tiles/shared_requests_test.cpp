@@ -124,9 +124,8 @@ class SharedRequestsTest : public QObject {
         session.goOn();
         QTRY_VERIFY_WITH_TIMEOUT(count() >= 4, kPatience);
         const std::lock_guard lock(mutex);
-        for (std::size_t i = 0; i + 1 < shown.size(); ++i) {
+        for (std::size_t i = 1; i + 1 < shown.size(); ++i)  // the first one may have begun before the worker took part
             QVERIFY(shown[i + 1] >= 4 * shown[i]);
-        }
     }
 
     /// What is wanted of a slow worker does not pile up with it.
