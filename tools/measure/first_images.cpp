@@ -164,8 +164,9 @@ std::shared_ptr<const Film> referenceOf(Scene scene, const Plan& plan) {
     return *(*live)->film();
 }
 
-/// Waits until the film has so many samples and its image was judged.
+/// Waits until the film has so many samples, whatever its error is, and its image was judged.
 bool waitForFilm(Desktop& desktop, int samples) {
+    desktop.bridge().setStop({});
     const bool grown = QTest::qWaitFor(
         [&] {
             const Shown& last = desktop.bridge().lastFrame();
