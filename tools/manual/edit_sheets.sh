@@ -3,8 +3,9 @@
 # new samples alone, for the manual.
 #   tools/manual/edit_sheets.sh FOLDER NAME [EDIT...]
 # FOLDER: a CT. NAME: of the pictures first-seconds-NAME.jpg and edit-NAME-KIND.jpg. EDIT: view, for a turn, or as
-# first_images --edit reads it; none: view node:30 lights:3 albedo:0.9. FILM (64) and REFERENCE (256) samples, LOOK (Bone) and OUT (the manual's pictures) may be set. The machine
-# should have nothing else to do. Needs ./bootstrap build and ImageMagick.
+# first_images --edit reads it; none: view node:30 lights:3 albedo:0.9. FILM (64) and REFERENCE (256) samples, LOOK
+# (Bone) and OUT (the manual's pictures) may be set. The machine should have nothing else to do. Needs ./bootstrap build
+# and ImageMagick.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
