@@ -6,10 +6,6 @@
 namespace pdr::node {
 namespace {
 
-std::size_t pixelsOf(const Tile& tile) {
-    return std::size_t(tile.width) * std::size_t(tile.height);
-}
-
 /// Calls row(in the tile, in the cell, pixels) with the index of the first pixel of each row of a cell.
 template <class Row>
 void eachRow(const Tile& tile, const Tile& cell, Row&& row) {
@@ -20,7 +16,7 @@ void eachRow(const Tile& tile, const Tile& cell, Row&& row) {
 
 template <class Pixel>
 std::vector<Pixel> cutOut(const std::vector<Pixel>& pixels, const Tile& tile, const Tile& cell) {
-    std::vector<Pixel> cut(pixels.empty() ? 0 : pixelsOf(cell));
+    std::vector<Pixel> cut(pixels.empty() ? 0 : pixelCount(cell));
     if (!cut.empty())
         eachRow(tile, cell, [&](std::size_t from, std::size_t to, std::size_t n) {
             std::copy_n(pixels.begin() + std::ptrdiff_t(from), n, cut.begin() + std::ptrdiff_t(to));
@@ -38,7 +34,7 @@ void putIn(const std::vector<Pixel>& cut, const Tile& cell, const Tile& tile, st
 }  // namespace
 
 void KeptSums::keep(const LeaseResult& result) {
-    const std::uint64_t pixels = pixelsOf(result.tile);
+    const std::uint64_t pixels = pixelCount(result.tile);
     if (pixels_ + pixels > kMostPixels)
         clear();
     if (pixels > kMostPixels)
@@ -46,7 +42,7 @@ void KeptSums::keep(const LeaseResult& result) {
     eachCell(result.tile, [&](const Tile& tile) {
         Cell& cell = cells_[{tile.x, tile.y}];
         if (cell.tile != tile) {
-            pixels_ += pixelsOf(tile) - pixelsOf(cell.tile);
+            pixels_ += pixelCount(tile) - pixelCount(cell.tile);
             cell = {tile, {}, {}, {}, {}};
         }
         take(cell, result);
@@ -80,8 +76,8 @@ void KeptSums::take(Cell& cell, const LeaseResult& result) {
 bool KeptSums::fill(Lease& lease) const {
     const bool deep = isDeep(lease.samples);
     bool all = true;
-    std::vector<PixelSums> sums(deep ? 0 : pixelsOf(lease.tile));
-    std::vector<Moments> moments(deep ? pixelsOf(lease.tile) : 0);
+    std::vector<PixelSums> sums(deep ? 0 : pixelCount(lease.tile));
+    std::vector<Moments> moments(deep ? pixelCount(lease.tile) : 0);
     eachCell(lease.tile, [&](const Tile& tile) {
         const auto found = cells_.find({tile.x, tile.y});
         all = all && found != cells_.end() && found->second.tile == tile &&

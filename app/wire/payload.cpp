@@ -14,7 +14,7 @@ namespace {
 /// Takes the pixels of `tile` from the front of `packed`. Returns what is wrong; null: nothing.
 template <class Pixel>
 const char* take(std::vector<Pixel>& pixels, const Tile& tile, std::span<const std::byte>& packed) {
-    auto unpacked = unpack<Pixel>(packed, std::size_t(tile.width) * std::size_t(tile.height));
+    auto unpacked = unpack<Pixel>(packed, pixelCount(tile));
     if (!unpacked)
         return "sums of pixels that cannot be unpacked";
     pixels = *std::move(unpacked);

@@ -2,6 +2,7 @@
 /// Tiles of the image, ranges of samples, and the sums to which a device adds the samples.
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -25,6 +26,18 @@ inline Tile wholeImage(ivec2 size) {
 inline bool isInside(const Tile& inner, const Tile& outer) {
     return inner.x >= outer.x && inner.y >= outer.y && inner.width >= 0 && inner.height >= 0 &&
            inner.x + inner.width <= outer.x + outer.width && inner.y + inner.height <= outer.y + outer.height;
+}
+
+/// Returns the pixels that both have: a tile of no width or height where there are none.
+inline Tile intersection(const Tile& a, const Tile& b) {
+    const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
+    const int right = std::min(a.x + a.width, b.x + b.width), below = std::min(a.y + a.height, b.y + b.height);
+    return {x, y, std::max(right - x, 0), std::max(below - y, 0)};
+}
+
+/// Returns the number of pixels in `tile`.
+inline std::size_t pixelCount(const Tile& tile) {
+    return std::size_t(tile.width) * std::size_t(tile.height);
 }
 
 /// Samples [first, first + count) of every pixel. A range never crosses a multiple of kSamplesPerBlock.

@@ -60,10 +60,6 @@ bool areMoments(const Moments& moments, std::uint64_t count) {
            are(moments.evenMean);
 }
 
-std::size_t pixelsOf(const Tile& tile) {
-    return std::size_t(tile.width) * std::size_t(tile.height);
-}
-
 template <class Each>
 void eachPixel(std::size_t pixels, const Each& each) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pixels, 4096), [&](const auto& some) {
@@ -88,7 +84,7 @@ bool sameBits(std::span<const Moments> a, std::span<const Moments> b) {
 }
 
 Film::Film(const Tile& area, std::uint64_t revision, std::uint64_t first)
-    : progress_(area, first), revision_(revision), block_(pixelsOf(area)), moments_(block_.size()) {}
+    : progress_(area, first), revision_(revision), block_(pixelCount(area)), moments_(block_.size()) {}
 
 Film::Film(std::uint64_t revision, FilmContent content)
     : progress_(std::move(content.progress)),
@@ -101,7 +97,7 @@ void Film::restart(const Tile& area, std::uint64_t revision) {
     progress_ = TileProgress(area);
     revision_ = revision;
     health_ = {};
-    const std::size_t pixels = pixelsOf(area);
+    const std::size_t pixels = pixelCount(area);
     block_.resize(pixels);
     moments_.resize(pixels);
     eachPixel(pixels, [&](std::size_t i) {
@@ -124,7 +120,7 @@ void Film::commit(const Tile& tile, SampleRange range) {
     progress_.advance(tile, range.end());
     if (range.end() % kSamplesPerBlock != 0)
         return;
-    eachPixel(pixelsOf(tile), [&](std::size_t i) {
+    eachPixel(pixelCount(tile), [&](std::size_t i) {
         const std::size_t pixel = indexIn(tile, i);
         moments_[pixel] = merged(moments_[pixel], block_[pixel]);
         block_[pixel] = nextBlock(block_[pixel]);
@@ -174,8 +170,8 @@ std::vector<Moments> Film::fullBlocks(const Tile& tile) const {
     const std::uint64_t next = progress_.evenTiles(tile).front().next;
     if (next / kSamplesPerBlock == progress_.first() / kSamplesPerBlock)
         return moments;
-    moments.reserve(pixelsOf(tile));
-    for (std::size_t i = 0; i < pixelsOf(tile); ++i)
+    moments.reserve(pixelCount(tile));
+    for (std::size_t i = 0; i < pixelCount(tile); ++i)
         moments.push_back(moments_[indexIn(tile, i)]);
     return moments;
 }
@@ -238,7 +234,7 @@ std::pair<StatusSums, ErrorCounts> Film::survey(const Tile& tile, const Look& lo
         return a;
     };
     // A deterministic reduction: the sums must not depend on the number of threads.
-    return tbb::parallel_deterministic_reduce(Pixels(0, pixelsOf(tile), 16384), Sums{}, add, join);
+    return tbb::parallel_deterministic_reduce(Pixels(0, pixelCount(tile), 16384), Sums{}, add, join);
 }
 
 FilmStatus Film::counts() const {
@@ -268,7 +264,7 @@ FilmStatus Film::statusOn(const Tone& tone, const Tile& tile, const Look& look) 
                 ++counts.pixels[errorBinOf(levelsOff(transform, known.mean, draw))];
             look(pixel, known);
         });
-    return statusOf(sums, pixelsOf(tile), progress_.counts(tile), health_, {errors, transform.exposure});
+    return statusOf(sums, pixelCount(tile), progress_.counts(tile), health_, {errors, transform.exposure});
 }
 
 FilmStatus Film::status(const Tone& tone, const PixelLook& look) const {

@@ -19,7 +19,7 @@ Sweep::Order Sweep::next(double pixels) const {
         if (even.next - progress_.first() >= goal_)
             continue;
         Tile tile = even.tile;
-        if (pixels < double(tile.width) * tile.height)
+        if (pixels < double(pixelCount(tile)))
             tile.height = std::min(tile.height, std::max(int(pixels / tile.width) / kFilmCell, 1) * kFilmCell);
         return {tile, n_};
     }

@@ -46,7 +46,7 @@ int CellCosts::pixelsOf(int x, int y) const {
 
 double CellCosts::ofSample(const Tile& tile) const {
     if (density_.empty())
-        return double(tile.width) * tile.height;
+        return double(pixelCount(tile));
     const Tile cells = cellsOf(tile);
     const int right = cells.x + cells.width, below = cells.y + cells.height;
     return before(right, below) - before(cells.x, below) - before(right, cells.y) + before(cells.x, cells.y);
@@ -96,7 +96,7 @@ void CellCosts::sum() {
     for (int y = 0; y < rows_; ++y)
         for (int x = 0; x < columns_; ++x)
             all += density_[index(x, y)] * pixelsOf(x, y);
-    const double scale = double(area_.width) * area_.height / all;
+    const double scale = double(pixelCount(area_)) / all;
     before_.assign(std::size_t(columns_ + 1) * std::size_t(rows_ + 1), 0.0);
     for (int y = 0; y < rows_; ++y) {
         double row = 0;

@@ -51,7 +51,7 @@ inline SampleRange fromBlockStart(SampleRange samples) {
 
 /// Returns the work: samples times pixels.
 inline double workOf(const Tile& tile, SampleRange samples) {
-    return double(tile.width) * tile.height * samples.count;
+    return double(pixelCount(tile)) * samples.count;
 }
 
 }  // namespace pdr

@@ -11,7 +11,7 @@ namespace {
 /// The sums of a tile, row by row, and the faults of the samples that they have got since.
 struct TileCopy {
     TileCopy(const Tile& tile, const TileSums& from) : tile(tile) {
-        sums.reserve(std::size_t(tile.width) * std::size_t(tile.height));
+        sums.reserve(pixelCount(tile));
         for (int y = 0; y < tile.height; ++y) {
             const PixelSums* row = from.pixels + std::ptrdiff_t(y) * from.stride;
             sums.insert(sums.end(), row, row + tile.width);

@@ -12,7 +12,7 @@ std::vector<Pixel> partOf(const std::vector<Pixel>& pixels, const Tile& all, con
     std::vector<Pixel> some;
     if (pixels.empty())
         return some;
-    some.reserve(std::size_t(part.width) * std::size_t(part.height));
+    some.reserve(pixelCount(part));
     for (int y = part.y; y < part.y + part.height; ++y) {
         const auto row = pixels.begin() + std::ptrdiff_t(y - all.y) * all.width + (part.x - all.x);
         some.insert(some.end(), row, row + part.width);
@@ -30,7 +30,7 @@ Lease SharedRequest::leaseOf(const Portion& portion) const {
     if (portion.samples.first % kSamplesPerBlock == 0)
         return lease;
     const TileSums here = film_.sums(tile);
-    lease.before.reserve(std::size_t(tile.width) * std::size_t(tile.height));
+    lease.before.reserve(pixelCount(tile));
     for (int y = 0; y < tile.height; ++y) {
         const PixelSums* row = here.pixels + std::ptrdiff_t(y) * here.stride;
         lease.before.insert(lease.before.end(), row, row + tile.width);

@@ -16,7 +16,7 @@ constexpr double kIdleSeconds = 0.2;
 SplitFacts factsOf(const PoolState& state, const std::vector<TileGoal>& goals) {
     SplitFacts facts;
     for (const TileGoal& goal : goals) {
-        facts.pixels += double(goal.tile.width) * goal.tile.height;
+        facts.pixels += double(pixelCount(goal.tile));
         facts.samples = std::max(facts.samples, goal.goal - goal.next);
     }
     facts.nodes = state.registry.countTaking(state.scenes.current().number) + (state.own.helps ? 1 : 0);

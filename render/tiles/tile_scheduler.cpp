@@ -118,7 +118,7 @@ SampleRange TileScheduler::nextSamples(const TileGoal& goal, const Ability& abil
 /// but at least one cell.
 Tile TileScheduler::part(const Tile& tile, double cost, std::size_t mostPixels) const {
     const auto isTooMuch = [&](const Tile& some) {
-        return std::size_t(some.width) * std::size_t(some.height) > mostPixels || costs_.ofSample(some) > cost;
+        return pixelCount(some) > mostPixels || costs_.ofSample(some) > cost;
     };
     Tile rows{tile.x, tile.y, tile.width, std::min(tile.height, kFilmCell)};
     if (isTooMuch(rows)) {

@@ -13,7 +13,7 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 /// Takes the blocks one by one on a film of the tile, which adds them up as that of the image would.
 Result<LeaseResult> traceBlocks(Device& device, Lease lease, const std::stop_token& stop) {
     const auto start = std::chrono::steady_clock::now();
-    const std::size_t pixels = std::size_t(lease.tile.width) * std::size_t(lease.tile.height);
+    const std::size_t pixels = pixelCount(lease.tile);
     lease.moments.resize(pixels);
     Film film(0, {TileProgress(lease.tile, lease.samples.first), std::move(lease.moments),
                   std::vector<PixelSums>(pixels), Health()});
@@ -37,7 +37,7 @@ Result<LeaseResult> traceLease(Device& device, Lease lease, const std::stop_toke
         return traceBlocks(device, std::move(lease), stop);
     const auto start = std::chrono::steady_clock::now();
     LeaseResult result{lease.number, lease.tile, lease.samples, std::move(lease.before), {}, 0, {}};
-    result.sums.resize(std::size_t(lease.tile.width) * std::size_t(lease.tile.height));
+    result.sums.resize(pixelCount(lease.tile));
     const TileSums sums{result.sums.data(), lease.tile.width, &result.health};
     if (Result<void> traced = device.trace(lease.tile, lease.samples, sums, stop); !traced)
         return traced.error();

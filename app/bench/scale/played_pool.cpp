@@ -33,16 +33,9 @@ Tile middleOf(ivec2 size, double part) {
     return {at.x, at.y, middle.x, middle.y};
 }
 
-/// Returns the pixels that both have.
-double commonPixels(const Tile& a, const Tile& b) {
-    const int width = std::min(a.x + a.width, b.x + b.width) - std::max(a.x, b.x);
-    const int height = std::min(a.y + a.height, b.y + b.height) - std::max(a.y, b.y);
-    return double(std::max(width, 0)) * std::max(height, 0);
-}
-
 /// Returns a result for that lease, of samples without light.
 LeaseResult darkResult(const Lease& lease) {
-    const std::size_t pixels = std::size_t(lease.tile.width) * std::size_t(lease.tile.height);
+    const std::size_t pixels = pixelCount(lease.tile);
     LeaseResult result{lease.number, lease.tile, lease.samples, std::vector<PixelSums>(pixels), {}, 0, {}};
     if (isDeep(lease.samples))
         result.moments.resize(pixels);
@@ -141,7 +134,7 @@ class Play {
         node.leases.pop_front();
         node.done = node.leases.empty() ? kNever : now_ + secondsOf(node.leases.front());
         results_.sent += 1;
-        (isDeep(lease.samples) ? results_.deepPixels : results_.sumPixels) += commonPixels(lease.tile, tissue_);
+        (isDeep(lease.samples) ? results_.deepPixels : results_.sumPixels) += pixelsOfTissue(lease.tile);
         LeaseResult result = darkResult(lease);
         result.seconds = secondsOf(lease);
         pool_.deliver(node.id, std::move(result));
@@ -154,12 +147,14 @@ class Play {
         (void)(own_.audit ? pool_.audited(*own_.audit, std::move(result)) : pool_.deliverOwn(std::move(result)));
     }
 
+    double pixelsOfTissue(const Tile& tile) const { return double(pixelCount(intersection(tile, tissue_))); }
+
     double secondsOf(const Lease& lease) const {
         const auto cost = [this](const Tile& tile) {
-            return double(tile.width) * tile.height + (kTissueCost - 1) * commonPixels(tile, tissue_);
+            return double(pixelCount(tile)) + (kTissueCost - 1) * pixelsOfTissue(tile);
         };
         const Tile image = film_.area();
-        const double mean = cost(image) / (double(image.width) * image.height);
+        const double mean = cost(image) / double(pixelCount(image));
         return facts_.leaseSeconds + facts_.sampleSeconds * lease.samples.count * cost(lease.tile) / mean;
     }
 

@@ -40,7 +40,7 @@ std::vector<Tile> tilesOf(const Share& share, ivec2 size) {
 std::size_t pixelsIn(const std::vector<Tile>& tiles) {
     std::size_t pixels = 0;
     for (const Tile& tile : tiles)
-        pixels += std::size_t(tile.width) * std::size_t(tile.height);
+        pixels += pixelCount(tile);
     return pixels;
 }
 

@@ -19,7 +19,7 @@ struct TakeSample {
 
 void CpuFrameSampler::restart(const Tile& area) {
     area_ = area;
-    sums_.assign(std::size_t(area.width) * std::size_t(area.height), {});
+    sums_.assign(pixelCount(area), {});
     health_ = {};
 }
 

@@ -33,7 +33,7 @@ class GpuFrameSampler final : public FrameSampler {
 
     void restart(const Tile& area) override {
         area_ = area;
-        const std::size_t pixels = std::size_t(area.width) * std::size_t(area.height);
+        const std::size_t pixels = pixelCount(area);
         radiance_.resize(pixels);
         seen_.resize(pixels);
         seen_.clear();

@@ -161,7 +161,7 @@ class KroesAccumulator final : public Accumulator {
             constants_.emplace(gpu);
     }
 
-    std::size_t pixels() const { return std::size_t(area_.width) * std::size_t(area_.height); }
+    std::size_t pixels() const { return pixelCount(area_); }
 
     /// Launches a program over all pixels, and waits for it.
     template <class Program>

@@ -20,7 +20,7 @@ namespace {
 /// for projections: the sum along a ray is the same for all samples of a pixel.
 int taskEdge(bool scattering, std::uint32_t samples, const Tile& tile, int threads) {
     constexpr int kPathsPerTask = 4096, kTasksPerThread = 4, kLeast = 16, kProjection = 32;
-    const double enoughTasks = double(tile.width) * tile.height / (kTasksPerThread * threads);
+    const double enoughTasks = double(pixelCount(tile)) / (kTasksPerThread * threads);
     const double pixels = scattering ? std::min(enoughTasks, double(kPathsPerTask) / samples) : enoughTasks;
     int edge = scattering ? 4 * kLeast : kProjection;
     while (edge > kLeast && double(edge) * edge > pixels)

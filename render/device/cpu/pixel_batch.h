@@ -18,7 +18,7 @@ class PixelBatch {
     /// Adds `samples` to each pixel of `tile`. sums.health must not be null.
     template <std::uint32_t F>
     void render(const FlatScene& scene, const Tile& tile, SampleRange samples, TileSums sums) {
-        samples_.assign(std::size_t(tile.width) * std::size_t(tile.height) * samples.count, {});
+        samples_.assign(pixelCount(tile) * samples.count, {});
         std::size_t index = 0;
         for (int y = 0; y < tile.height; ++y)
             for (int x = 0; x < tile.width; ++x, index += samples.count)

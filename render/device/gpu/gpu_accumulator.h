@@ -95,7 +95,7 @@ Result<void> GpuAccumulator<G>::restart(const Tile& area, std::uint64_t revision
     gpu_.awaitAll();  // no work may be under way on what is emptied
     progress_ = TileProgress(area);
     revision_ = revision;
-    layout_ = {std::int64_t(area.width) * area.height};
+    layout_ = {std::int64_t(pixelCount(area))};
     launchSize_ = LaunchSize(pixels());
     taken_ = shown_;
     development_ = {};

@@ -64,7 +64,7 @@ Result<void> GpuTile<G>::trace(const Tile& tile, SampleRange samples, TileSums s
 
 template <Gpu G>
 void GpuTile<G>::bring(const Tile& tile, const TileSums& sums) {
-    const std::size_t pixels = std::size_t(tile.width) * std::size_t(tile.height);
+    const std::size_t pixels = pixelCount(tile);
     onHost_.resize(pixels);
     for (int y = 0; y < tile.height; ++y)
         std::copy_n(sums.pixels + std::ptrdiff_t(y) * sums.stride, tile.width,

@@ -57,7 +57,7 @@ LevelErrorsAt levelErrorsAt(const Film& film, ivec2 pixel, int side, const Tone&
                 found.here = levelsWithin(one.mean, error, tone, correlation.row(y)[x]);
             }
         }
-    const double pixels = double(square.width) * square.height;
+    const double pixels = double(pixelCount(square));
     found.over = levelsWithin(light / pixels, glm::sqrt(squares) / pixels, tone, together / float(pixels));
     return found;
 }

@@ -79,12 +79,6 @@ LookBin lookAt(const denoise::Plane& luminance, int x, int y) {
     return LookBin::of(luminance.row(y)[x], low, high);
 }
 
-Tile intersection(const Tile& a, const Tile& b) {
-    const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
-    const int right = std::min(a.x + a.width, b.x + b.width), below = std::min(a.y + a.height, b.y + b.height);
-    return {x, y, std::max(right - x, 0), std::max(below - y, 0)};
-}
-
 SmoothHalves halvesOn(const denoise::Features* features, const NoisyFilm& noisy, const std::stop_token& stop) {
     const auto denoised = [&](const NoisyFilm::Part& half) {
         return denoise::denoised(half.mean, half.variance, noisy.ratio, stop, features);
@@ -182,7 +176,7 @@ SmoothingJudgement::SmoothingJudgement(const Film& film, const NoisyFilm& noisy,
       sigmas_(sureEnough(film.samplesPerPixel())) {
     const denoise::Plane variance = denoise::realVariance(noisy.all.variance, noisy.ratio);
     const denoise::Plane smooth = meanLuminance(even, odd);
-    evidence_.resize(std::size_t(area_.width) * std::size_t(area_.height));
+    evidence_.resize(pixelCount(area_));
     denoise::eachBand(area_.height, stop, [&](int begin, int end) {
         Evidence* next = &evidence_[std::size_t(begin) * std::size_t(area_.width)];
         for (int y = begin; y < end; ++y)
