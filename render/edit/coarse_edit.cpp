@@ -29,8 +29,10 @@ Colours CoarseEdit::radiance(const FirstSamples& after, std::uint64_t mark) cons
     const LightChange even = changeBetween(was.even, is.even, dim_), odd = changeBetween(was.odd, is.odd, dim_);
     const Plane part = shareOfChange({old, old}, {laidOn(old, even), laidOn(old, odd)}, dim_);
     const SmoothHalves laid{laidOn(old, partOf(even, part)), laidOn(old, partOf(odd, part))};
+    // One sample of each pixel tells how light changes, but light of its own is noise
     const Plane share =
-        shareOfSecond(laid, {fresh.even, fresh.odd}, samples.even, samples.odd, dim_, pixelsAlike(mark));
+        mark > 1 ? shareOfSecond(laid, {fresh.even, fresh.odd}, samples.even, samples.odd, dim_, pixelsAlike(mark))
+                 : Plane(size());
     LightChange all = partOf(changeBetween(meanOf(was.even, was.odd), meanOf(is.even, is.odd), dim_), part);
     all.gain = withGain(gain, all.gain);
     return laidOn(old_->all, mixed(share, all, meanOf(fresh.even, fresh.odd)));

@@ -21,6 +21,16 @@ bool showSameView(const Scene& a, const Scene& b) {
            a.estimator == b.estimator && a.schedule == b.schedule;
 }
 
+/// Returns the nearest to `divider`, at most `furthest` away, of the dividers for which has(divider) holds.
+template <class Has>
+std::optional<int> nearestTo(int divider, int furthest, const Has& has) {
+    for (int away = 0; away <= furthest; ++away)
+        for (const int near : {divider - away, divider + away})
+            if (has(near))
+                return near;
+    return std::nullopt;
+}
+
 }  // namespace
 
 bool EditedView::canKeep(const Scene& scene) {
@@ -35,8 +45,8 @@ void EditedView::follow(const Scene& current, const Scene& next) {
         edited_.emplace(newest_);
         oldScene_ = current;
         coarse_.clear();
-        if (next_)
-            keepCoarse(next_->size, std::move(next_->first));
+        for (Coarse& next : next_)
+            keepCoarse(next.size, std::move(next.first));
     } else if (edited_)
         edited_.emplace(edited_->shareOld());
     startOver();
@@ -49,13 +59,16 @@ bool EditedView::replacesOld() const {
            (!edited_ || newest_->samples >= kEnoughToReplace || 2 * newest_->samples >= edited_->old().samples);
 }
 
-bool EditedView::awaitsNext() const {
-    return !next_ && replacesOld() && newest_->samples >= kEnoughToPrepare;
+bool EditedView::awaitsNext(ivec2 size, int divider) const {
+    const auto hasNext = [&](int near) {
+        return std::ranges::find(next_, dividedFilm(size, near), &Coarse::size) != next_.end();
+    };
+    return replacesOld() && newest_->samples >= kEnoughToPrepare && !nearestTo(divider, divider / 4, hasNext);
 }
 
 void EditedView::startOver() {
     newest_ = nullptr;
-    next_.reset();
+    next_.clear();
     first_.clear();
     shown_.forget();
 }
@@ -91,12 +104,9 @@ const CoarseEdit* EditedView::coarseOf(ivec2 size) const {
 }
 
 int EditedView::nearestCoarse(ivec2 size, int divider) const {
-    // With half the divider, one sample of each pixel makes as many in all as kSamples do with the whole.
-    for (int away = 0; away <= divider / 2; ++away)
-        for (const int near : {divider - away, divider + away})
-            if (hasCoarse(dividedFilm(size, near)))
-                return near;
-    return divider;
+    // With half the divider, one sample of each pixel makes as many in all as kSamples do with the whole
+    const auto has = [&](int near) { return hasCoarse(dividedFilm(size, near)); };
+    return nearestTo(divider, divider / 2, has).value_or(divider);
 }
 
 bool EditedView::helpsCoarse(ivec2 size, std::uint64_t samples) const {

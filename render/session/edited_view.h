@@ -68,10 +68,11 @@ class EditedView {
         coarse_.emplace_back(edited_->shareOld(), size, std::move(before));
     }
 
-    // A coarse film of the current scene, for the edit to come:
-    /// Returns whether there is none yet, and its image has been judged with enough samples.
-    bool awaitsNext() const;
-    void keepNext(ivec2 size, FirstSamples first) { next_ = {size, std::move(first)}; }
+    // Coarse films of the current scene, for the edit to come:
+    /// Returns whether there is none within a quarter of that divider of a film of `size` pixels yet, and its image has
+    /// been judged with enough samples.
+    bool awaitsNext(ivec2 size, int divider) const;
+    void keepNext(ivec2 size, FirstSamples first) { next_.push_back({size, std::move(first)}); }
 
     /// Asks the device for a guide of the current film's scene, of its size, unless there is one.
     void findGuide(FilmOnDevice& place, const std::stop_token& stop);
@@ -102,7 +103,7 @@ class EditedView {
     std::optional<Scene> oldScene_;            ///< scene of the old image
     std::vector<CoarseEdit> coarse_;           ///< with the old image and scene, each of another size
     FirstSamples first_;                       ///< first samples of the current film
-    std::optional<Coarse> next_;               ///< coarse film of the current scene
+    std::vector<Coarse> next_;                 ///< coarse films of the current scene, each of another size
     ShownRadiance shown_;
 };
 

@@ -19,11 +19,9 @@ constexpr double kSharedSeconds = 2, kLeastSharedSeconds = 0.2;
 /// Growth of the samples of a shared film after which an image is worth sending: the error halves. An image has at most
 /// kMostSharedGrowth times the samples of the one before, which tell how fast they are.
 constexpr std::uint64_t kSharedGrowth = 4, kMostSharedGrowth = 64;
+/// Most time that the samples of a coarse film may take after an edit, in parts of what is left for them.
+constexpr double kMostOfEdit = 1.5;
 constexpr double kMeasureSeconds = 2;  ///< between two frames whose display is timed alone
-
-double pixelsOf(const Tile& tile) {
-    return double(tile.width) * tile.height;
-}
 
 }  // namespace
 
@@ -33,8 +31,9 @@ void FrameScheduler::chooseFirst(ivec2 size, bool moving) {
     ofEdit_ = false;
 }
 
-void FrameScheduler::chooseEdited(int divider) {
+void FrameScheduler::chooseEdited(int divider, bool moving) {
     divider_ = divider;
+    moving_ = moving;
     passing_ = false;
     ofEdit_ = divider > 1;
 }
@@ -63,11 +62,11 @@ double FrameScheduler::secondsAhead() const {
 }
 
 double FrameScheduler::pixels() const {
-    return pixelsOf(sweep_.area());
+    return double(pixelCount(sweep_.area()));
 }
 
 double FrameScheduler::partPixels() const {
-    return pixelsOf(sweep_.part());
+    return double(pixelCount(sweep_.part()));
 }
 
 void FrameScheduler::beginFrame(const Tile& part, bool overlaps, bool fresh) {
@@ -112,7 +111,7 @@ std::uint32_t FrameScheduler::worthSending(std::uint32_t usual) const {
 
 /// Returns the part of a coarse frame's time that its samples may take [s].
 double FrameScheduler::secondsForSamples() const {
-    return ofEdit_ ? ladder_.secondsForEdit() : ladder_.secondsForSamples(pixels());
+    return ofEdit_ ? ladder_.secondsForEdit(moving_) : ladder_.secondsForSamples(pixels());
 }
 
 /// Returns how many iterations to request at once. The first iteration of a first image shows how many are in time.
@@ -122,6 +121,8 @@ std::uint32_t FrameScheduler::launch(const Demand& demand) const {
     const std::uint32_t all = wanted(demand), left = all > done_.n ? all - done_.n : 1;
     if (demand.isShared && !isCoarse())
         return left;
+    if (hurries(demand) && ofEdit_)
+        return std::uint32_t(std::min<std::uint64_t>(left, leftToMark()));
     const double seconds = hurries(demand) ? secondsForSamples() - done_.seconds : kLaunchSeconds;
     const double speed = done_.n > 0 && done_.seconds > 0 ? done_.n / done_.seconds : ladder_.speed() / partPixels();
     const auto most = double(demand.keepsFirst ? std::min<std::uint64_t>(left, leftToMark()) : left);
@@ -149,8 +150,16 @@ std::uint32_t FrameScheduler::wanted(const Demand& demand) const {
 }
 
 bool FrameScheduler::isComplete(const Demand& demand) const {
-    const bool isLate = hurries(demand) && done_.seconds >= secondsForSamples();
-    return !sweep_.isHalfMade() && (done_.n >= wanted(demand) || isLate);
+    const bool isEnough = done_.n >= wanted(demand) || (hurries(demand) && isLate());
+    return !sweep_.isHalfMade() && isEnough;
+}
+
+/// Returns whether more samples would come too late for a first image. After an edit only those with which the next
+/// mark is reached count (edit/first_samples.h), so that it is all of them or the first alone.
+bool FrameScheduler::isLate() const {
+    if (!ofEdit_)
+        return done_.seconds >= secondsForSamples();
+    return done_.n > 0 && ResolutionLadder::kSamples * done_.seconds > kMostOfEdit * secondsForSamples() * done_.n;
 }
 
 FrameScheduler::Iterations FrameScheduler::endFrame() {

@@ -56,9 +56,11 @@ class FrameScheduler {
     void chooseFirst(ivec2 size, bool moving);
     /// Returns the divider of the first film after an edit whose image is made with the one before: 1, the full film,
     /// if one sample of each pixel comes in time, else that of a coarse film for the change alone.
-    int dividerForEdit(ivec2 size) const { return ladder_.editIsInTime(size) ? 1 : ladder_.forEdit(size); }
+    int dividerForEdit(ivec2 size, bool moving) const {
+        return ladder_.editIsInTime(size) ? 1 : ladder_.forEdit(size, moving);
+    }
     /// Chooses the film of that divider after such an edit.
-    void chooseEdited(int divider);
+    void chooseEdited(int divider, bool moving);
     /// Chooses the next finer film of the same scene, whose full film has `size` pixels; after the coarse film of an
     /// edit the full one, whose image is as good from the first sample. `onFeatures`: images of the full film are made
     /// on features of the scene.
@@ -115,6 +117,7 @@ class FrameScheduler {
     double partPixels() const;
     bool hurries(const Demand& demand) const { return isCoarse() && !demand.replaced; }
     double secondsForSamples() const;
+    bool isLate() const;
     std::uint32_t launch(const Demand& demand) const;
     std::uint64_t leftToMark() const;
     std::uint32_t worthSending(std::uint32_t usual) const;
@@ -125,6 +128,7 @@ class FrameScheduler {
     int divider_ = 1;
     bool passing_ = false;  ///< the film was begun during a drag, with random numbers of its own
     bool ofEdit_ = false;   ///< see isCoarseEdit()
+    bool moving_ = false;   ///< such an edit is part of a drag
 
     Sweep sweep_;
     Iterations done_;     ///< iterations of the current frame

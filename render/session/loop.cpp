@@ -127,7 +127,7 @@ bool Session::Loop::begin(const RenderCommands::SceneOrder& order, const std::st
     if (!moving_ && comeBack(stop))
         return true;
     if (edits_.hasOld() && smooths(commands.display()))
-        scheduler_.chooseEdited(edits_.nearestCoarse(scene_.film, scheduler_.dividerForEdit(scene_.film)));
+        scheduler_.chooseEdited(dividerForEdit(), moving_);
     else
         scheduler_.chooseFirst(scene_.film, moving_);
     if (scheduler_.isCoarseEdit())

@@ -45,7 +45,9 @@ class Session::Loop {
     Result<void> accumulate(const FrameBudget& pace, const std::stop_token& stop);
     Result<void> show(const RenderCommands::Iteration& step, bool adds);
     Result<void> renderBefore();
+    int dividerForEdit() const;
     Result<void> prepareEdit(const std::stop_token& stop);
+    Result<void> prepareEdit(int divider, const std::stop_token& stop);
     bool showsFeatures(const RenderCommands::Iteration& step, const Display& display, bool adds);
     void findFeatures(const std::stop_token& stop);
     Result<DisplayPipeline::Images> makeHelped(const Display& asked, const Display& display, bool adds,

@@ -41,12 +41,29 @@ Result<void> Session::Loop::renderBefore() {
     return {};
 }
 
-/// Renders that film of the scene at rest, once, so that the first image of the next edit does not wait for it. Without
-/// it, renderBefore() does. Errors: the device no longer has the scene.
+/// Returns the divider of the first film after an edit: one whose film of the scene before is at hand, if there is one
+/// near. Without a drag the film may be finer, unless that of the scene before would have to be rendered first.
+int Session::Loop::dividerForEdit() const {
+    const auto nearest = [this](bool moving) {
+        return edits_.nearestCoarse(scene_.film, scheduler_.dividerForEdit(scene_.film, moving));
+    };
+    const int divider = nearest(moving_);
+    return divider == 1 || edits_.hasCoarse(dividedFilm(scene_.film, divider)) ? divider : nearest(true);
+}
+
+/// Renders such films of the scene at rest, each once, so that the first image of the next edit, in a drag or alone,
+/// does not wait for it. Without it, renderBefore() does. Errors: the device no longer has the scene.
 Result<void> Session::Loop::prepareEdit(const std::stop_token& stop) {
-    const int divider = scheduler_.dividerForEdit(scene_.film);
-    if (divider == 1 || !edits_.awaitsNext())
-        return {};
+    for (const bool moving : {true, false}) {
+        const int divider = scheduler_.dividerForEdit(scene_.film, moving);
+        if (divider > 1 && !stop.stop_requested() && edits_.awaitsNext(scene_.film, divider))
+            if (Result<void> prepared = prepareEdit(divider, stop); !prepared)
+                return prepared;
+    }
+    return {};
+}
+
+Result<void> Session::Loop::prepareEdit(int divider, const std::stop_token& stop) {
     const Scene coarse = dividedBy(divider, scene_, scene_.revision);
     return place_.lend([&](Device& device) -> Result<void> {
         if (!device.upload(coarse))

@@ -49,13 +49,13 @@ bool ResolutionLadder::editIsInTime(ivec2 size) const {
     return beginning_.median() + double(size.x) * size.y * (1 / speed() + display) <= kEditSeconds;
 }
 
-double ResolutionLadder::secondsForEdit() const {
-    const double left = kCoarseEditSeconds - beginning_.median() - coarseEditSeconds_.median();
-    return std::max(left, kLeastOfEdit * kCoarseEditSeconds);
+double ResolutionLadder::secondsForEdit(bool moving) const {
+    const double all = moving ? kCoarseEditSeconds : kRestingEditSeconds;
+    return std::max(all - beginning_.median() - coarseEditSeconds_.median(), kLeastOfEdit * all);
 }
 
-int ResolutionLadder::forEdit(ivec2 size) const {
-    const double affordable = std::max(secondsForEdit() * speed() / kSamples, 1.0);
+int ResolutionLadder::forEdit(ivec2 size, bool moving) const {
+    const double affordable = std::max(secondsForEdit(moving) * speed() / kSamples, 1.0);
     return std::clamp(int(std::ceil(std::sqrt(double(size.x) * size.y / affordable))), 2, kCoarsest);
 }
 

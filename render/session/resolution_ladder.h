@@ -22,6 +22,8 @@ class ResolutionLadder {
     /// Time from an edit to the end of making its image from coarse films (edit/coarse_edit.h): a hand that moves waits
     /// for two such images at most.
     static constexpr double kCoarseEditSeconds = 0.027;
+    /// Time for the first image of an edit without a drag, which is looked at.
+    static constexpr double kRestingEditSeconds = 0.08;
     /// Longest time that a full image made on features may take in place of a coarse one.
     static constexpr double kFeaturedSeconds = 2;
     /// Samples per pixel of a first image: fewer pixels with less noise are easier to follow.
@@ -57,10 +59,11 @@ class ResolutionLadder {
     double secondsForSamples(double pixels) const;
     /// Returns the first divider for a full film of `size` pixels.
     int first(ivec2 size) const;
-    /// Returns the part of an edit's time that is left for the samples of its coarse film [s].
-    double secondsForEdit() const;
+    /// Returns the part of an edit's time that is left for the samples of its coarse film [s]. `moving`: the user
+    /// drags.
+    double secondsForEdit(bool moving) const;
     /// Returns the divider of the coarse film after an edit of an image of `size` pixels, at least 2.
-    int forEdit(ivec2 size) const;
+    int forEdit(ivec2 size, bool moving) const;
     /// Returns the next finer divider, half of this one. All such steps together cost a third of the full film's first
     /// image.
     static int next(int divider) { return divider > 1 ? divider / 2 : 1; }

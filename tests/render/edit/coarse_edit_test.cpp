@@ -162,6 +162,15 @@ class CoarseEditTest : public QObject {
         QVERIFY2(off < 1.35 * unchanged, qPrintable(QString::number(off / unchanged)));
     }
 
+    /// One sample of each pixel makes no light of its own, however little noise it shares with that of the scene
+    /// before.
+    void oneSampleMakesNoLight() {
+        const Edit edit(discs, edited, 1);
+        const double off = errorOf(edit.radiance(1), edited), unchanged = errorOf(kept(edit.then)->all, edited);
+        qInfo("off by %.4f, old image %.4f", off, unchanged);
+        QVERIFY2(off < 1.04 * unchanged, qPrintable(QString::number(off / unchanged)));
+    }
+
     /// A scene that has nothing in common with the old one is shown no worse than without the old image.
     void aForeignImageDoesNoHarm() {
         const auto foreign = [](int x, int y) { return discs(y + 9, x + 21) * (x % 50 < 25 ? 3 : 0.3); };

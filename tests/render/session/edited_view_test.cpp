@@ -94,6 +94,14 @@ class GuideCounter final : public test::ForwardingDevice {
     std::atomic<int>& guides_;
 };
 
+/// Returns the mishaps of a device so slow that only coarse films come in time, by a clock of its own.
+std::shared_ptr<test::Mishaps> slowness() {
+    auto mishaps = std::make_shared<test::Mishaps>();
+    mishaps->clock = std::make_shared<test::FakeClock>();
+    mishaps->sampleSeconds = 1 / 40e3;
+    return mishaps;
+}
+
 /// A session whose first scene has an image of many samples, which was judged.
 struct Edited {
     Reel reel;
@@ -177,9 +185,7 @@ class EditedViewTest : public QObject {
     /// Where there is no time for all pixels there is for the change, which is laid on all of them. The scene before
     /// has been rendered for it at rest.
     void onASlowDeviceTheImageIsFullToo() {
-        auto mishaps = std::make_shared<test::Mishaps>();
-        mishaps->clock = std::make_shared<test::FakeClock>();
-        mishaps->sampleSeconds = 1 / 40e3;
+        const auto mishaps = slowness();
         std::atomic<int> uploads = 0;
         mishaps->before = [&](const std::string& call) { uploads += call == "upload"; };
         std::map<std::uint64_t, std::vector<std::uint8_t>> truths;  // first: the session goes on meanwhile
@@ -219,11 +225,30 @@ class EditedViewTest : public QObject {
         QCOMPARE(edited.reel.of(6).front()->size.x, sceneOf(1).film.x);
     }
 
+    /// An edit without a drag gets more pixels, of which the scene before has been rendered at rest, too.
+    void anEditAloneHasTimeForMorePixels() {
+        const auto mishaps = slowness();
+        std::atomic<int> uploads = 0;
+        mishaps->before = [&](const std::string& call) { uploads += call == "upload"; };
+        Edited edited(test::failing(mishaps), test::readingOf(mishaps->clock));
+        const auto secondsOfFirst = [&](std::uint64_t revision, bool moving) {
+            uploads = 0;
+            edited.session.submit(darkened(revision), moving);
+            (void)QTest::qWaitFor([&] { return !edited.reel.of(revision).empty(); }, test::kPatience);
+            const auto frames = edited.reel.of(revision);
+            return frames.empty() ? 0 : frames.front()->times.made - frames.front()->times.taken;
+        };
+        const double inDrag = secondsOfFirst(2, true);
+        QCOMPARE(uploads.load(), 1);
+        const double alone = secondsOfFirst(3, false);  // with a film of the scene before it would be twice as long
+        qInfo("%.4f s in a drag, %.4f s alone", inDrag, alone);
+        QVERIFY(inDrag > 0 && inDrag <= ResolutionLadder::kCoarseEditSeconds);
+        QVERIFY(alone > ResolutionLadder::kCoarseEditSeconds && alone <= ResolutionLadder::kRestingEditSeconds);
+    }
+
     /// Where there was no memory for that at rest, the scene before is rendered at the edit, once.
     void whatWasNotPreparedIsRenderedAtTheEdit() {
-        auto mishaps = std::make_shared<test::Mishaps>();
-        mishaps->clock = std::make_shared<test::FakeClock>();
-        mishaps->sampleSeconds = 1 / 40e3;
+        const auto mishaps = slowness();
         std::atomic<int> uploads = 0;
         std::atomic<bool> rests = true;
         mishaps->before = [&](const std::string& call) {
@@ -232,6 +257,8 @@ class EditedViewTest : public QObject {
         };
         Edited edited(test::failing(mishaps), test::readingOf(mishaps->clock));
         QVERIFY(uploads >= 3);
+        edited.session.setPaused(true);
+        QVERIFY(filmOf(edited.session, 1));  // nothing goes on meanwhile
         rests = false;
         for (std::uint64_t revision = 2; revision <= 3; ++revision) {
             uploads = 0;

@@ -134,6 +134,26 @@ class FrameSchedulerTest : public QObject {
         QVERIFY(!planned.scheduler.isComplete(demand(1, 4)));
     }
 
+    /// What is between two marks tells nothing of the change.
+    void theCoarseFilmOfAnEditHasAllItsSamplesOrOne() {
+        FrameScheduler::Demand first = demand(1);
+        first.keepsFirst = true;
+        const auto samplesAt = [&](double secondsOfOne) {
+            Planned planned(kLarge);
+            planned.scheduler.chooseEdited(8, true);
+            planned.whole = wholeImage(dividedFilm(kLarge, 8));
+            planned.scheduler.reset(TileProgress(planned.whole));
+            planned.begin();
+            while (!planned.scheduler.isComplete(first))
+                planned.scheduler.took(planned.scheduler.next(first, false), secondsOfOne);
+            return planned.scheduler.samples().least;
+        };
+        const double inTime = ResolutionLadder::kCoarseEditSeconds / ResolutionLadder::kSamples;
+        QCOMPARE(samplesAt(inTime), std::uint64_t(ResolutionLadder::kSamples));
+        QCOMPARE(samplesAt(1.4 * inTime), std::uint64_t(ResolutionLadder::kSamples));
+        QCOMPARE(samplesAt(1.6 * inTime), std::uint64_t(1));
+    }
+
     void aSlowLaunchComesInPieces() {
         Planned planned(kSmall);
         planned.frame(planned.whole, demand(1), 1);  // 6144 samples a second

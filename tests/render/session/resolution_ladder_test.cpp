@@ -56,6 +56,21 @@ class ResolutionLadderTest : public QObject {
         QVERIFY(std::abs(ladder.secondsForSamples(pixels) - (ResolutionLadder::kFrameSeconds - pixels * 1e-6)) < 1e-9);
     }
 
+    /// Who drags sees the next image soon; who has made one edit looks at the first.
+    void anEditAloneHasAFinerImageThanADrag() {
+        for (const double speed : {1e5, 1e6, 4e6})
+            for (const double beginning : {0.0, 0.01}) {
+                ResolutionLadder ladder = measured(speed, beginning);
+                ladder.addCoarseEditDisplay(0.01);
+                QVERIFY(ladder.forEdit(kFilm, false) < ladder.forEdit(kFilm, true) ||
+                        ladder.forEdit(kFilm, false) == ResolutionLadder::kCoarsest);
+                const double alone = ladder.secondsForEdit(false) + beginning + 0.01;
+                QVERIFY(std::abs(alone - ResolutionLadder::kRestingEditSeconds) < 1e-9);
+                QVERIFY(samplesOf(ladder.forEdit(kFilm, false)) / speed <= 1.1 * ladder.secondsForEdit(false) ||
+                        ladder.forEdit(kFilm, false) == ResolutionLadder::kCoarsest);
+            }
+    }
+
     /// Full films have no guide and leave no time for one.
     void whatAGuideCostsIsLeftForIt() {
         ResolutionLadder ladder = measured(4e6);
