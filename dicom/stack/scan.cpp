@@ -92,8 +92,10 @@ Result<ScanResult> scanSource(const std::shared_ptr<const SeriesSource>& source,
     std::vector<SliceHeader> headers, damaged;
     sortOut(*source, reads, headers, damaged, result);
     if (headers.empty() && result.problems.empty())
-        return Error{phrase("none of the %1 files is a DICOM image", result.filesSeen), source->root().string(),
-                     phrase("Give the folder that holds the DICOM files."), ErrorKind::refused};
+        return Error{result.filesSeen == 1 ? phrase("the only file is not a DICOM image")
+                                           : phrase("none of the %1 files is a DICOM image", result.filesSeen),
+                     source->root().string(), phrase("Give the folder that holds the DICOM files."),
+                     ErrorKind::refused};
     result.series = groupIntoSeries(headers, damaged, source, progress);
     if (!progress(1.0, "sorting slices"))
         return cancelled();

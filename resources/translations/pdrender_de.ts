@@ -7234,6 +7234,10 @@ Der Patient: Die Lampen bleiben, wo sie sind, wenn der Patient gedreht wird</tra
         <translation>das Netz braucht so oder so am längsten: %1</translation>
     </message>
     <message>
+        <source>the only file is not a DICOM image</source>
+        <translation>die einzige Datei ist kein DICOM-Bild</translation>
+    </message>
+    <message>
         <source>the other device cannot be used: %1</source>
         <translation>das andere Gerät kann nicht benutzt werden: %1</translation>
     </message>

@@ -7234,6 +7234,10 @@ El paciente: las lámparas se quedan donde están cuando se gira al paciente</tr
         <translation>la red es lo que más tarda en ambos casos: %1</translation>
     </message>
     <message>
+        <source>the only file is not a DICOM image</source>
+        <translation>el único archivo no es una imagen DICOM</translation>
+    </message>
+    <message>
         <source>the other device cannot be used: %1</source>
         <translation>no se puede usar el otro dispositivo: %1</translation>
     </message>

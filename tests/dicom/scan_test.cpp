@@ -219,7 +219,7 @@ class ScanTest : public QObject {
         QTest::newRow("empty") << "empty"
                                << "empty";
         QTest::newRow("text") << "text"
-                              << "none of the 1 files";
+                              << "the only file is not a DICOM image";
     }
     void wrongPlacesGetASentence() {
         QFETCH(QString, place);

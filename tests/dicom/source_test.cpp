@@ -173,7 +173,7 @@ class SourceTest : public QObject {
         source->add("readme.txt", {'a', 'b', 'c'});
         const auto refused = scanSource(source, noProgress);
         QVERIFY(!refused);
-        QCOMPARE(refused.error().what, std::string("none of the 1 files is a DICOM image"));
+        QCOMPARE(refused.error().what, std::string("the only file is not a DICOM image"));
     }
 };
 

@@ -132,7 +132,7 @@ class ZipTest : public QObject {
             QVERIFY(!scanArchive(at(name), noProgress));
         const auto none = scanOf({{"readme.txt", "a text"}});
         QVERIFY(!none);
-        QCOMPARE(none.error().what, std::string("none of the 1 files is a DICOM image"));
+        QCOMPARE(none.error().what, std::string("the only file is not a DICOM image"));
     }
 
     /// A wrong byte inside a packed slice is found by the checksum, and the slice is left out by name.
