@@ -10,7 +10,8 @@ namespace {
 /// Samples per second before any are known: what two to four cores make. A device that is faster is known to be so
 /// after one image; the first image of a slower one would keep the user waiting.
 constexpr double kGuess = 1e6;
-constexpr double kEditedGuess = 4e-7;  ///< seconds to show a pixel of the first image after an edit, on two cores
+constexpr double kCoarseEditGuess = 0.012;  ///< seconds to lay a coarse change on the full image, on two cores
+constexpr double kEditedGuess = 4e-7;       ///< seconds to show a pixel of the first image after an edit, on two cores
 /// Time for the first image of a full film made on features, of one sample, in parts of that sample's.
 constexpr double kFeaturedSamples = 3;
 /// Divider below which a coarse film and its guide take more than an eighth of the time for such an image.
@@ -51,7 +52,8 @@ bool ResolutionLadder::editIsInTime(ivec2 size) const {
 
 double ResolutionLadder::secondsForEdit(bool moving) const {
     const double all = moving ? kCoarseEditSeconds : kRestingEditSeconds;
-    return std::max(all - beginning_.median() - coarseEditSeconds_.median(), kLeastOfEdit * all);
+    const double display = coarseEditSeconds_.empty() ? kCoarseEditGuess : coarseEditSeconds_.median();
+    return std::max(all - beginning_.median() - display, kLeastOfEdit * all);
 }
 
 int ResolutionLadder::forEdit(ivec2 size, bool moving) const {

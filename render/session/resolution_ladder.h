@@ -23,7 +23,7 @@ class ResolutionLadder {
     /// for two such images at most.
     static constexpr double kCoarseEditSeconds = 0.027;
     /// Time for the first image of an edit without a drag, which is looked at.
-    static constexpr double kRestingEditSeconds = 0.08;
+    static constexpr double kRestingEditSeconds = 0.06;
     /// Longest time that a full image made on features may take in place of a coarse one.
     static constexpr double kFeaturedSeconds = 2;
     /// Samples per pixel of a first image: fewer pixels with less noise are easier to follow.

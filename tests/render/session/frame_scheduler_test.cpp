@@ -148,7 +148,7 @@ class FrameSchedulerTest : public QObject {
                 planned.scheduler.took(planned.scheduler.next(first, false), secondsOfOne);
             return planned.scheduler.samples().least;
         };
-        const double inTime = ResolutionLadder::kCoarseEditSeconds / ResolutionLadder::kSamples;
+        const double inTime = ResolutionLadder().secondsForEdit(true) / ResolutionLadder::kSamples;
         QCOMPARE(samplesAt(inTime), std::uint64_t(ResolutionLadder::kSamples));
         QCOMPARE(samplesAt(1.4 * inTime), std::uint64_t(ResolutionLadder::kSamples));
         QCOMPARE(samplesAt(1.6 * inTime), std::uint64_t(1));
