@@ -25,17 +25,20 @@ Colours CoarseEdit::radiance(const FirstSamples& after, std::uint64_t mark) cons
     const std::optional<Colours> gain = foretoldGain(before_, after);
     const Colours old = withGain(gain, reduced_);
     const HalfImages was = smoothedForChange(withGain(gain, *before_.at(mark)), mark),
-                     is = smoothedForChange(samples, mark), fresh = smoothed(samples, mark);
+                     is = smoothedForChange(samples, mark);
     const LightChange even = changeBetween(was.even, is.even, dim_), odd = changeBetween(was.odd, is.odd, dim_);
     const Plane part = shareOfChange({old, old}, {laidOn(old, even), laidOn(old, odd)}, dim_);
-    const SmoothHalves laid{laidOn(old, partOf(even, part)), laidOn(old, partOf(odd, part))};
-    // One sample of each pixel tells how light changes, but light of its own is noise
-    const Plane share =
-        mark > 1 ? shareOfSecond(laid, {fresh.even, fresh.odd}, samples.even, samples.odd, dim_, pixelsAlike(mark))
-                 : Plane(size());
     LightChange all = partOf(changeBetween(meanOf(was.even, was.odd), meanOf(is.even, is.odd), dim_), part);
     all.gain = withGain(gain, all.gain);
-    return laidOn(old_->all, mixed(share, all, meanOf(fresh.even, fresh.odd)));
+    // One sample of each pixel tells how light changes, but light of its own is noise
+    if (mark > 1) {
+        const HalfImages fresh = smoothed(samples, mark);
+        const SmoothHalves laid{laidOn(old, partOf(even, part)), laidOn(old, partOf(odd, part))};
+        const Plane share =
+            shareOfSecond(laid, {fresh.even, fresh.odd}, samples.even, samples.odd, dim_, pixelsAlike(mark));
+        all = mixed(share, all, meanOf(fresh.even, fresh.odd));
+    }
+    return laidOn(old_->all, all);
 }
 
 }  // namespace pdr
