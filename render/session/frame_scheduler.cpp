@@ -28,24 +28,32 @@ constexpr double kMeasureSeconds = 2;  ///< between two frames whose display is 
 void FrameScheduler::chooseFirst(ivec2 size, bool moving) {
     divider_ = ladder_.first(size);
     passing_ = moving;
-    ofEdit_ = false;
+    ofEdit_ = edits_ = false;
 }
 
 void FrameScheduler::chooseEdited(int divider, bool moving) {
     divider_ = divider;
     moving_ = moving;
     passing_ = false;
+    edits_ = true;
     ofEdit_ = divider > 1;
 }
 
 void FrameScheduler::chooseFiner(ivec2 size, bool onFeatures) {
     divider_ = ofEdit_ ? 1 : onFeatures ? ladder_.nextOnFeatures(divider_, size) : ResolutionLadder::next(divider_);
-    passing_ = ofEdit_ = false;
+    passing_ = ofEdit_ = edits_ = false;
 }
 
 void FrameScheduler::chooseFull() {
     divider_ = 1;
-    passing_ = ofEdit_ = false;
+    passing_ = ofEdit_ = edits_ = false;
+}
+
+void FrameScheduler::addBeginning(double seconds) {
+    if (edits_)
+        ladder_.addEditBeginning(seconds);
+    else
+        ladder_.addBeginning(seconds);
 }
 
 void FrameScheduler::reset(TileProgress progress) {

@@ -11,6 +11,7 @@ namespace {
 /// after one image; the first image of a slower one would keep the user waiting.
 constexpr double kGuess = 1e6;
 constexpr double kCoarseEditGuess = 0.012;  ///< seconds to lay a coarse change on the full image, on two cores
+constexpr double kEditBeginning = 0.025;    ///< seconds before the first sample after an edit, of 600 slices
 constexpr double kEditedGuess = 4e-7;       ///< seconds to show a pixel of the first image after an edit, on two cores
 /// Time for the first image of a full film made on features, of one sample, in parts of that sample's.
 constexpr double kFeaturedSamples = 3;
@@ -45,15 +46,21 @@ double ResolutionLadder::secondsForSamples(double pixels) const {
     return secondsForPixels() - pixels * secondsToShowCoarse();
 }
 
+/// Returns the time that passes before the first sample after an edit [s]. No more than what films of other views took
+/// is expected before there was one.
+double ResolutionLadder::secondsToBeginEdit() const {
+    return editBeginning_.empty() ? std::min(beginning_.median(), kEditBeginning) : editBeginning_.median();
+}
+
 bool ResolutionLadder::editIsInTime(ivec2 size) const {
     const double display = editedSeconds_.empty() ? kEditedGuess : editedSeconds_.median();
-    return beginning_.median() + double(size.x) * size.y * (1 / speed() + display) <= kEditSeconds;
+    return secondsToBeginEdit() + double(size.x) * size.y * (1 / speed() + display) <= kEditSeconds;
 }
 
 double ResolutionLadder::secondsForEdit(bool moving) const {
     const double all = moving ? kCoarseEditSeconds : kRestingEditSeconds;
     const double display = coarseEditSeconds_.empty() ? kCoarseEditGuess : coarseEditSeconds_.median();
-    return std::max(all - beginning_.median() - display, kLeastOfEdit * all);
+    return std::max(all - secondsToBeginEdit() - display, kLeastOfEdit * all);
 }
 
 int ResolutionLadder::forEdit(ivec2 size, bool moving) const {

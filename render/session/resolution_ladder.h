@@ -36,6 +36,8 @@ class ResolutionLadder {
 
     /// Records that a scene took `seconds` before its first sample.
     void addBeginning(double seconds) { beginning_.add(seconds); }
+    /// Records the same of a scene that an edit changed in the same view: that changes other things than a turn does.
+    void addEditBeginning(double seconds) { editBeginning_.add(seconds); }
     /// Records that so many samples took `seconds`, including their display if that cannot be separated. 0 seconds are
     /// ignored.
     void addFrame(double samples, double seconds);
@@ -76,8 +78,9 @@ class ResolutionLadder {
     static constexpr std::size_t kRecent = 5;
     double secondsForPixels() const;
     double secondsToShowCoarse() const;
+    double secondsToBeginEdit() const;
 
-    Recent beginning_{kRecent}, speed_{kRecent};
+    Recent beginning_{kRecent}, editBeginning_{kRecent}, speed_{kRecent};
     Recent displaySeconds_{kRecent}, guidedSeconds_{kRecent};  ///< per pixel of a film
     Recent editedSeconds_{kRecent};                            ///< per pixel of an image made with the one before
     Recent coarseEditSeconds_{kRecent};                        ///< per image

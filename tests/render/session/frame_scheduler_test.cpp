@@ -134,6 +134,27 @@ class FrameSchedulerTest : public QObject {
         QVERIFY(!planned.scheduler.isComplete(demand(1, 4)));
     }
 
+    /// Turns, which take longer to begin, and finer films after an edit do not make the next edit's film coarser.
+    void anEditBeginsInATimeOfItsOwn() {
+        Planned planned(kLarge);
+        FrameScheduler& scheduler = planned.scheduler;
+        const auto edit = [&] {
+            scheduler.chooseEdited(scheduler.dividerForEdit({600, 600}, false), false);
+            scheduler.addBeginning(0.01);
+            return scheduler.divider();
+        };
+        edit();
+        const int usual = edit();
+        QVERIFY(usual > 1 && usual < ResolutionLadder::kCoarsest);
+        for (int i = 0; i < 5; ++i) {
+            scheduler.chooseFirst(kLarge, false);
+            scheduler.addBeginning(0.2);
+            QCOMPARE(edit(), usual);
+            scheduler.chooseFiner(kLarge, false);
+            scheduler.addBeginning(0.2);
+        }
+    }
+
     /// What is between two marks tells nothing of the change.
     void theCoarseFilmOfAnEditHasAllItsSamplesOrOne() {
         FrameScheduler::Demand first = demand(1);

@@ -71,6 +71,19 @@ class ResolutionLadderTest : public QObject {
             }
     }
 
+    /// A turn of the view takes longer to begin than an edit in it.
+    void whatAViewTakesToBeginIsNoEdits() {
+        const ResolutionLadder turned = measured(4e6, 0.05);
+        QVERIFY(turned.forEdit(kFilm, false) < measured(1e6, 0.05).forEdit(kFilm, false));
+        ResolutionLadder edited = turned;
+        edited.addEditBeginning(0.01);
+        QVERIFY(edited.forEdit(kFilm, false) < turned.forEdit(kFilm, false));
+        QCOMPARE(edited.secondsForSamples(1), turned.secondsForSamples(1));
+        for (int i = 0; i < 9; ++i)
+            edited.addBeginning(0.2);
+        QVERIFY(std::abs(edited.secondsForEdit(false) - turned.secondsForEdit(false) - 0.015) < 1e-9);
+    }
+
     /// Full films have no guide and leave no time for one.
     void whatAGuideCostsIsLeftForIt() {
         ResolutionLadder ladder = measured(4e6);
