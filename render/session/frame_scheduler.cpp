@@ -28,29 +28,30 @@ constexpr double kMeasureSeconds = 2;  ///< between two frames whose display is 
 void FrameScheduler::chooseFirst(ivec2 size, bool moving) {
     divider_ = ladder_.first(size);
     passing_ = moving;
-    ofEdit_ = edits_ = false;
+    ofEdit_ = false;
 }
 
 void FrameScheduler::chooseEdited(int divider, bool moving) {
     divider_ = divider;
     moving_ = moving;
     passing_ = false;
-    edits_ = true;
-    ofEdit_ = divider > 1;
+    ofEdit_ = true;
 }
 
 void FrameScheduler::chooseFiner(ivec2 size, bool onFeatures) {
-    divider_ = ofEdit_ ? 1 : onFeatures ? ladder_.nextOnFeatures(divider_, size) : ResolutionLadder::next(divider_);
-    passing_ = ofEdit_ = edits_ = false;
+    divider_ = isCoarseEdit() ? 1
+               : onFeatures   ? ladder_.nextOnFeatures(divider_, size)
+                              : ResolutionLadder::next(divider_);
+    passing_ = ofEdit_ = false;
 }
 
 void FrameScheduler::chooseFull() {
     divider_ = 1;
-    passing_ = ofEdit_ = edits_ = false;
+    passing_ = ofEdit_ = false;
 }
 
 void FrameScheduler::addBeginning(double seconds) {
-    if (edits_)
+    if (ofEdit_)
         ladder_.addEditBeginning(seconds);
     else
         ladder_.addBeginning(seconds);
@@ -119,7 +120,7 @@ std::uint32_t FrameScheduler::worthSending(std::uint32_t usual) const {
 
 /// Returns the part of a coarse frame's time that its samples may take [s].
 double FrameScheduler::secondsForSamples() const {
-    return ofEdit_ ? ladder_.secondsForEdit(moving_) : ladder_.secondsForSamples(pixels());
+    return isCoarseEdit() ? ladder_.secondsForEdit(moving_) : ladder_.secondsForSamples(pixels());
 }
 
 /// Returns how many iterations to request at once. The first iteration of a first image shows how many are in time.
@@ -129,7 +130,7 @@ std::uint32_t FrameScheduler::launch(const Demand& demand) const {
     const std::uint32_t all = wanted(demand), left = all > done_.n ? all - done_.n : 1;
     if (demand.isShared && !isCoarse())
         return left;
-    if (hurries(demand) && ofEdit_)
+    if (hurries(demand) && isCoarseEdit())
         return std::uint32_t(std::min<std::uint64_t>(left, leftToMark()));
     const double seconds = hurries(demand) ? secondsForSamples() - done_.seconds : kLaunchSeconds;
     const double speed = done_.n > 0 && done_.seconds > 0 ? done_.n / done_.seconds : ladder_.speed() / partPixels();
@@ -165,7 +166,7 @@ bool FrameScheduler::isComplete(const Demand& demand) const {
 /// Returns whether more samples would come too late for a first image. After an edit only those with which the next
 /// mark is reached count (edit/first_samples.h), so that it is all of them or the first alone.
 bool FrameScheduler::isLate() const {
-    if (!ofEdit_)
+    if (!isCoarseEdit())
         return done_.seconds >= secondsForSamples();
     return done_.n > 0 && ResolutionLadder::kSamples * done_.seconds > kMostOfEdit * secondsForSamples() * done_.n;
 }
@@ -188,7 +189,7 @@ void FrameScheduler::addImage(const TimedImage& image) {
         timer_.addFrame(n, seconds, image.displaySeconds);
         ladder_.addFrame(n * pixels(), seconds);
     }
-    if (image.isEdit && ofEdit_)
+    if (image.isEdit && isCoarseEdit())
         ladder_.addCoarseEditDisplay(image.displaySeconds);
     else if (image.isEdit)
         ladder_.addEditedDisplay(pixels(), image.displaySeconds);

@@ -71,7 +71,7 @@ class FrameScheduler {
     bool isCoarse() const { return divider_ > 1 || passing_; }
     /// Returns whether the film is coarse and tells the change of an edit, with the same random numbers as all such
     /// films of its size.
-    bool isCoarseEdit() const { return ofEdit_; }
+    bool isCoarseEdit() const { return ofEdit_ && divider_ > 1; }
     /// Records how long the film that was chosen took to begin [s].
     void addBeginning(double seconds);
     /// Starts with a film of that progress, and forgets the times of images. How coarse it is and what is known of the
@@ -127,9 +127,8 @@ class FrameScheduler {
     FrameTimer timer_;
     int divider_ = 1;
     bool passing_ = false;  ///< the film was begun during a drag, with random numbers of its own
-    bool ofEdit_ = false;   ///< see isCoarseEdit()
+    bool ofEdit_ = false;   ///< the film is the first after an edit, coarse or not
     bool moving_ = false;   ///< such an edit is part of a drag
-    bool edits_ = false;    ///< the film is the first after an edit, coarse or not
 
     Sweep sweep_;
     Iterations done_;     ///< iterations of the current frame

@@ -29,7 +29,7 @@ void ResolutionLadder::addFrame(double samples, double seconds) {
 }
 
 double ResolutionLadder::speed() const {
-    return speed_.empty() ? kGuess : speed_.median();
+    return speed_.median(kGuess);
 }
 
 /// Returns the time for the samples and the display of all pixels [s].
@@ -39,7 +39,7 @@ double ResolutionLadder::secondsForPixels() const {
 
 /// Returns the recent time to show one pixel of a coarse film [s].
 double ResolutionLadder::secondsToShowCoarse() const {
-    return guidedSeconds_.empty() ? displaySeconds_.median() : guidedSeconds_.median();
+    return guidedSeconds_.median(displaySeconds_.median());
 }
 
 double ResolutionLadder::secondsForSamples(double pixels) const {
@@ -49,18 +49,17 @@ double ResolutionLadder::secondsForSamples(double pixels) const {
 /// Returns the time that passes before the first sample after an edit [s]. No more than what films of other views took
 /// is expected before there was one.
 double ResolutionLadder::secondsToBeginEdit() const {
-    return editBeginning_.empty() ? std::min(beginning_.median(), kEditBeginning) : editBeginning_.median();
+    return editBeginning_.median(std::min(beginning_.median(), kEditBeginning));
 }
 
 bool ResolutionLadder::editIsInTime(ivec2 size) const {
-    const double display = editedSeconds_.empty() ? kEditedGuess : editedSeconds_.median();
+    const double display = editedSeconds_.median(kEditedGuess);
     return secondsToBeginEdit() + double(size.x) * size.y * (1 / speed() + display) <= kEditSeconds;
 }
 
 double ResolutionLadder::secondsForEdit(bool moving) const {
     const double all = moving ? kCoarseEditSeconds : kRestingEditSeconds;
-    const double display = coarseEditSeconds_.empty() ? kCoarseEditGuess : coarseEditSeconds_.median();
-    return std::max(all - secondsToBeginEdit() - display, kLeastOfEdit * all);
+    return std::max(all - secondsToBeginEdit() - coarseEditSeconds_.median(kCoarseEditGuess), kLeastOfEdit * all);
 }
 
 int ResolutionLadder::forEdit(ivec2 size, bool moving) const {

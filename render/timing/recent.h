@@ -21,10 +21,10 @@ class Recent {
     bool empty() const { return values_.empty(); }
     /// Returns whether there are as many values as the median is taken of.
     bool full() const { return values_.size() == most_; }
-    /// Returns the median, the upper one of an even number of values; 0 without values.
-    double median() const {
+    /// Returns the median, the upper one of an even number of values; `guess` without values.
+    double median(double guess = 0) const {
         if (values_.empty())
-            return 0;
+            return guess;
         std::vector<double> sorted(values_.begin(), values_.end());
         const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
         std::nth_element(sorted.begin(), middle, sorted.end());
