@@ -18,7 +18,6 @@ class Recent {
         if (values_.size() > most_)
             values_.pop_front();
     }
-    bool empty() const { return values_.empty(); }
     /// Returns whether there are as many values as the median is taken of.
     bool full() const { return values_.size() == most_; }
     /// Returns the median, the upper one of an even number of values; `guess` without values.
